@@ -1,0 +1,29 @@
+"""Output files are written whole or not at all."""
+
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+
+def write_files(contents: Mapping[Path, bytes | str]) -> None:
+    """Write all files, or none: each is written beside its target first, then all are moved into place.
+
+    Raises OSError when a file cannot be written; no target has then been touched.
+    """
+    staged: list[tuple[str, Path]] = []
+    try:
+        for target, content in contents.items():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            data = content.encode() if isinstance(content, str) else content
+            handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+            staged.append((name, target))
+            with os.fdopen(handle, "wb") as file:
+                file.write(data)
+            os.chmod(name, 0o644)
+        for name, target in staged:
+            os.replace(name, target)
+        staged.clear()
+    finally:
+        for name, _ in staged:
+            os.unlink(name)
