@@ -20,10 +20,10 @@ def write_files(contents: Mapping[Path, bytes | str]) -> None:
             staged.append((name, target))
             with os.fdopen(handle, "wb") as file:
                 file.write(data)
-            os.chmod(name, 0o644)
+            Path(name).chmod(0o644)
         for name, target in staged:
-            os.replace(name, target)
+            Path(name).replace(target)
         staged.clear()
     finally:
         for name, _ in staged:
-            os.unlink(name)
+            Path(name).unlink()

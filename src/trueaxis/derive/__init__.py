@@ -1,0 +1,1 @@
+"""Symbolic derivation (SymPy): from a machine to its error model, motion equations and identification systems."""

@@ -1,0 +1,116 @@
+"""The symbols of a machine's equations: names as in its files, LaTeX as in the paper."""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from trueaxis.spec.machine import ROTARY, Machine, component_unit
+
+_DIRECTION_INDEX = {"X": "x", "Y": "y", "Z": "z", "A": "x", "B": "y", "C": "z"}
+
+
+@dataclass(frozen=True)
+class SymbolText:
+    """What a reader must know of a symbol: LaTeX, unit, a sentence."""
+
+    latex: str
+    unit: str
+    description: str
+
+
+def position(axis: str) -> sp.Symbol:
+    """Commanded position of an axis: x, y, z (mm), a, b, c (deg)."""
+    return sp.Symbol(axis.lower(), real=True)
+
+
+def cosine(axis: str) -> sp.Symbol:
+    """Cosine of the rotation of a rotary body, computed once per point before anything else."""
+    return sp.Symbol(f"cos_{axis.lower()}", real=True)
+
+
+def sine(axis: str) -> sp.Symbol:
+    """Sine of the rotation of a rotary body."""
+    return sp.Symbol(f"sin_{axis.lower()}", real=True)
+
+
+def named(name: str) -> sp.Symbol:
+    """The symbol of a component error or a parameter: its name in the files."""
+    return sp.Symbol(name, real=True)
+
+
+def point(prefix: str = "r") -> tuple[sp.Symbol, sp.Symbol, sp.Symbol]:
+    """Coordinates of a point in the frame of its body, mm."""
+    x, y, z = (sp.Symbol(prefix + axis, real=True) for axis in "xyz")
+    return x, y, z
+
+
+def component_latex(component: str) -> str:
+    r"""The paper's name: \delta_x(y) of EXY, \varepsilon_z(x) of ECX."""
+    letter = r"\delta" if component_unit(component) == "mm" else r"\varepsilon"
+    return f"{letter}_{{{_DIRECTION_INDEX[component[1]]}}}({component[2].lower()})"
+
+
+def describe(machine: Machine) -> dict[str, SymbolText]:
+    """Every symbol of a machine's equations by name, in the order positions, components, parameters, point."""
+    table: dict[str, SymbolText] = {}
+    for axis in machine.axes:
+        unit = "deg" if axis in ROTARY else "mm"
+        table[axis.lower()] = SymbolText(
+            axis.lower(), unit, f"commanded position of {axis} ({machine.mover(axis).name})"
+        )
+    for axis in machine.axes:
+        if axis in ROTARY:
+            letter = axis.lower()
+            table[f"cos_{letter}"] = SymbolText(rf"\cos {letter}", "1", f"cosine of the rotation about {axis}")
+            table[f"sin_{letter}"] = SymbolText(rf"\sin {letter}", "1", f"sine of the rotation about {axis}")
+    for component in machine.components:
+        table[component] = SymbolText(
+            component_latex(component), component_unit(component), describe_component(component)
+        )
+    for name in machine.dimensions:
+        table[name] = SymbolText(parameter_latex(name), "mm", "home position, " + _where(machine, name))
+    for name in machine.location_errors:
+        direction = machine.location_direction(name)
+        kind = "rotation about" if direction[1] in "ABC" else "displacement along"
+        text = f"location error, {kind} {_DIRECTION_INDEX[direction[1]].upper()}, {_where(machine, name)}"
+        table[name] = SymbolText(parameter_latex(name), machine.parameter_unit(name), text)
+    for letter, symbol in zip("xyz", point(), strict=True):
+        table[symbol.name] = SymbolText(
+            f"r_{{{letter}}}", "mm", f"{letter} coordinate of the point in its body's frame"
+        )
+    return table
+
+
+def describe_component(component: str) -> str:
+    """The component error in words (ISO 230-1)."""
+    direction, axis = component[1], component[2]
+    if component_unit(component) == "mm":
+        if direction == axis:
+            return f"positioning error of {axis}"
+        return (
+            f"straightness error of {axis} in {direction}"
+            if axis not in ROTARY
+            else f"error motion of {axis} along {direction}"
+        )
+    if axis in ROTARY:
+        return (
+            f"angular positioning error of {axis}" if direction == axis else f"tilt error of {axis} about {direction}"
+        )
+    about = _DIRECTION_INDEX[direction].upper()
+    return f"roll error of {axis}" if about == axis else f"angular error of {axis} about {about} (pitch or yaw)"
+
+
+def parameter_latex(name: str) -> str:
+    """`eps_xy` becomes \\varepsilon_{xy}, `q_Tx` q_{Tx}; other names are set upright."""
+    head, _, tail = name.partition("_")
+    heads = {"eps": r"\varepsilon", "delta": r"\delta", "alpha": r"\alpha", "beta": r"\beta", "gamma": r"\gamma"}
+    if tail and (head in heads or len(head) == 1):
+        return f"{heads.get(head, head)}_{{{tail.replace('_', ',')}}}"
+    return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
+
+
+def _where(machine: Machine, name: str) -> str:
+    for body in machine.bodies:
+        if name in body.position or name in dict((p, d) for d, p in body.position_errors):
+            return f"body {body.number} ({body.name}) on body {body.lower}"
+    raise KeyError(name)

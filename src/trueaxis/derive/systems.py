@@ -1,0 +1,157 @@
+"""Identification systems: from a set of runs to linear systems, in the order in which they can be solved.
+
+Every run gives one equation per position: its reading as a linear form of the component errors of the axes that
+move (first order). Which unknown each equation holds decides the blocks and their order (`trueaxis.blocks`).
+Location errors are taken as known here, as in Sects. 3.3-3.5 of the paper; `undetermined` says what that hides.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from trueaxis.blocks import solution_order
+from trueaxis.derive import symbols
+from trueaxis.derive.chain import Vector
+from trueaxis.derive.motion import MotionEquation, motion_equation
+from trueaxis.spec.machine import Machine
+
+Point = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class RunPattern:
+    """What a laser or probe run senses: the axes that move, and the two points, each (body, coordinates in mm)."""
+
+    name: str
+    moves: tuple[str, ...]
+    direction: tuple[float, float, float]
+    frame: str
+    target: tuple[str, Point]
+    reference: tuple[str, Point]
+
+
+@dataclass(frozen=True)
+class IdentificationSystem:
+    """matrix * unknowns = reading - known, solved: unknowns = inverse * (reading - known); inverse None if not square.
+
+    points: for each point symbol triple the body and the coordinates that the runs give it.
+    """
+
+    runs: tuple[str, ...]
+    moves: tuple[tuple[str, ...], ...]
+    unknowns: tuple[str, ...]
+    matrix: sp.Matrix
+    known: tuple[sp.Expr, ...]
+    inverse: sp.Matrix | None
+    determinant: sp.Expr | None
+    points: tuple[tuple[Vector, str, Point], ...]
+
+    def numeric_matrix(self) -> sp.Matrix:
+        """The matrix at the points of the runs, exact rational numbers."""
+        return self.matrix.subs(point_values(self.points))
+
+
+@dataclass(frozen=True)
+class Identification:
+    """Systems in the order of solution; `unreached`: components that the runs hold but cannot give."""
+
+    systems: tuple[IdentificationSystem, ...]
+    unreached: tuple[str, ...]
+    unseen: tuple[str, ...]
+    combinations: tuple[dict[str, sp.Rational], ...]
+
+
+def identification(machine: Machine, runs: Sequence[RunPattern]) -> Identification:
+    """The systems of a set of runs. Deterministic: ties are broken by the order of the runs."""
+    unknowns = [name for name in machine.components if any(name[2] in run.moves for run in runs)]
+    readings = [_reading(machine, run, _labels([run])[0]) for run in runs]
+    held = [[unknowns.index(name) for name in reading if name in unknowns] for reading in readings]
+    order = solution_order(held, len(unknowns))
+    systems = tuple(
+        _system(machine, [runs[e] for e in block.equations], [unknowns[u] for u in block.unknowns])
+        for block in order.blocks
+    )
+    seen = {name for reading in readings for name in reading}
+    unreached = tuple(unknowns[u] for u in order.undetermined if unknowns[u] in seen)
+    unseen = tuple(name for name in machine.components if name not in seen)
+    return Identification(systems, unreached, unseen, undetermined(machine, runs))
+
+
+def undetermined(machine: Machine, runs: Sequence[RunPattern]) -> tuple[dict[str, sp.Rational], ...]:
+    """Combinations that leave every reading as it is: a basis of the null space, exact, at the runs' points.
+
+    The axes of a run move together, so that each position gives one equation per run. Per unit of a location error,
+    a component is given as the slope (per mm or deg of its axis) by which its curve would change; combinations
+    without a location error hold at every position by themselves.
+    """
+    moved = [name for name in machine.components if any(name[2] in run.moves for run in runs)]
+    names = moved + list(machine.location_errors)
+    far = {axis: sp.Rational(repr(max(machine.travel[axis], key=abs))) for axis in machine.axes}
+    scale = [far[name[2]] if name in moved else sp.S.One for name in names]
+    still = {symbols.named(name): sp.S.Zero for name in machine.dimensions}
+    rows: list[list[sp.Expr]] = []
+    for run in runs:
+        labels, points = _labels([run])
+        values = point_values(points) | still | {symbols.position(axis): far[axis] for axis in run.moves}
+        reading = _reading(machine, run, labels)
+        rows.append([reading.get(name, sp.S.Zero).subs(values) * by for name, by in zip(names, scale, strict=True)])
+    if not rows:
+        return ()
+    null = sp.Matrix(rows).nullspace()
+    return tuple({name: value for name, value in zip(names, vector, strict=True) if value != 0} for vector in null)
+
+
+def point_values(points: Sequence[tuple[Vector, str, Point]]) -> dict[sp.Symbol, sp.Rational]:
+    """Exact coordinates by point symbol: the decimal numbers as the files have them."""
+    return {s: sp.Rational(repr(c)) for triple, _, at in points for s, c in zip(triple, at, strict=True)}
+
+
+def _labels(
+    runs: Sequence[RunPattern],
+) -> tuple[dict[tuple[str, Point], Vector], tuple[tuple[Vector, str, Point], ...]]:
+    """A symbol triple for each different point: rT1x .. on the tool, rW1x .. on the workpiece, rB1x .. on the bed."""
+    labels: dict[tuple[str, Point], Vector] = {}
+    counts: dict[str, int] = {}
+    for run in runs:
+        for on, at in (run.target, run.reference):
+            if on != run.frame and (on, at) not in labels:
+                counts[on] = counts.get(on, 0) + 1
+                labels[on, at] = symbols.point(f"r{on[0].upper()}{counts[on]}")
+    return labels, tuple((triple, on, at) for (on, at), triple in labels.items())
+
+
+def run_motion(machine: Machine, run: RunPattern, labels: dict[tuple[str, Point], Vector]) -> MotionEquation:
+    """The motion equation that a run senses a direction of."""
+    terms = tuple(
+        (sign, end[0], labels[end]) for sign, end in ((1, run.target), (-1, run.reference)) if end[0] != run.frame
+    )
+    return motion_equation(machine, run.moves, terms, run.frame)
+
+
+def _reading(machine: Machine, run: RunPattern, labels: dict[tuple[str, Point], Vector]) -> dict[str, sp.Expr]:
+    direction = [sp.Rational(repr(part)) for part in run.direction]
+    columns = run_motion(machine, run, labels).motion.columns
+    reading = {
+        name: sp.expand(sum(d * c for d, c in zip(direction, column, strict=True))) for name, column in columns.items()
+    }
+    return {name: value for name, value in reading.items() if value != 0}
+
+
+def _system(machine: Machine, runs: Sequence[RunPattern], unknowns: Sequence[str]) -> IdentificationSystem:
+    labels, points = _labels(runs)
+    readings = [_reading(machine, run, labels) for run in runs]
+    matrix = sp.Matrix([[reading.get(name, sp.S.Zero) for name in unknowns] for reading in readings])
+    known = tuple(
+        sp.Add(*(value * symbols.named(name) for name, value in reading.items() if name not in unknowns))
+        for reading in readings
+    )
+    inverse = determinant = None
+    if matrix.rows == matrix.cols:
+        determinant = sp.factor(matrix.det(method="berkowitz"))
+        if determinant != 0:
+            inverse = matrix.adjugate() / determinant
+    moves = tuple(dict.fromkeys(run.moves for run in runs))
+    return IdentificationSystem(
+        tuple(run.name for run in runs), moves, tuple(unknowns), matrix, known, inverse, determinant, points
+    )

@@ -1,0 +1,106 @@
+"""Typed access to one table of a TOML file; what is wrong is complained of, and reading goes on."""
+
+import math
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from trueaxis.toml_lines import KeyPath
+
+Complain = Callable[[KeyPath, str, str], None]
+
+
+@dataclass
+class Fields:
+    """A table at `path`. Each reader returns None (or nothing) after complaining of a wrong value."""
+
+    raw: dict[str, Any]
+    path: KeyPath
+    complain: Complain
+    known: set[str] = field(default_factory=set)
+
+    def fault(self, key: str, problem: str, remedy: str = "") -> None:
+        """Complain of one key of this table."""
+        self.complain((*self.path, key), problem, remedy)
+
+    def _take(self, key: str, required: bool, kind: str) -> Any:
+        self.known.add(key)
+        if key not in self.raw and required:
+            self.complain((*self.path, key), "is missing", kind)
+        return self.raw.get(key)
+
+    def integer(self, key: str, default: int | None = None) -> int | None:
+        """A whole number; required unless there is a default."""
+        value = self._take(key, default is None, "a whole number")
+        if value is None:
+            return default
+        if isinstance(value, bool) or not isinstance(value, int):
+            self.fault(key, f"is {value!r}", "a whole number")
+            return default
+        return value
+
+    def text(self, key: str, default: str | None = None, pattern: str = "", meaning: str = "") -> str | None:
+        """A text, not empty; required unless there is a default."""
+        value = self._take(key, default is None, "a text in quotes")
+        if value is None:
+            return default
+        if not isinstance(value, str) or not value.strip():
+            self.fault(key, f"is {value!r}", "a text in quotes")
+            return default
+        if pattern and not re.fullmatch(pattern, value):
+            self.fault(key, f"is {value!r}", meaning)
+        return value
+
+    def choice(self, key: str, among: tuple[str, ...]) -> str | None:
+        """One of a few texts, or absent."""
+        value = self._take(key, False, "")
+        if value is not None and value not in among:
+            self.fault(key, f"is {value!r}", f"one of {' '.join(among)}, or left out")
+            return None
+        return value if isinstance(value, str) else None
+
+    @staticmethod
+    def finite(value: Any) -> float | None:
+        """The value as a finite float, or None."""
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            return None
+        try:
+            number = float(value)
+        except OverflowError:
+            return None
+        return number if math.isfinite(number) else None
+
+    def numbers(self, key: str, count: int, required: bool = False) -> tuple[float, ...] | None:
+        """A list of so many finite numbers."""
+        right = f"a list of {count} finite numbers"
+        value = self._take(key, required, right)
+        if value is None:
+            return None
+        read = [self.finite(part) for part in value] if isinstance(value, list) else []
+        if len(read) != count or None in read:
+            self.fault(key, f"is {value!r}", right)
+            return None
+        return tuple(number for number in read if number is not None)
+
+    def table(self, key: str, required: bool = False) -> "Fields":
+        """The sub-table of that key; an empty one where it is absent or no table."""
+        value = self._take(key, required, f"a table [{key}]")
+        if value is not None and not isinstance(value, dict):
+            self.fault(key, f"is {value!r}", f"a table [{key}]")
+        return Fields(value if isinstance(value, dict) else {}, (*self.path, key), self.complain)
+
+    def tables(self, key: str, required: bool = False) -> Iterator["Fields"]:
+        """The tables of an array [[key]]."""
+        value = self._take(key, required, f"one table [[{key}]] or more")
+        if value is not None and not (isinstance(value, list) and all(isinstance(part, dict) for part in value)):
+            self.fault(key, "is no array of tables", f"[[{key}]]")
+            return
+        for index, part in enumerate(value or []):
+            yield Fields(part, (*self.path, key, index), self.complain)
+
+    def refuse_others(self, allowed: str = "") -> None:
+        """Complain of every key that no reader asked for."""
+        for key in self.raw:
+            if key not in self.known:
+                self.fault(key, "is not a key of this table", f"allowed: {allowed or ', '.join(sorted(self.known))}")
