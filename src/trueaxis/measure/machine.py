@@ -1,0 +1,50 @@
+"""What measuring needs to know of a machine, and of a machine model."""
+
+from collections.abc import Mapping
+from typing import Literal, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+
+View = Literal["tool_in_workpiece", "tool_in_bed", "workpiece_in_bed", "bed_in_workpiece"]
+
+
+class MachineAxes(Protocol):
+    """What measured data are checked against."""
+
+    @property
+    def name(self) -> str:
+        """The machine's name."""
+        ...
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """Axis letters in the order X Y Z A B C."""
+        ...
+
+    @property
+    def travel(self) -> Mapping[str, tuple[float, float]]:
+        """Axis -> lowest and highest commanded position, mm or deg."""
+        ...
+
+
+class MeasuredMachine(Protocol):
+    """A machine model that can be measured: where points of one body are, seen from another.
+
+    positions: (n_axes, n), mm or deg; point: (3, 1) or (3, n), mm, in the frame of the body that carries it.
+    """
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """Axis letters in the order X Y Z A B C."""
+        ...
+
+    def view_ideal(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
+        """Coordinates on the error-free machine, (3, n), mm."""
+        ...
+
+    def view_deviation(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
+        """Actual minus ideal coordinates, (3, n), mm, on the exact model."""
+        ...

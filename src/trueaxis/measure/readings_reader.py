@@ -1,0 +1,125 @@
+"""readings.csv or readings.parquet to arrays, with every fault at its line and column."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+import polars as pl
+
+from trueaxis.faults import Faults
+from trueaxis.measure.approach import DirectionArray, approach_directions
+from trueaxis.measure.columns import check_columns, note, numbers, positions, texts, whole_numbers
+from trueaxis.measure.machine import MachineAxes
+from trueaxis.measure.reading_model import home_positions
+from trueaxis.measure.readings import Readings
+from trueaxis.measure.setup import Run
+from trueaxis.measure.table import Table, read_table
+
+FloatArray = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int64]
+
+LARGEST_READING = 100.0  # mm: a deviation beyond it is in another unit
+
+_REQUIRED = ("run", "seq", "reading")
+_OPTIONAL = ("time_s", "feed", "temperature_c")
+
+
+def read_readings(path: Path, machine: MachineAxes, runs: Sequence[Run] | None) -> Readings:
+    """Read the readings of a machine's runs.
+
+    runs: those of the setup; None where the setup could not be read: what is left of the file is checked then.
+    Raises InputError with every fault of the file.
+    """
+    table = read_table(path)
+    faults = Faults(str(path))
+    columns = table.frame.columns
+    approaches = tuple(f"dir_{axis}" for axis in machine.axes)
+    check_columns(table, machine, faults, required=_REQUIRED, optional=(*_OPTIONAL, *approaches))
+    if table.frame.height == 0:
+        faults.add("", "has no rows", "a row per reading, with an empty reading where it is still to be taken")
+    commanded = positions(table, machine, faults)
+    run_ids, run = _runs(table, runs, faults)
+    seq = _seq(table, run, faults)
+    optional = {name: numbers(table, name, faults, may_be_empty=True) for name in _OPTIONAL if name in columns}
+    given = {name[4:]: _given_directions(table, name, faults) for name in approaches if name in columns}
+    reading = _reading(table, faults)
+    faults.raise_if_any()
+    directions = _derived_directions(runs or (), machine.axes, (run, seq, commanded))
+    for row, axis in enumerate(machine.axes):
+        if axis in given:
+            directions[row] = np.where(np.isnan(given[axis]), directions[row], given[axis]).astype(np.int8)
+    return Readings(
+        axes=machine.axes,
+        run_ids=run_ids,
+        run=run,
+        seq=seq,
+        positions=commanded,
+        directions=directions,
+        reading=reading,
+        given_directions=tuple(given),
+        time=optional.get("time_s"),
+        feed=optional.get("feed"),
+        temperature=optional.get("temperature_c"),
+    )
+
+
+def _runs(table: Table, runs: Sequence[Run] | None, faults: Faults) -> tuple[tuple[str, ...], IntArray]:
+    """Ids in the order of the setup, and each row's index into them (-1 for an unknown run, which is noted)."""
+    if "run" not in table.frame.columns:
+        return (), np.full(table.frame.height, -1, dtype=np.int64)
+    named = texts(table, "run", faults)
+    present = named.filter(named != "").unique(maintain_order=True).to_list()
+    ids = tuple(run.id for run in runs) if runs is not None else tuple(present)
+    for name in present:
+        if name not in ids:
+            first = int((named == name).arg_max() or 0)
+            faults.add(table.place(first, "run"), f'the setup has no run "{name}"', f"runs {', '.join(ids)}")
+    for name in ids:
+        if name not in present:
+            faults.add("column run", f'there is no row of run "{name}"', "remove the run from the setup, or read it")
+    index = {name: number for number, name in enumerate(ids)}
+    known = [name for name in present if name in index]
+    codes = named.replace_strict(known, [index[name] for name in known], default=-1, return_dtype=pl.Int64)
+    return ids, codes.to_numpy().astype(np.int64)
+
+
+def _seq(table: Table, run: IntArray, faults: Faults) -> IntArray:
+    if "seq" not in table.frame.columns:
+        return np.zeros(table.frame.height, dtype=np.int64)
+    seq = whole_numbers(table, "seq", faults)
+    if "run" in table.frame.columns:
+        keys = pl.DataFrame({"run": run, "seq": seq})
+        again = ~keys.select(pl.struct("run", "seq").is_first_distinct()).to_series().to_numpy() & (run >= 0)
+        note(table, "seq", again, faults, "is given already in this run", remedy="a number of its own for each row")
+    return seq
+
+
+def _given_directions(table: Table, name: str, faults: Faults) -> FloatArray:
+    values = numbers(table, name, faults, may_be_empty=True)
+    wrong = ~np.isnan(values) & ~np.isin(values, (-1.0, 0.0, 1.0))
+    note(table, name, wrong, faults, "is not a direction", remedy="+1, -1 or 0")
+    return values
+
+
+def _reading(table: Table, faults: Faults) -> FloatArray:
+    if "reading" not in table.frame.columns:
+        return np.full(table.frame.height, np.nan)
+    values = numbers(table, "reading", faults, may_be_empty=True)
+    remedy = f"readings are deviations in mm, at most {LARGEST_READING:g}"
+    note(table, "reading", np.abs(values) > LARGEST_READING, faults, "is too large", remedy=remedy)
+    return values
+
+
+def _derived_directions(
+    runs: Sequence[Run], axes: Sequence[str], rows_of_all: tuple[IntArray, IntArray, FloatArray]
+) -> DirectionArray:
+    """Approach directions from the order of seq; rows_of_all: run (n,), seq (n,), positions (n_axes, n)."""
+    run, seq, commanded = rows_of_all
+    found = np.zeros(commanded.shape, dtype=np.int8)
+    for index, one in enumerate(runs):
+        rows = np.flatnonzero(run == index)
+        home = home_positions(one, axes)
+        start = None if home is None else home[:, 0]
+        found[:, rows] = approach_directions(seq[rows], commanded[:, rows], start)
+    return found

@@ -1,0 +1,48 @@
+"""The runs of a set of measured data, as setup.toml describes them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+Instrument = Literal["laser", "ballbar", "probe"]
+Frame = Literal["bed", "workpiece"]
+Carrier = Literal["tool", "workpiece", "bed"]
+Vector = tuple[float, float, float]
+
+FILE_NAME = "setup.toml"
+
+
+@dataclass(frozen=True, slots=True)
+class PointOn:
+    """A point fixed to a body; `point` in mm, in that body's frame."""
+
+    on: Carrier
+    point: Vector = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """One run: an instrument set up once and read at many axis positions.
+
+    direction: unit vector of the sensed direction, in `frame` (laser and probe; None for the ball bar);
+    home: axis -> position (mm, deg) at which the reading was set to zero, every axis of the machine named;
+    length: nominal length of the ball bar, mm (None for laser and probe). A distance has neither frame nor zero
+    point: `frame` and `home` say nothing about a ball-bar run.
+    """
+
+    id: str
+    instrument: Instrument
+    target: PointOn
+    reference: PointOn
+    frame: Frame
+    home: Mapping[str, float]
+    direction: Vector | None = None
+    length: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Setup:
+    """All runs of a set of measured data, in the order of the file."""
+
+    machine: str
+    runs: tuple[Run, ...]

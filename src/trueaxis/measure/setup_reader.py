@@ -1,0 +1,175 @@
+"""setup.toml to Run records, with every fault at its line and key."""
+
+import math
+import tomllib
+from pathlib import Path
+from typing import Any, cast
+
+from trueaxis.faults import Faults, InputError
+from trueaxis.measure.machine import MachineAxes
+from trueaxis.measure.setup import Carrier, Frame, Instrument, PointOn, Run, Setup, Vector
+from trueaxis.runtime.input_files import input_bytes, utf8_text
+from trueaxis.spec.fields import Fields
+from trueaxis.toml_lines import KeyPath, key_lines, place
+
+UNIT_TOLERANCE = 1e-6  # a unit vector written with seven digits or more is one
+LONGEST_BAR = 1e4  # mm; beyond this the length is no length of a ball bar
+
+_INSTRUMENTS = ("laser", "ballbar", "probe")
+_CARRIERS = ("tool", "workpiece", "bed")
+
+
+def read_setup(path: Path, machine: MachineAxes) -> Setup:
+    """Read setup.toml of data measured on a machine.
+
+    Raises InputError with every fault of the file.
+    """
+    text = utf8_text(path, input_bytes(path))
+    faults = Faults(str(path))
+    try:
+        tree = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:  # ValueError: bad syntax, or a number of too many digits
+        faults.add("", f"is not TOML: {error}")
+        raise InputError(faults.found) from None
+    lines: dict[KeyPath, int] = {}
+
+    def complain(key: KeyPath, problem: str, remedy: str = "") -> None:
+        if not lines:
+            lines.update(key_lines(text))
+        faults.add(place(key, lines), problem, remedy)
+
+    setup = _setup(Fields(tree, (), complain), machine)
+    faults.raise_if_any()
+    return setup
+
+
+def _setup(top: Fields, machine: MachineAxes) -> Setup:
+    schema = top.integer("schema")
+    if schema not in (1, None):
+        top.fault("schema", f"{schema} is not a schema that this version reads", "schema = 1")
+    measured = top.text("machine")
+    if measured not in (machine.name, None):
+        top.fault("machine", f'"{measured}" is another machine', f'machine = "{machine.name}"')
+    runs: list[Run] = []
+    for fields in top.tables("run", required=True):
+        run = _run(fields, machine)
+        if run.id and any(run.id == other.id for other in runs):
+            fields.fault("id", f'"{run.id}" names another run already', "an id of its own for each run")
+        runs.append(run)
+    top.refuse_others()
+    return Setup(machine.name, tuple(runs))
+
+
+def _run(fields: Fields, machine: MachineAxes) -> Run:
+    """The run of one table; what is wrong in it has been complained of and is filled with something harmless."""
+    instrument = fields.choice("instrument", _INSTRUMENTS)
+    if "instrument" not in fields.raw:
+        fields.fault("instrument", "is missing", f"one of {' '.join(_INSTRUMENTS)}")
+    ballbar = instrument == "ballbar"
+    frame = cast(Frame, fields.choice("frame", ("bed", "workpiece")) or "bed")
+    target = _point_on(fields, "target", ("tool", "workpiece"))
+    if ballbar or "reference" in fields.raw:
+        reference = _point_on(fields, "reference", _CARRIERS)
+    else:
+        fields.known.add("reference")
+        reference = PointOn("bed")
+    if target is not None and reference is not None:
+        _check_carriers(fields, ballbar, frame, target, reference)
+    run = Run(
+        id=_id(fields),
+        instrument=cast(Instrument, instrument or "laser"),
+        target=target or PointOn("tool"),
+        reference=reference or PointOn("bed"),
+        frame=frame,
+        home=_home(fields, machine),
+        direction=_direction(fields, instrument),
+        length=_length(fields, instrument),
+    )
+    fields.refuse_others()
+    return run
+
+
+def _check_carriers(fields: Fields, ballbar: bool, frame: Frame, target: PointOn, reference: PointOn) -> None:
+    if ballbar and target.on == reference.on:
+        problem = f"both balls are on the {target.on}"
+        fields.fault("reference", problem, "two bodies that move against each other")
+    if not ballbar and target.on == frame == reference.on:
+        problem = f"target and reference both rest in the {frame} frame: nothing is sensed"
+        fields.fault("target", problem, "one of them on a body that moves in that frame")
+
+
+def _id(fields: Fields) -> str:
+    run_id = fields.text("id") or ""
+    if run_id and (run_id != run_id.strip() or not run_id.isprintable()):
+        fields.fault("id", f"is {run_id!r}", "printable characters with no space before or after them")
+    return run_id
+
+
+def _direction(fields: Fields, instrument: str | None) -> Vector | None:
+    if instrument == "ballbar":
+        if "direction" in fields.raw:
+            fields.fault("direction", "a ball bar senses along itself", "no direction")
+        fields.known.add("direction")
+        return None
+    vector = fields.numbers("direction", 3, required=instrument is not None)
+    if vector is None:
+        return None
+    norm = math.hypot(*vector)
+    if abs(norm - 1.0) > UNIT_TOLERANCE:
+        unit = [component / norm for component in vector] if 0.0 < norm < math.inf else "a unit vector"
+        fields.fault("direction", f"has length {norm:.9g} where a unit vector has 1", f"{unit}")
+    return cast(Vector, vector)
+
+
+def _length(fields: Fields, instrument: str | None) -> float | None:
+    given = fields.raw.get("length")
+    fields.known.add("length")
+    right = "the nominal length of the ball bar, mm"
+    if instrument != "ballbar":
+        if given is not None and instrument is not None:
+            fields.fault("length", f"a {instrument} has no length", "no length")
+        return None
+    if given is None:
+        fields.fault("length", "is missing", right)
+        return None
+    length = fields.finite(given)
+    if length is None or not 0.0 < length <= LONGEST_BAR:
+        fields.fault("length", f"is {given!r}", right)
+    return length
+
+
+def _home(fields: Fields, machine: MachineAxes) -> dict[str, float]:
+    home = dict.fromkeys(machine.axes, 0.0)
+    table = fields.table("home")
+    for axis, given in table.raw.items():
+        if axis not in machine.axes:
+            table.fault(axis, f"machine {machine.name} has no axis {axis}", f"axes {' '.join(machine.axes)}")
+            continue
+        position = table.finite(given)
+        low, high = machine.travel[axis]
+        if position is None:
+            table.fault(axis, f"is {given!r}", "a finite number")
+        elif not low <= position <= high:
+            table.fault(axis, f"{position!r} is outside the travel", f"from {low!r} to {high!r}")
+        else:
+            home[axis] = position
+    return home
+
+
+def _point_on(fields: Fields, key: str, carriers: tuple[str, ...]) -> PointOn | None:
+    """The point under a key that must be there; None after a complaint."""
+    right = f"{{ on = one of {' '.join(carriers)}, point = [x, y, z] }}"
+    if not isinstance(fields.raw.get(key), dict):
+        fields.known.add(key)
+        problem = f"is {fields.raw[key]!r}" if key in fields.raw else "is missing"
+        fields.fault(key, problem, right)
+        return None
+    table = fields.table(key)
+    carrier = table.choice("on", carriers)
+    if "on" not in table.raw:
+        table.fault("on", "is missing", f"one of {' '.join(carriers)}")
+    point: Any = table.numbers("point", 3, required=carrier not in ("bed", None))
+    table.refuse_others("on, point")
+    if carrier is None or (point is None and carrier != "bed"):
+        return None
+    return PointOn(cast(Carrier, carrier), point or (0.0, 0.0, 0.0))

@@ -1,0 +1,52 @@
+"""Readings made from a machine model: plans filled in, with noise on request."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from trueaxis.faults import Faults
+from trueaxis.measure.machine import MeasuredMachine
+from trueaxis.measure.reading_model import expected_readings
+from trueaxis.measure.readings import Readings
+from trueaxis.measure.readings_reader import LARGEST_READING
+from trueaxis.measure.setup import Run
+
+
+def simulate(
+    machine: MeasuredMachine,
+    runs: Sequence[Run],
+    readings: Readings,
+    *,
+    noise_um: float = 0.0,
+    seed: int = 0,
+    replace_all: bool = False,
+) -> Readings:
+    """The readings with plan rows (all rows where replace_all) filled in from the exact model.
+
+    noise_um: standard deviation of the Gaussian noise added, micrometres; the noise of a row depends on the seed and
+    the row's place in the file alone.
+    """
+    fill = np.ones_like(readings.planned) if replace_all else readings.planned
+    filled = readings.reading.copy()
+    filled[fill] = expected_readings(machine, runs, readings.run[fill], readings.positions[:, fill])
+    if noise_um > 0.0:
+        noise = np.random.default_rng(seed).normal(0.0, noise_um * 1e-3, len(filled))
+        filled[fill] += noise[fill]
+    return replace(readings, reading=filled)
+
+
+def check_simulated(readings: Readings, file: str) -> None:
+    """Raise InputError where a simulated reading is no reading: a bar that does not span its balls, or huge errors.
+
+    file: the plan's readings, which the faults are of.
+    """
+    faults = Faults(file)
+    for index, run_id in enumerate(readings.run_ids):
+        rows = readings.of_run(index)
+        values = readings.reading[rows]
+        wrong = rows[~(np.abs(values) <= LARGEST_READING)]
+        if len(wrong):
+            problem = f'row {readings.seq[wrong[0]]} of run "{run_id}" would read {readings.reading[wrong[0]]:.6g} mm'
+            faults.add("column reading", problem, "points, positions and length that agree, errors in mm and rad")
+    faults.raise_if_any()

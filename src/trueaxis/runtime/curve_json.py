@@ -1,0 +1,134 @@
+"""Error curves to and from the objects of an error-values file."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from trueaxis.faults import Faults
+from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
+from trueaxis.runtime.strict_json import JsonPath, key_path, number, numbers, shown
+
+HIGHEST_POWER = 99  # a power of a travel of 1000 mm then still is a finite number
+
+_KEYS = {"polynomial": ("powers", "coefficients"), "table": ("positions", "values")}
+
+
+def read_curve(value: Any, path: JsonPath, faults: Faults) -> Curve | None:
+    """The curve of one component; None when a fault was noted."""
+    before = len(faults.found)
+    if not isinstance(value, dict):
+        faults.add(key_path(path), f"{shown(value)} is not an error curve", 'give {"basis": "polynomial", ...}')
+        return None
+    basis = value.get("basis")
+    if not isinstance(basis, str) or basis not in _KEYS:
+        problem = "is missing" if "basis" not in value else f"{shown(basis)} is not a basis"
+        faults.add(key_path((*path, "basis")), problem, 'give "polynomial" or "table"')
+        return None
+    known = ("basis", *_KEYS[basis], "u")
+    for key in value:
+        if key not in known:
+            faults.add(key_path((*path, key)), f"is not a key of a {basis}", f"known: {', '.join(known)}")
+    missing = [key for key in _KEYS[basis] if key not in value]
+    for key in missing:
+        faults.add(key_path((*path, key)), "is missing")
+    if missing:
+        return None
+    curve = _polynomial(value, path, faults) if basis == "polynomial" else _table(value, path, faults)
+    return curve if len(faults.found) == before else None
+
+
+def read_u(value: Any, path: JsonPath, faults: Faults) -> float:
+    """A standard uncertainty: a number >= 0, or null (NaN) where it is unknown."""
+    if value is None:
+        return math.nan
+    found = number(value, path, faults)
+    if found < 0.0:
+        faults.add(key_path(path), f"{found!r} is negative", "a standard uncertainty is at least 0")
+    return found
+
+
+def curve_object(curve: Curve) -> dict[str, Any]:
+    """The JSON object of a curve; polynomials in rising powers."""
+    if isinstance(curve, PolynomialCurve):
+        order = sorted(range(len(curve.powers)), key=curve.powers.__getitem__)
+        found: dict[str, Any] = {
+            "basis": "polynomial",
+            "powers": [int(curve.powers[i]) for i in order],
+            "coefficients": [float(curve.coefficients[i]) for i in order],
+        }
+        if curve.u is not None:
+            found["u"] = [u_value(curve.u[i]) for i in order]
+        return found
+    found = {
+        "basis": "table",
+        "positions": [float(position) for position in curve.positions],
+        "values": [float(value) for value in curve.values],
+    }
+    if curve.u is not None:
+        found["u"] = [u_value(u) for u in curve.u]
+    return found
+
+
+def u_value(u: float) -> float | None:
+    """A standard uncertainty as JSON has it: null where unknown."""
+    return None if math.isnan(u) else float(u)
+
+
+def _polynomial(value: dict[str, Any], path: JsonPath, faults: Faults) -> PolynomialCurve | None:
+    powers = _powers(value["powers"], (*path, "powers"), faults)
+    coefficients = numbers(value["coefficients"], (*path, "coefficients"), faults)
+    u = _uncertainties(value, path, faults)
+    if _same_length(value, ("powers", "coefficients", "u"), path, faults):
+        return PolynomialCurve(powers, coefficients, u)
+    return None
+
+
+def _powers(value: Any, path: JsonPath, faults: Faults) -> tuple[int, ...]:
+    found = []
+    for index, power in enumerate(numbers(value, path, faults)):
+        if math.isnan(power):
+            continue  # noted already
+        if not power.is_integer() or not 0 <= power <= HIGHEST_POWER:
+            remedy = f"give a whole number from 0 to {HIGHEST_POWER}"
+            faults.add(key_path((*path, index)), f"{power!r} is not a power", remedy)
+        elif int(power) in found:
+            faults.add(key_path((*path, index)), f"power {int(power)} is given more than once", "keep one")
+        else:
+            found.append(int(power))
+    return tuple(found)
+
+
+def _table(value: dict[str, Any], path: JsonPath, faults: Faults) -> TableCurve | None:
+    positions = numbers(value["positions"], (*path, "positions"), faults)
+    values = numbers(value["values"], (*path, "values"), faults)
+    u = _uncertainties(value, path, faults)
+    if value["positions"] == []:
+        faults.add(key_path((*path, "positions")), "is empty", "give one position at least")
+    for index in np.flatnonzero(np.diff(positions) <= 0.0):
+        place = key_path((*path, "positions", int(index) + 1))
+        faults.add(place, f"{positions[index + 1]!r} follows {positions[index]!r}", "positions must increase")
+    if _same_length(value, ("positions", "values", "u"), path, faults):
+        return TableCurve(positions, values, u)
+    return None
+
+
+def _uncertainties(value: dict[str, Any], path: JsonPath, faults: Faults) -> tuple[float, ...] | None:
+    if "u" not in value:
+        return None
+    if not isinstance(value["u"], list):
+        faults.add(key_path((*path, "u")), f"{shown(value['u'])} is not a list of standard uncertainties")
+        return None
+    return tuple(read_u(u, (*path, "u", index), faults) for index, u in enumerate(value["u"]))
+
+
+def _same_length(value: dict[str, Any], keys: tuple[str, ...], path: JsonPath, faults: Faults) -> bool:
+    lengths = {key: len(value[key]) for key in keys if isinstance(value.get(key), list)}
+    first = keys[0]
+    if first not in lengths:
+        return False
+    for key, length in lengths.items():
+        if length != lengths[first]:
+            remedy = f"as many as {first} ({lengths[first]})"
+            faults.add(key_path((*path, key)), f"has {length} entries", remedy)
+    return len(set(lengths.values())) == 1

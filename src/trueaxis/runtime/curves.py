@@ -1,0 +1,91 @@
+"""Error curves: one motion error as a function of its axis position, evaluated on arrays."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class PolynomialCurve:
+    """sum(coefficients[i] * s**powers[i]) of the commanded axis position s (mm, deg); value in mm or rad.
+
+    powers: distinct whole numbers >= 0; u: standard uncertainty per coefficient, NaN where unknown, None when not
+    given.
+    """
+
+    powers: tuple[int, ...]
+    coefficients: tuple[float, ...]
+    u: tuple[float, ...] | None = None
+
+    def __call__(self, positions: FloatArray) -> FloatArray:
+        """Values, of the shape of `positions`; Horner's scheme, so that no power of s is ever formed in full."""
+        terms = sorted(zip(self.powers, self.coefficients, strict=True), reverse=True)
+        values = np.zeros_like(positions, dtype=np.float64)
+        following = (*(power for power, _ in terms[1:]), 0)
+        for (power, coefficient), lower in zip(terms, following, strict=True):
+            values += coefficient
+            for _ in range(power - lower):
+                values *= positions
+        return values
+
+
+@dataclass(frozen=True, slots=True)
+class TableCurve:
+    """Linear interpolation between (position, value) pairs; beyond the ends the end values hold.
+
+    positions: strictly increasing (mm, deg); values: mm or rad; u: standard uncertainty per value, NaN where
+    unknown, None when not given.
+    """
+
+    positions: tuple[float, ...]
+    values: tuple[float, ...]
+    u: tuple[float, ...] | None = None
+
+    def __call__(self, positions: FloatArray) -> FloatArray:
+        """Values, of the shape of `positions`."""
+        return np.interp(positions, self.positions, self.values)
+
+
+Curve = PolynomialCurve | TableCurve
+
+
+def evaluate_components(
+    curves: Mapping[str, Curve],
+    components: Sequence[str],
+    axis_of_component: Sequence[int],
+    positions: FloatArray,
+) -> FloatArray:
+    """Values of the motion errors at axis positions.
+
+    axis_of_component: for each component the row of `positions` it depends on; positions: (n_axes, n), mm or deg.
+    Returns (n_components, n), mm or rad; components without a curve are zero.
+    """
+    values = np.zeros((len(components), positions.shape[1]))
+    for row, (component, axis) in enumerate(zip(components, axis_of_component, strict=True)):
+        if component in curves:
+            values[row] = curves[component](positions[axis])
+    return values
+
+
+def pack_polynomials(curves: Mapping[str, Curve], components: Sequence[str], degree: int) -> FloatArray | None:
+    """Coefficients of the powers 1..degree, (n_components, degree), for kernels of that one fixed form.
+
+    None when a curve has another form: a table, a constant term, or a power above `degree`.
+    """
+    packed = np.zeros((len(components), degree))
+    for row, component in enumerate(components):
+        curve = curves.get(component)
+        if curve is None:
+            continue
+        if not isinstance(curve, PolynomialCurve):
+            return None
+        for power, coefficient in zip(curve.powers, curve.coefficients, strict=True):
+            if 1 <= power <= degree:
+                packed[row, power - 1] = coefficient
+            elif coefficient != 0.0:
+                return None
+    return packed

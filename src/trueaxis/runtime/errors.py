@@ -1,0 +1,169 @@
+"""Error values of one machine: parameters and motion errors, and their JSON file."""
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from trueaxis.faults import Faults, InputError
+from trueaxis.runtime.curve_json import curve_object, read_curve, read_u, u_value
+from trueaxis.runtime.curves import Curve
+from trueaxis.runtime.input_files import input_bytes, utf8_text
+from trueaxis.runtime.strict_json import JsonPath, key_path, number, parse, shown
+
+SCHEMA = 1
+_KEYS = ("schema", "machine", "parameters", "motion_errors", "effects", "u", "undetermined")
+
+
+@dataclass(frozen=True, slots=True)
+class Undetermined:
+    """A combination of values that the measured data leave open.
+
+    combination: as a reader sees it, such as `ECX: x^1 + eps_xy`; parameters: the names that take part.
+    """
+
+    combination: str
+    parameters: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorValues:
+    """Error values of a machine; what is not named is zero.
+
+    parameters: name -> value (mm or rad); motion_errors: component -> curve; u: standard uncertainties of
+    parameters, NaN where unknown (those of curves are in the curves); undetermined: what identification left open.
+    """
+
+    machine: str
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    motion_errors: Mapping[str, Curve] = field(default_factory=dict)
+    u: Mapping[str, float] = field(default_factory=dict)
+    undetermined: tuple[Undetermined, ...] = ()
+
+
+def read_errors(path: Path, *, machine: str, components: Sequence[str], parameters: Sequence[str]) -> ErrorValues:
+    """Read an error-values file for a machine with the given motion-error components and parameters.
+
+    Raises InputError with every fault of the file, each at its JSON key path.
+    """
+    faults = Faults(str(path))
+    tree = parse(utf8_text(path, input_bytes(path)), faults)
+    if not isinstance(tree, dict):
+        if not faults.found:
+            faults.add("", f"{shown(tree)} is not an object", 'give {"schema": 1, "machine": ..., ...}')
+        raise InputError(faults.found)
+    _check_head(tree, machine, faults)
+    values = _numbers_by_name(tree, "parameters", parameters, number, faults)
+    uncertainties = _numbers_by_name(tree, "u", parameters, read_u, faults)
+    curves: dict[str, Curve] = {}
+    for name, value in _named(tree, "motion_errors", components, "motion error", faults):
+        curve = read_curve(value, ("motion_errors", name), faults)
+        if curve is not None:
+            curves[name] = curve
+    undetermined = _undetermined(tree.get("undetermined", []), faults)
+    faults.raise_if_any()
+    return ErrorValues(machine, values, curves, uncertainties, undetermined)
+
+
+def dump_errors(errors: ErrorValues, *, components: Sequence[str], parameters: Sequence[str]) -> str:
+    """JSON text of error values, in the machine's order whatever order the values came in; the same bytes each time.
+
+    Floats are written so that they read back as the same numbers.
+    """
+    tree: dict[str, Any] = {"schema": SCHEMA, "machine": errors.machine}
+    tree["parameters"] = {name: float(errors.parameters[name]) for name in parameters if name in errors.parameters}
+    if errors.u:
+        tree["u"] = {name: u_value(errors.u[name]) for name in parameters if name in errors.u}
+    tree["motion_errors"] = {
+        name: curve_object(errors.motion_errors[name]) for name in components if name in errors.motion_errors
+    }
+    tree["effects"] = []
+    if errors.undetermined:
+        tree["undetermined"] = [
+            {"combination": item.combination, "parameters": list(item.parameters)} for item in errors.undetermined
+        ]
+    return _two_levels(tree)
+
+
+def _check_head(tree: dict[str, Any], machine: str, faults: Faults) -> None:
+    for key in tree:
+        if key not in _KEYS:
+            faults.add(key, "is not a key of an error-values file", _suggest(key, _KEYS))
+    if "schema" not in tree or isinstance(tree["schema"], bool) or tree["schema"] != SCHEMA:
+        problem = f"{shown(tree['schema'])} is not a known schema" if "schema" in tree else "is missing"
+        faults.add("schema", problem, f"this version reads schema {SCHEMA}")
+    if "machine" not in tree:
+        faults.add("machine", "is missing", f'give "{machine}"')
+    elif tree["machine"] != machine:
+        faults.add("machine", f"{shown(tree['machine'])} is another machine", f'the machine is "{machine}"')
+    if tree.get("effects", []) != []:
+        faults.add("effects", "effects are not known to this version", "leave the list empty")
+
+
+def _named(
+    tree: dict[str, Any], key: str, known: Sequence[str], what: str, faults: Faults
+) -> Iterable[tuple[str, Any]]:
+    """The entries of the object under `key` whose names the machine knows, in the machine's order."""
+    entries = tree.get(key, {})
+    if not isinstance(entries, dict):
+        faults.add(key, f"{shown(entries)} is not an object")
+        return ()
+    for name in entries:
+        if name not in known:
+            faults.add(key_path((key, name)), f"the machine has no {what} {name}", _suggest(name, known))
+    return [(name, entries[name]) for name in known if name in entries]
+
+
+def _numbers_by_name(
+    tree: dict[str, Any], key: str, known: Sequence[str], read: Any, faults: Faults
+) -> dict[str, float]:
+    entries = _named(tree, key, known, "parameter", faults)
+    return {name: read(value, (key, name), faults) for name, value in entries}
+
+
+def _undetermined(entries: Any, faults: Faults) -> tuple[Undetermined, ...]:
+    if not isinstance(entries, list):
+        faults.add("undetermined", f"{shown(entries)} is not a list")
+        return ()
+    found = []
+    for index, entry in enumerate(entries):
+        path: JsonPath = ("undetermined", index)
+        if not isinstance(entry, dict) or set(entry) != {"combination", "parameters"}:
+            faults.add(key_path(path), "is not an object of combination and parameters")
+            continue
+        names = entry["parameters"]
+        if not isinstance(entry["combination"], str):
+            faults.add(key_path((*path, "combination")), f"{shown(entry['combination'])} is not a text")
+        elif not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+            faults.add(key_path((*path, "parameters")), "is not a list of names")
+        else:
+            found.append(Undetermined(entry["combination"], tuple(names)))
+    return tuple(found)
+
+
+def _suggest(name: str, known: Sequence[str]) -> str:
+    close = get_close_matches(name, known, n=1)
+    if close:
+        return f"did you mean {close[0]}?"
+    return f"known: {', '.join(known)}" if known else "it has none"
+
+
+def _two_levels(tree: dict[str, Any]) -> str:
+    """JSON with a line per parameter and per curve: lists of coefficients stay on one line."""
+    parts = []
+    for key, value in tree.items():
+        if isinstance(value, dict) and value:
+            inner = ",\n".join(f"    {_flat(name)}: {_flat(item)}" for name, item in value.items())
+            parts.append(f"  {_flat(key)}: {{\n{inner}\n  }}")
+        elif isinstance(value, list) and value:
+            inner = ",\n".join(f"    {_flat(item)}" for item in value)
+            parts.append(f"  {_flat(key)}: [\n{inner}\n  ]")
+        else:
+            parts.append(f"  {_flat(key)}: {_flat(value)}")
+    return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
+def _flat(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
