@@ -170,7 +170,7 @@ def _curve_routines(machine: Machine, main: View) -> Iterator[Routine]:
         inputs,
         (deviation,),
         _rows(deviation.rows, tuple(_mark(d).xreplace(values) for d in walked.deviation)),
-        bound,  # type: ignore[arg-type]
+        bound,
     )
     binder = Binder()
     folded = folded_deviation(machine, main, symbols.point(), binder)

@@ -23,8 +23,8 @@ class Walked:
 def walk(view: View, point: Vector, binder: Binder, *, exact: bool = True) -> Walked:
     """Walk a point through a view, exactly for the small-rotation matrices or to first order in the errors.
 
-    Forward, an error factor gives d + delta + epsilon x (p + d). Inverted, with u = d - delta and w = p + u, the
-    exact inverse of 1 + [epsilon x] gives (u + epsilon (epsilon . w) - epsilon x w - |epsilon|^2 p) / (1 + |epsilon|^2).
+    Forward, an error factor gives d + delta + epsilon x (p + d). Inverted, with u = d - delta and w = p + u, the exact
+    inverse of 1 + [epsilon x] gives (u + epsilon (epsilon . w) - epsilon x w - |epsilon|^2 p) / (1 + |epsilon|^2).
     """
     p, d = point, ZERO
     for factor in view.walk:

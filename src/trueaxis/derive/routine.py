@@ -5,6 +5,7 @@ calls of library functions (cosines and sines), `body` once per point and is pla
 documents print this record.
 """
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -14,6 +15,8 @@ from trueaxis.derive import symbols
 from trueaxis.spec.machine import ROTARY
 
 Assignment = tuple[sp.Symbol, sp.Expr]
+
+_RADIAN_PER_DEGREE = sp.Float(math.radians(1.0), 17)  # the very double that both emitters print
 
 
 @dataclass(frozen=True)
@@ -119,7 +122,7 @@ def _without_copies(assignments: Sequence[Assignment], needed: set[str]) -> list
 
 def _ordered(assignments: Sequence[Assignment], needed: set[str]) -> list[Assignment]:
     """Depth first from the needed results, so that each value is made shortly before it is used."""
-    values = {target: value for target, value in assignments}
+    values = dict(assignments)
     done: dict[sp.Symbol, sp.Expr] = {}
 
     def visit(target: sp.Symbol) -> None:
@@ -139,7 +142,7 @@ def _ordered(assignments: Sequence[Assignment], needed: set[str]) -> list[Assign
 def _staged(ordered: Sequence[Assignment], inputs: Sequence[Argument]) -> tuple[list[Assignment], ...]:
     rows = [row for argument in inputs if argument.per_point for row in argument.rows]
     trigonometry = [
-        (make(axis), function(sp.pi * symbols.position(axis) / 180))
+        (make(axis), function(_RADIAN_PER_DEGREE * symbols.position(axis)))
         for axis in ROTARY
         if axis.lower() in rows
         for make, function in ((symbols.cosine, sp.cos), (symbols.sine, sp.sin))

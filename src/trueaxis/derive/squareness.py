@@ -50,5 +50,5 @@ def _direction(machine: Machine, axis: str) -> sp.Matrix:
 
 def _linear(machine: Machine, value: sp.Expr) -> sp.Expr:
     names = [symbols.named(name) for name in machine.location_errors]
-    zero = {name: sp.S.Zero for name in names}
+    zero = dict.fromkeys(names, sp.S.Zero)
     return sp.Add(*(sp.diff(value, name).subs(zero) * name for name in names))

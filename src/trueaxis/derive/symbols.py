@@ -101,7 +101,7 @@ def describe_component(component: str) -> str:
 
 
 def parameter_latex(name: str) -> str:
-    """`eps_xy` becomes \\varepsilon_{xy}, `q_Tx` q_{Tx}; other names are set upright."""
+    r"""`eps_xy` becomes \varepsilon_{xy}, `q_Tx` q_{Tx}; other names are set upright."""
     head, _, tail = name.partition("_")
     heads = {"eps": r"\varepsilon", "delta": r"\delta", "alpha": r"\alpha", "beta": r"\beta", "gamma": r"\gamma"}
     if tail and (head in heads or len(head) == 1):
@@ -111,6 +111,6 @@ def parameter_latex(name: str) -> str:
 
 def _where(machine: Machine, name: str) -> str:
     for body in machine.bodies:
-        if name in body.position or name in dict((p, d) for d, p in body.position_errors):
+        if name in body.position or name in (parameter for _, parameter in body.position_errors):
             return f"body {body.number} ({body.name}) on body {body.lower}"
     raise KeyError(name)

@@ -1,0 +1,5 @@
+"""`python -m trueaxis`."""
+
+from trueaxis.cli import main
+
+raise SystemExit(main())

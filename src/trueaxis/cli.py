@@ -1,0 +1,43 @@
+"""The command line: one parser, one module per command, one place where wrong input becomes exit code 2."""
+
+import argparse
+import importlib
+import sys
+from collections.abc import Sequence
+
+from trueaxis import __version__
+from trueaxis.faults import InputError
+
+COMMANDS = ("derive", "predict", "simulate", "identify", "compensate", "demo")
+_FAULTS_SHOWN = 50
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """The parser of every command."""
+    parser = argparse.ArgumentParser(
+        prog="trueaxis",
+        description="Geometric errors of machine tools: derive the model of a machine from a short spec, identify its "
+        "errors from laser, ball-bar and probe data, compensate its NC programs.",
+        epilog="trueaxis COMMAND --help tells more of each. Exit codes: 0 done; 1 done, and the answer is no; "
+        "2 the input is wrong, every fault is listed and no output file was touched.",
+    )
+    parser.add_argument("--version", action="version", version=f"trueaxis {__version__}")
+    subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    for name in COMMANDS:
+        importlib.import_module(f"trueaxis.commands.{name}").add_parser(subparsers)
+    return parser
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command. Returns the exit code."""
+    args = build_parser().parse_args(arguments)
+    try:
+        return int(args.run(args))
+    except InputError as error:
+        for fault in error.faults[:_FAULTS_SHOWN]:
+            print(f"trueaxis: {fault}", file=sys.stderr)
+        if len(error.faults) > _FAULTS_SHOWN:
+            print(f"trueaxis: and {len(error.faults) - _FAULTS_SHOWN} more faults", file=sys.stderr)
+    except OSError as error:
+        print(f"trueaxis: {error.filename or ''}: {error.strerror or error}", file=sys.stderr)
+    return 2

@@ -1,0 +1,101 @@
+"""`trueaxis derive`: from a machine spec to its kernels and equations."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from trueaxis.derive.systems import RunPattern
+from trueaxis.faults import Fault, InputError
+from trueaxis.measure.data import MeasuredData, read_data
+from trueaxis.measure.setup import PointOn
+from trueaxis.spec import Machine, read_machine
+from trueaxis.topology import format_lower_body_array
+
+
+def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Declare the command."""
+    parser = subparsers.add_parser(
+        "derive",
+        help="derive a machine's model: NumPy and C kernels, readable equations",
+        description="Derive the error model of a machine from its spec and write OUT/NAME/: kernels.py, kernels.c, "
+        "kernels.h, equations.md, manifest.json.",
+        epilog="exit code: 0 written (or up to date), 1 --check found differences, 2 the spec is wrong",
+    )
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
+    parser.add_argument(
+        "--out", type=Path, default=Path("generated"), help="folder of generated machines (%(default)s)"
+    )
+    parser.add_argument(
+        "--check", action="store_true", help="write nothing; say how OUT differs from what would be written"
+    )
+    parser.add_argument(
+        "--runs",
+        type=Path,
+        help="folder of measured data or a plan, whose identification systems are derived (default: the spec's `runs`)",
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Derive, then write or compare."""
+    # SymPy takes a second to import; only this command needs it.
+    from trueaxis.derive.model import derive_model  # noqa: PLC0415
+    from trueaxis.emit.check import differences, write  # noqa: PLC0415
+    from trueaxis.emit.render import render  # noqa: PLC0415
+
+    machine = read_machine(args.machine)
+    model = derive_model(machine, _runs(machine, args.machine, args.runs))
+    files = render(model, f"machines/{machine.name}.toml")
+    folder = args.out / machine.name
+    if args.check:
+        found = differences(folder, files)
+        for line in found[:400]:
+            print(line)
+        if found:
+            print(f"{folder} differs from {args.machine}; run: trueaxis derive {args.machine} --out {args.out}")
+            return 1
+        print(f"{folder} is what {args.machine} derives to")
+        return 0
+    write(folder, files)
+    print(
+        f"{machine.title}: axes {' '.join(machine.axes)}, {len(machine.components)} motion errors, "
+        f"{len(machine.location_errors)} location errors"
+    )
+    print("lower-body array over the bodies (bed first):")
+    sys.stdout.write(format_lower_body_array(machine))
+    if model.identification:
+        print("identification systems in the order of solution:")
+        for number, system in enumerate(model.identification.systems, 1):
+            print(f"  {number}. {', '.join(system.runs)} -> {', '.join(system.unknowns)}")
+    for name in files:
+        print(f"wrote {folder / name}")
+    return 0
+
+
+def _runs(machine: Machine, spec: Path, given: Path | None) -> tuple[RunPattern, ...]:
+    folder = given or (spec.parent / machine.runs if machine.runs else None)
+    if folder is None:
+        return ()
+    if not folder.is_dir():
+        key = "--runs" if given else "key runs"
+        raise InputError(
+            [Fault(str(spec), key, f"there is no folder {folder}", "a folder with setup.toml and readings.csv")]
+        )
+    return run_patterns(machine, read_data(folder, machine))
+
+
+def run_patterns(machine: Machine, data: MeasuredData) -> tuple[RunPattern, ...]:
+    """The laser and probe runs of a data set, as patterns: which axes move is seen from the readings."""
+    patterns: list[RunPattern] = []
+    for index, each in enumerate(data.setup.runs):
+        if each.direction is None:
+            continue  # a ball bar's reading is no linear form of the position
+        rows = data.readings.of_run(index)
+        positions = data.readings.positions[:, rows]
+        moves = tuple(axis for axis, row in zip(machine.axes, positions, strict=True) if (row != each.home[axis]).any())
+        patterns.append(RunPattern(each.id, moves, each.direction, each.frame, _end(each.target), _end(each.reference)))
+    return tuple(patterns)
+
+
+def _end(end: PointOn) -> tuple[str, tuple[float, float, float]]:
+    return end.on, end.point

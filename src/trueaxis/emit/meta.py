@@ -1,0 +1,56 @@
+"""The META record: what a program must know to call the kernels, and what a reader must know of their symbols."""
+
+from typing import Any
+
+from trueaxis.derive import symbols
+from trueaxis.derive.routine import Argument, Routine
+from trueaxis.derive.squareness import squarenesses
+from trueaxis.spec.machine import ROTARY, Machine
+
+ABI = 1  # raised whenever the signature, layout or meaning of a kernel changes
+
+
+def meta(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
+    """Axes, components and parameters in order with units, squareness relations, and every routine's arguments."""
+    texts = symbols.describe(machine)
+    return {
+        "machine": machine.name,
+        "title": machine.title,
+        "axes": list(machine.axes),
+        "position_units": ["deg" if axis in ROTARY else "mm" for axis in machine.axes],
+        "travel": {axis: list(machine.travel[axis]) for axis in machine.axes},
+        "components": list(machine.components),
+        "component_units": [texts[name].unit for name in machine.components],
+        "component_descriptions": [texts[name].description for name in machine.components],
+        "parameters": list(machine.parameters),
+        "parameter_units": [texts[name].unit for name in machine.parameters],
+        "parameter_descriptions": [texts[name].description for name in machine.parameters],
+        "dimensions": list(machine.dimensions),
+        "location_errors": list(machine.location_errors),
+        "curve_degree": machine.curve_degree,
+        "squareness": [_squareness(pair.axes, pair.product) for pair in squarenesses(machine)],
+        "routines": {routine.name: _routine(routine) for routine in routines},
+    }
+
+
+def _squareness(axes: tuple[str, str], product: Any) -> dict[str, Any]:
+    terms = {symbol.name: float(product.coeff(symbol)) for symbol in sorted(product.free_symbols, key=str)}
+    return {"axes": list(axes), "location_errors": terms}
+
+
+def _routine(routine: Routine) -> dict[str, Any]:
+    return {
+        "inputs": [_argument(argument) for argument in routine.inputs],
+        "outputs": [_argument(argument) for argument in routine.outputs],
+        "operations": routine.operations,
+        "operations_per_call": routine.batch_operations,
+    }
+
+
+def _argument(argument: Argument) -> dict[str, Any]:
+    return {
+        "name": argument.name,
+        "shape": list(argument.shape),
+        "per_point": argument.per_point,
+        "unit": argument.unit,
+    }

@@ -1,0 +1,114 @@
+"""The NumPy kernels: one function per routine, in blocks of points that stay in cache."""
+
+import pprint
+from dataclasses import dataclass
+
+from trueaxis.derive.routine import Argument, Assignment, Routine
+from trueaxis.emit.meta import ABI, meta
+from trueaxis.emit.python_printer import python_code
+from trueaxis.emit.templates import environment
+from trueaxis.spec.machine import Machine
+
+
+@dataclass(frozen=True)
+class FunctionText:
+    """What the template prints of one routine."""
+
+    name: str
+    arguments: tuple[str, ...]
+    doc: tuple[str, ...]
+    per_point: tuple[str, ...]
+    outputs: tuple[tuple[str, int], ...]
+    returns: str
+    constants: tuple[str, ...]
+    batch: tuple[str, ...]
+    rows: tuple[str, ...]
+    preparation: tuple[str, ...]
+    body: tuple[str, ...]
+
+
+def numpy_source(machine: Machine, routines: tuple[Routine, ...], spec: str) -> str:
+    """The text of kernels.py. `spec`: the spec's file as shown in the header."""
+    record = pprint.pformat(meta(machine, routines), width=118, sort_dicts=False)
+    template = environment().get_template("kernels.py.j2")
+    return template.render(
+        abi=ABI,
+        digest=machine.digest,
+        spec=spec,
+        title=machine.title,
+        meta=record,
+        functions=[_function(routine) for routine in routines],
+    )
+
+
+def shape_text(argument: Argument) -> str:
+    """`(3, n)`, `(18, 7)`, `(9,)`."""
+    sizes = [str(size) for size in argument.shape] + (["n"] if argument.per_point else [])
+    return f"({', '.join(sizes)}{',' if len(sizes) == 1 else ''})"
+
+
+def _function(routine: Routine) -> FunctionText:
+    used = {s.name for _, value in routine.batch + routine.preparation + routine.body for s in value.free_symbols}
+    constants = [a for a in routine.inputs if not a.per_point]
+    varying = [a for a in routine.inputs if a.per_point]
+    places = {row: f"{a.name}[{k}, at]" for a in routine.outputs for k, row in enumerate(a.rows)}
+    return FunctionText(
+        routine.name,
+        tuple(a.name for a in routine.inputs),
+        tuple(_doc(routine)),
+        tuple(a.name for a in varying),
+        tuple((a.name, len(a.rows)) for a in routine.outputs),
+        ", ".join(_returned(a) for a in routine.outputs),
+        tuple(
+            f"{row} = {a.name}[{', '.join(str(i) for i in _unravel(a, k))}]"
+            for a in constants
+            for k, row in enumerate(a.rows)
+            if row in used
+        ),
+        tuple(_line(assignment) for assignment in routine.batch),
+        tuple(f"{row} = {a.name}[{k}, at]" for a in varying for k, row in enumerate(a.rows) if row in used),
+        tuple(_line(assignment) for assignment in routine.preparation),
+        tuple(
+            _stored(assignment, places, used) for assignment in routine.body if not _is_zero_output(assignment, places)
+        ),
+    )
+
+
+def _doc(routine: Routine) -> list[str]:
+    lines = [routine.summary, "", f"Source: {routine.source}. Operations: {routine.operations} per point"]
+    lines[-1] += f", {routine.batch_operations} per call." if routine.batch_operations else "."
+    lines += ["", "Arguments (float64):"]
+    lines += [f"    {a.name} {shape_text(a)}: {a.description} [{a.unit}]" for a in routine.inputs]
+    lines += ["", "Returns:"]
+    lines += [f"    {a.name} {shape_text(a)}: {a.description} [{a.unit}]" for a in routine.outputs]
+    return lines
+
+
+def _line(assignment: Assignment) -> str:
+    target, value = assignment
+    return f"{target.name} = {python_code(value)}"
+
+
+def _stored(assignment: Assignment, places: dict[str, str], used: set[str]) -> str:
+    name = assignment[0].name
+    if name not in places:
+        return _line(assignment)
+    return f"{places[name]} = " + (f"{name} = " if name in used else "") + python_code(assignment[1])
+
+
+def _is_zero_output(assignment: Assignment, places: dict[str, str]) -> bool:
+    return assignment[0].name in places and assignment[1] == 0
+
+
+def _unravel(argument: Argument, row: int) -> tuple[int, ...]:
+    index: list[int] = []
+    for size in reversed(argument.shape):
+        index.insert(0, row % size)
+        row //= size
+    return tuple(index)
+
+
+def _returned(argument: Argument) -> str:
+    if len(argument.shape) == 1:
+        return argument.name
+    return f"{argument.name}.reshape({', '.join(str(size) for size in argument.shape)}, n)"

@@ -1,0 +1,40 @@
+"""All files of a machine: names and contents, nothing written."""
+
+import hashlib
+import json
+
+from trueaxis.derive.model import DerivedModel
+from trueaxis.emit.c_source import c_header, c_source
+from trueaxis.emit.equations import equations_page
+from trueaxis.emit.meta import ABI
+from trueaxis.emit.numpy_source import numpy_source
+
+
+def render(model: DerivedModel, spec: str) -> dict[str, bytes]:
+    """File name -> content of generated/NAME/. `spec`: how headers name the spec's file. Same input, same bytes."""
+    machine, routines = model.machine, model.routines
+    texts = {
+        "kernels.py": numpy_source(machine, routines, spec),
+        "kernels.c": c_source(machine, routines),
+        "kernels.h": c_header(machine, routines),
+        "equations.md": equations_page(model, spec),
+    }
+    files = {name: text.encode() for name, text in texts.items()}
+    return files | {"manifest.json": _manifest(model, spec, files).encode()}
+
+
+def _manifest(model: DerivedModel, spec: str, files: dict[str, bytes]) -> str:
+    record = {
+        "schema": 1,
+        "machine": model.machine.name,
+        "spec": spec,
+        "spec_sha256": model.machine.digest,
+        "kernel_abi": ABI,
+        "files": {name: hashlib.sha256(content).hexdigest() for name, content in files.items()},
+        "operations": {r.name: {"per_point": r.operations, "per_call": r.batch_operations} for r in model.routines},
+        "systems": [
+            {"runs": list(s.runs), "unknowns": list(s.unknowns)}
+            for s in (model.identification.systems if model.identification else ())
+        ],
+    }
+    return json.dumps(record, indent=1) + "\n"

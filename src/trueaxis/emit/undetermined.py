@@ -1,0 +1,40 @@
+"""Null-space combinations in words: what a set of runs cannot tell apart."""
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from trueaxis.spec.machine import Machine
+
+
+def combination_text(machine: Machine, combination: Mapping[str, sp.Rational]) -> str:
+    """One sentence on a combination of changes that leaves every reading as it is."""
+    location = [name for name in combination if name in machine.location_errors]
+    curves = [name for name in combination if name not in machine.location_errors]
+    if location:
+        slopes = ", ".join(f"{_signed(combination[n])} {_slope_unit(n)} in the slope of {n}" for n in curves)
+        change = ", ".join(f"{_signed(combination[n])} {machine.parameter_unit(n)} in {n}" for n in location)
+        if not curves:
+            return f"{', '.join(location)}: a change of {change} changes no reading; the runs do not see it at all."
+        names = f"{', '.join(location)} and the slope of {', '.join(curves)}"
+        text = f"{names}: a change of {change} with {slopes} changes no reading"
+        if len(location) == len(curves) == 1:
+            sign = "-" if combination[curves[0]] / combination[location[0]] > 0 else "+"
+            ratio = abs(combination[curves[0]] / combination[location[0]])
+            factor = "" if ratio == 1 else f"{float(ratio):g} "
+            return f"{text}; only (slope of {curves[0]}) {sign} {factor}{location[0]} is determined."
+        return f"{text}."
+    return (
+        f"{', '.join(curves)}: at every position one combination of them is free, because the equations that hold "
+        "them are not independent at the points of these runs."
+    )
+
+
+def _slope_unit(component: str) -> str:
+    unit = "mm" if component[1] in "XYZ" else "rad"
+    return f"{unit} per {'mm' if component[2] in 'XYZ' else 'deg'}"
+
+
+def _signed(value: sp.Rational) -> str:
+    number = float(value)
+    return f"{number:+g}"

@@ -1,0 +1,1 @@
+"""Run what was emitted: kernels, error values, machine models. Nothing here knows SymPy."""

@@ -1,0 +1,135 @@
+"""A machine with its error values: the numeric model that everything right of the kernels runs on."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from trueaxis.runtime.curves import FloatArray, evaluate_components, pack_polynomials
+from trueaxis.runtime.errors import ErrorValues, read_errors
+from trueaxis.runtime.kernels import Kernels, load_kernels
+from trueaxis.spec import Machine, read_machine
+from trueaxis.spec.machine import LINEAR
+
+VIEWS = ("tool_in_workpiece", "tool_in_bed", "workpiece_in_bed", "bed_in_workpiece")
+
+
+@dataclass(frozen=True)
+class MachineModel:
+    """Kernels and error values of a machine.
+
+    Arrays: positions (n_axes, n) commanded, mm or deg; point (3, 1) or (3, n) in the frame of its body, mm; results
+    (3, n), mm. A view is one of VIEWS: a point of one body seen from another.
+    """
+
+    machine: Machine
+    kernels: Kernels
+    errors: ErrorValues
+
+    @property
+    def name(self) -> str:
+        """The machine's name."""
+        return self.machine.name
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """Axis letters in the order X Y Z A B C."""
+        return self.machine.axes
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Motion-error components in the order of the kernels."""
+        return self.machine.components
+
+    @property
+    def dimensions(self) -> tuple[str, ...]:
+        """Named home positions."""
+        return self.machine.dimensions
+
+    @property
+    def location_errors(self) -> tuple[str, ...]:
+        """Named position errors."""
+        return self.machine.location_errors
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Dimensions, then location errors."""
+        return self.machine.parameters
+
+    @property
+    def travel(self) -> Mapping[str, tuple[float, float]]:
+        """Axis -> lowest and highest commanded position, mm or deg."""
+        return self.machine.travel
+
+    def with_values(self, errors: ErrorValues) -> "MachineModel":
+        """The same kernels with other error values."""
+        return replace(self, errors=errors)
+
+    @cached_property
+    def parameter_values(self) -> FloatArray:
+        """(n_parameters,): what the error values say, zero where they are silent."""
+        return np.array([self.errors.parameters.get(name, 0.0) for name in self.parameters])
+
+    @cached_property
+    def _curves(self) -> FloatArray | None:
+        return pack_polynomials(self.errors.motion_errors, self.components, self.machine.curve_degree)
+
+    def component_errors(self, positions: FloatArray) -> FloatArray:
+        """(n_components, n): every motion error at the commanded positions, mm or rad."""
+        axes = [self.axes.index(name[2]) for name in self.components]
+        return evaluate_components(self.errors.motion_errors, self.components, axes, positions)
+
+    def view_ideal(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
+        """Coordinates of the point on the error-free machine."""
+        return self.kernels[f"{view}_ideal"](positions, self.parameter_values, point)
+
+    def view_deviation(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
+        """Actual minus ideal coordinates, on the exact model."""
+        if view == "tool_in_workpiece" and self._curves is not None and point.shape[1] == 1:
+            kernel = self.kernels["tool_in_workpiece_deviation_curves"]
+            return kernel(positions, self._curves, self.parameter_values, np.ascontiguousarray(point[:, 0]))
+        return self.view_deviation_of(view, positions, self.component_errors(positions), self.parameter_values, point)
+
+    def view_deviation_of(
+        self, view: str, positions: FloatArray, errors: FloatArray, parameters: FloatArray, point: FloatArray
+    ) -> FloatArray:
+        """Actual minus ideal coordinates with component errors (n_components, n) and parameters given."""
+        return self.kernels[f"{view}_deviation"](positions, errors, parameters, point)
+
+    def view_sensitivity(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
+        """(3, n_components + n_location_errors, n): derivative of the deviation by each error, error-free."""
+        return self.kernels[f"{view}_sensitivity"](positions, self.parameter_values, point)
+
+    def ideal(self, positions: FloatArray, point: FloatArray) -> FloatArray:
+        """Tool point in the workpiece frame without errors."""
+        return self.view_ideal("tool_in_workpiece", positions, point)
+
+    def deviation(self, positions: FloatArray, point: FloatArray) -> FloatArray:
+        """Deviation of the tool point in the workpiece frame, exact."""
+        return self.view_deviation("tool_in_workpiece", positions, point)
+
+    def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:
+        """(n_axes, n): moves of the linear axes that displace the ideal tool point by `deviation`; rotary rows 0."""
+        moves = self.kernels["correction"](positions, deviation)
+        rows = [index for index, axis in enumerate(self.axes) if axis in LINEAR]
+        result = np.zeros((len(self.axes), moves.shape[1]))
+        result[rows] = moves
+        return result
+
+
+def load_model(
+    machine_path: Path, errors_path: Path | None, kernels_dir: Path, *, backend: str = "auto"
+) -> MachineModel:
+    """Read a machine, its kernels and (if given) its error values.
+
+    Raises InputError for whatever is wrong with them: the spec's and the errors' faults are told together.
+    """
+    machine = read_machine(machine_path)
+    errors = ErrorValues(machine.name)
+    if errors_path is not None:
+        errors = read_errors(
+            errors_path, machine=machine.name, components=machine.components, parameters=machine.parameters
+        )
+    return MachineModel(machine, load_kernels(machine, machine_path, kernels_dir, backend=backend), errors)
