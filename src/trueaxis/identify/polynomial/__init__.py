@@ -1,0 +1,19 @@
+"""Optimal polynomials of the position-dependent errors (Sects. 4.2-4.4 of the paper)."""
+
+from trueaxis.identify.polynomial.optimal import MAX_ORDER, fit_optimal
+from trueaxis.identify.polynomial.records import OptimalFit, PolynomialFit, Step
+from trueaxis.identify.polynomial.regression import fit_terms
+from trueaxis.identify.polynomial.samples import Samples, checked_samples
+from trueaxis.identify.polynomial.verdict import statistics_table
+
+__all__ = [
+    "MAX_ORDER",
+    "OptimalFit",
+    "PolynomialFit",
+    "Samples",
+    "Step",
+    "checked_samples",
+    "fit_optimal",
+    "fit_terms",
+    "statistics_table",
+]

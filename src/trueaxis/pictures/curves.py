@@ -1,0 +1,84 @@
+"""Discrete values of the component errors with their polynomials before and after optimisation (Fig. 14)."""
+
+from collections.abc import Mapping
+from io import BytesIO
+from math import ceil
+from pathlib import Path
+
+import numpy as np
+from matplotlib import style
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from trueaxis.files import write_files
+from trueaxis.identify.polynomial import OptimalFit
+
+FloatArray = NDArray[np.float64]
+
+COLUMNS = 3
+CURVE_POINTS = 241
+POINTS_COLOUR, BEFORE_COLOUR, AFTER_COLOUR = "#595959", "#E69F00", "#0072B2"  # of Okabe and Ito: told apart by all eyes
+
+
+def draw_curves(fits: Mapping[str, OptimalFit], path: Path, *, u: Mapping[str, FloatArray] | None = None) -> None:
+    """Write one PNG with a panel per component, in the order given: values with error bars and both polynomials.
+
+    fits: component (EXX, EYX, ... in ISO 230-1's names, from which units follow: um or urad over mm or deg)
+    to its fit; u: standard uncertainties of a component's values, (n,) mm or rad, drawn as bars of 2 u to
+    either side where given. The band about the optimal polynomial is 2 u of the fitted curve. Equal input
+    gives equal bytes. Raises ValueError on no fits.
+    """
+    if not fits:
+        raise ValueError("there is no fit to draw")
+    with style.context("default"):  # not what a matplotlibrc of the user says
+        png = _png(fits, {} if u is None else u)
+    write_files({path: png})
+
+
+def _png(fits: Mapping[str, OptimalFit], u: Mapping[str, FloatArray]) -> bytes:
+    columns = min(COLUMNS, len(fits))
+    rows = ceil(len(fits) / columns)
+    figure = Figure(figsize=(1.2 + 4.2 * columns, 0.9 + 2.7 * rows), dpi=110, layout="constrained")
+    panels = figure.subplots(rows, columns, squeeze=False).ravel()
+    for panel in panels[len(fits) :]:
+        panel.set_axis_off()
+    for panel, (component, fit) in zip(panels, fits.items(), strict=False):
+        _draw_panel(panel, component, fit, u.get(component))
+    labelled = {
+        label: artist for panel in panels for artist, label in zip(*panel.get_legend_handles_labels(), strict=True)
+    }
+    figure.legend(labelled.values(), labelled.keys(), loc="outside upper center", ncols=len(labelled), frameon=False)
+    buffer = BytesIO()
+    figure.savefig(buffer, format="png", metadata={"Software": None})
+    return buffer.getvalue()
+
+
+def _draw_panel(panel: Axes, component: str, fit: OptimalFit, u: FloatArray | None) -> None:
+    unit, factor = ("\N{MICRO SIGN}rad", 1e6) if component[1] in "ABC" else ("\N{MICRO SIGN}m", 1e3)
+    x, y = fit.samples.positions, fit.samples.values * factor
+    curve = np.linspace(min(0.0, x.min()), max(0.0, x.max()), CURVE_POINTS)
+    after, band = fit.after.at(curve) * factor, 2 * factor * fit.after.u_at(curve)
+    bars = None if u is None else 2 * factor * u
+    panel.axhline(0.0, color="#B0B0B0", linewidth=0.6, zorder=0)
+    panel.fill_between(curve, after - band, after + band, color=AFTER_COLOUR, alpha=0.18, linewidth=0, zorder=1)
+    panel.errorbar(
+        x, y, yerr=bars, fmt="o", color=POINTS_COLOUR, markersize=2.6, elinewidth=0.8, capsize=1.6, zorder=2,
+        label="discrete values" if u is None else "discrete values \N{PLUS-MINUS SIGN} 2u",
+    )  # fmt: skip
+    panel.plot(curve, fit.before.at(curve) * factor, "--", color=BEFORE_COLOUR, linewidth=2.0, zorder=3, label="before")
+    panel.plot(curve, after, "-", color=AFTER_COLOUR, linewidth=1.4, zorder=4, label="after optimisation")
+    panel.set_title(f"{component}: {_summary(fit, unit, factor)}", fontsize=9, loc="left")
+    panel.set_xlabel(f"{component[2]} ({'deg' if component[2] in 'ABC' else 'mm'})", fontsize=8, labelpad=1)
+    panel.set_ylabel(f"{component} ({unit})", fontsize=8, labelpad=2)
+    panel.tick_params(labelsize=8)
+    panel.margins(x=0.02)
+    panel.spines[["top", "right"]].set_visible(False)
+
+
+def _summary(fit: OptimalFit, unit: str, factor: float) -> str:
+    if not fit.after.powers:
+        return "no polynomial"
+    before, after = (side.residual_standard_error * factor for side in (fit.before, fit.after))
+    terms = f"{len(fit.before.powers)}\N{RIGHTWARDS ARROW}{len(fit.after.powers)} terms"
+    return f"{terms}, s {before:.3g}\N{RIGHTWARDS ARROW}{after:.3g} {unit}"
