@@ -1,0 +1,135 @@
+"""`trueaxis compensate`: an NC program in, the same with compensated positions out."""
+
+import argparse
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from trueaxis.compensate.files import compensate_file
+from trueaxis.compensate.settings import Settings
+from trueaxis.faults import Fault, InputError
+from trueaxis.files import write_files
+
+_DESCRIPTION = """\
+Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
+no longer move the tool: the commands are iterated until the actual tool point is the one that an error-free machine
+would reach (Eqs. 55, 56). Positions in the program are axis positions (machine coordinates).
+
+Blocks that move nothing come back byte for byte. Arcs become chords; lines are cut where the errors along them bend.
+Whatever moves or shifts axes in a way the program does not state (offsets, cycles, macros, tool compensation,
+mirror, scaling, inverse time ...) is a fault with its line, and nothing is written.
+Numbers without a decimal point are whole mm, inches or degrees.
+An axis has no known position until the program gives it one; --start states where the machine stands before.
+"""
+
+_EPILOG = """\
+words: `nearest` rounds. With --ball, `ends` chooses among the words within one step of the wanted position those whose
+error lies across the ball bar, and `middles` passes points in the middle of short blocks (0.04 mm), where half
+steps can be reached: the smallest error, at the price of up to twice the blocks.
+
+exit status: 0 done; 1 done, but points did not converge, stay above the tolerance or leave the travel (see the report);
+2 the input is wrong and nothing was written.
+"""
+
+
+def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command's options."""
+    parser = subparsers.add_parser(
+        "compensate",
+        help="rewrite an NC program so that geometric errors are undone",
+        description=_DESCRIPTION,
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    default = Settings()
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine")
+    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
+    parser.add_argument("program", type=Path, metavar="PROGRAM", help="NC program or APT CL file")
+    parser.add_argument("--out", type=Path, required=True, metavar="PROGRAM", help="NC program to write")
+    parser.add_argument("--format", choices=("nc", "apt"), help="of the program; default: by extension and content")
+    parser.add_argument("--tolerance", type=float, default=default.tolerance, metavar="MM",
+                        help="largest tool point error allowed (default %(default)s)")  # fmt: skip
+    parser.add_argument("--resolution", type=float, default=default.resolution, metavar="MM",
+                        help="step of words written in mm (default %(default)s)")  # fmt: skip
+    parser.add_argument("--inch-resolution", type=float, default=default.inch_resolution, metavar="INCH",
+                        help="step of words written under G20 (default 0.00001)")  # fmt: skip
+    parser.add_argument("--rotary-resolution", type=float, default=default.rotary_resolution, metavar="DEG",
+                        help="step of words of rotary axes (default %(default)s)")  # fmt: skip
+    parser.add_argument("--chord-tolerance", type=float, default=default.chord_tolerance, metavar="MM",
+                        help="largest distance of an arc from its chords (default %(default)s)")  # fmt: skip
+    parser.add_argument("--method", choices=("iterative", "ordinary"), default=default.method,
+                        help="iterate, or correct once (default %(default)s)")  # fmt: skip
+    parser.add_argument("--words", choices=("nearest", "ends", "middles"), default=default.words,
+                        help="how words are chosen, see below (default %(default)s)")  # fmt: skip
+    parser.add_argument("--ball", type=_point, metavar="X,Y,Z",
+                        help="centre of the workpiece ball, workpiece frame: reports E of Eq. (6)")  # fmt: skip
+    parser.add_argument("--tool-point", type=_point, default=default.tool_point, metavar="X,Y,Z",
+                        help="the point to be compensated, tool frame (default 0,0,0)")  # fmt: skip
+    parser.add_argument("--start", type=_start, default={}, metavar="X0Y0Z0",
+                        help="axis positions before the first block (default: not known)")  # fmt: skip
+    parser.add_argument("--block-delete", choices=("fault", "run", "skip"), default=default.block_delete,
+                        help="what motions in / blocks are (default %(default)s)")  # fmt: skip
+    parser.add_argument("--kernels", type=Path, metavar="DIR", help="folder of generated kernels")
+    parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON too")
+    parser.set_defaults(run=run)
+
+
+def _point(text: str) -> tuple[float, float, float]:
+    parts = text.split(",")
+    if len(parts) != 3:
+        raise argparse.ArgumentTypeError(f"{text!r} is not x,y,z")
+    try:
+        x, y, z = map(float, parts)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not x,y,z") from None
+    return x, y, z
+
+
+def _start(text: str) -> dict[str, float]:
+    compact = re.sub(r"[\s,]", "", text.upper())
+    if not re.fullmatch(r"([XYZABC][-+]?(\d+\.?\d*|\.\d+))+", compact):
+        raise argparse.ArgumentTypeError(f"{text!r} is not like X0Y0Z100")
+    found = re.findall(r"([XYZABC])([-+.\d]+)", compact)
+    if len(dict(found)) != len(found):
+        raise argparse.ArgumentTypeError(f"{text!r} names an axis twice")
+    return {axis: float(value) for axis, value in found}
+
+
+def run(args: argparse.Namespace) -> int:
+    """Compensate; returns the exit code.
+
+    Raises InputError when the input is wrong.
+    """
+    from trueaxis.runtime.model import load_model  # noqa: PLC0415  # loads kernels; not needed for --help
+
+    try:
+        settings = Settings(
+            args.tolerance, args.resolution, args.inch_resolution, args.rotary_resolution, args.chord_tolerance,
+            args.method, args.words, args.ball, args.tool_point, args.start, args.block_delete,
+        )  # fmt: skip
+    except ValueError as problem:
+        raise InputError([Fault("options", "", str(problem))]) from None
+    model = load_model(args.machine, args.errors, args.kernels)
+    try:
+        report = compensate_file(
+            args.program, args.out, model, settings, language=args.format, progress=_progress()
+        )
+        if args.report is not None:
+            write_files({args.report: report.to_json()})
+    except OSError as problem:
+        name = problem.filename or args.program
+        raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None
+    print(report)
+    return 0 if report.good else 1
+
+
+def _progress() -> Callable[[int], None] | None:
+    if not sys.stderr.isatty():
+        return None
+
+    def show(lines: int) -> None:
+        sys.stderr.write(f"\r{lines} blocks read\x1b[K")
+        sys.stderr.flush()
+
+    return show

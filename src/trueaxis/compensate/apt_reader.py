@@ -1,0 +1,295 @@
+"""Reads APT cutter location files (ISO 3592 as text) and gives NC items.
+
+Coordinates are axis positions. GOTO, GODLTA, FROM, RAPID, FEDRAT, CIRCLE and UNITS are followed; post-processor words
+become M codes or comments; whatever else may move or shift anything is a fault of its line.
+"""
+
+from collections.abc import Iterable, Iterator
+
+from trueaxis.compensate import apt_words
+from trueaxis.compensate.apt_circle import arcs_through, on_circle, unit
+from trueaxis.compensate.apt_statements import Statement, statements
+from trueaxis.compensate.arcs import Arc, ArcError, Vector
+from trueaxis.compensate.fault_log import FaultLog
+from trueaxis.compensate.machine import LINEAR
+from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
+from trueaxis.compensate.settings import MM_PER_INCH, Settings
+
+_PER_MINUTE = {"MMPM": False, "PERMIN": None, "IPM": True}
+_PER_TURN = {"MMPR": False, "PERREV": None, "IPR": True}
+_EOL = "\n"
+_NEED_HEADER = frozenset({"GOTO", "GODLTA", "CIRCLE", "LOADTL", "SPINDL", "COOLNT", "AUXFUN"})
+
+
+class AptReader:
+    """Turns the lines of one CL file into items; faults and notes are gathered in the logs given."""
+
+    def __init__(self, axes: tuple[str, ...], settings: Settings, faults: FaultLog, notes: Notes) -> None:
+        self._axes = axes
+        self._faults = faults
+        self._notes = notes
+        rotary = [settings.start.get(axis, 0.0) for axis in axes if axis not in LINEAR]
+        self._rotary = tuple(rotary)
+        given = [settings.start.get(axis) for axis in axes if axis in LINEAR]
+        self._position: tuple[float, ...] | None = tuple(v for v in given if v is not None)
+        if len(self._position) < 3:
+            self._position = None
+        self._inch = False
+        self._headed = False
+        self._rapid = False
+        self._motion: int | None = None
+        self._feed: tuple[str, str] | None = None  # mode (G94, G95) and word, to be written with the next cut
+        self._feed_mode = "G94"
+        self._tool_axis: Vector | None = None
+        self._circle: tuple[int, Vector, Vector, float] | None = None
+        self._along: list[tuple[int, Vector]] = []
+        self._ended = 0
+        if not set(LINEAR) <= set(axes):
+            faults.add(0, f"a CL file gives X Y Z, and this machine has only {' '.join(axes)}")
+
+    def items(self, lines: Iterable[str]) -> Iterator[Item]:
+        """Items of the NC program that the CL file makes, in order."""
+        yield f"%{_EOL}"
+        if self._position is not None:
+            yield Start(self._position + self._rotary)
+        for statement in statements(lines):
+            if not self._headed and statement.major in _NEED_HEADER:
+                yield f"{'G20' if self._inch else 'G21'} G17 G90 G94{_EOL}"
+                self._headed = True
+            if self._circle is not None and statement.major != "GOTO":
+                if statement.major or statement.problem:
+                    yield from self._finish_circle()
+            if statement.comment is not None:
+                yield apt_words.comment(statement.comment) + _EOL
+            if statement.problem:
+                self._faults.add(statement.line, statement.problem)
+            elif statement.major:
+                yield from self._statement(statement)
+        yield from self._finish_circle()
+        if not self._ended:
+            yield f"M30{_EOL}"
+        yield f"%{_EOL}"
+
+    def _statement(self, statement: Statement) -> Iterator[Item]:
+        major = statement.major
+        if self._ended and major not in {"FINI", "PPRINT", "REMARK"}:
+            self._faults.add(statement.line, f"{major} after the end of the program in line {self._ended}")
+        elif major == "GOTO":
+            yield from self._goto(statement)
+        elif major == "GODLTA":
+            yield from self._delta(statement)
+        elif major == "FROM":
+            yield from self._from(statement)
+        elif major == "RAPID":
+            self._rapid = True
+        elif major == "FEDRAT":
+            self._feed_rate(statement)
+        elif major == "UNITS":
+            yield from self._units(statement)
+        elif major == "CIRCLE":
+            self._open_circle(statement)
+        elif major in {"END", "FINI"}:
+            if not self._ended:
+                yield f"M30{_EOL}"
+            self._ended = self._ended or statement.line
+        elif major in apt_words.BLOCKS:
+            yield from self._block(statement)
+        elif major in {"CUTCOM", "CYCLE", "TLCOMP", "OFSTNO"} and self._switched_off(statement):
+            yield apt_words.comment(statement.text.strip()) + _EOL
+        elif major in {"MSYS", "CSYS"}:
+            yield from self._system(statement)
+        elif major in apt_words.FAULTY:
+            self._faults.add(statement.line, f"{major} {apt_words.FAULTY[major]}", "resolve it in the CL file")
+        elif major in apt_words.IGNORED:
+            if major not in {"PARTNO", "PPRINT", "REMARK", "TOOL PATH"}:
+                self._notes.add(statement.line, f"{major} is kept as a comment only")
+            yield apt_words.comment(statement.text.strip()) + _EOL
+        else:
+            self._faults.add(
+                statement.line,
+                f"{major[:30]} is not a known statement",
+                "only statements whose effect on positions is known are accepted",
+            )
+
+    @staticmethod
+    def _switched_off(statement: Statement) -> bool:
+        return tuple(word.upper() for word in statement.minor) == ("OFF",)
+
+    def _block(self, statement: Statement) -> Iterator[Item]:
+        text = apt_words.BLOCKS[statement.major](statement)
+        if text is None:
+            self._faults.add(statement.line, f"{statement.text.strip()[:60]!r} cannot be made an NC block")
+            return
+        if statement.major == "LOADTL":
+            self._notes.add(statement.line, "M6 is taken to leave the axes where they are")
+        yield text + _EOL
+
+    def _system(self, statement: Statement) -> Iterator[Item]:
+        """A coordinate system: only the one that changes nothing (turned by nothing, shifted by nothing)."""
+        numbers = self._numbers(statement, statement.minor)
+        if numbers is None:
+            return
+        neutral = {9: (0, 0, 0, 1, 0, 0, 0, 1, 0), 12: (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)}
+        if tuple(numbers) != neutral.get(len(numbers)):
+            self._faults.add(statement.line, f"{statement.major} gives the positions in a shifted frame")
+            return
+        yield apt_words.comment(statement.text.strip()) + _EOL
+
+    def _numbers(self, statement: Statement, words: Iterable[str]) -> list[float] | None:
+        values = []
+        for word in words:
+            try:
+                value = float(word) if "_" not in word else float("nan")
+            except ValueError:
+                value = float("nan")
+            if not abs(value) <= 1e9:
+                self._faults.add(statement.line, f"{statement.major}: {word[:30]!r} is no number of a machine")
+                return None
+            values.append(value)
+        return values
+
+    def _point(self, statement: Statement) -> Vector | None:
+        """Point of a GOTO or FROM, mm; checks that the tool axis stays parallel."""
+        numbers = self._numbers(statement, statement.minor)
+        if numbers is None:
+            return None
+        if len(numbers) not in (3, 6):
+            self._faults.add(statement.line, f"{statement.major} has {len(numbers)} numbers", "x, y, z[, i, j, k]")
+            return None
+        if len(numbers) == 6:
+            try:
+                axis = unit(numbers[3:])
+            except ArcError as problem:
+                self._faults.add(statement.line, f"tool axis: {problem}")
+                return None
+            before = self._tool_axis
+            if before is not None and max(abs(a - b) for a, b in zip(axis, before, strict=True)) > 1e-6:
+                self._faults.add(statement.line, "the tool axis turns", "a CL file must keep one tool axis throughout")
+                return None
+            self._tool_axis = axis
+        scale = MM_PER_INCH if self._inch else 1.0
+        return (numbers[0] * scale, numbers[1] * scale, numbers[2] * scale)
+
+    def _from(self, statement: Statement) -> Iterator[Item]:
+        point = self._point(statement)
+        if self._motion is not None:
+            self._faults.add(statement.line, "FROM after the first motion")
+        elif point is not None:
+            self._position = point
+            yield Start(point + self._rotary)
+
+    def _goto(self, statement: Statement) -> Iterator[Item]:
+        point = self._point(statement)
+        if point is None:
+            return
+        if self._circle is not None:
+            _, centre, axis, radius = self._circle
+            if on_circle(point, centre, axis, radius):
+                self._along.append((statement.line, point))
+                return
+            yield from self._finish_circle()
+        yield self._to(statement.line, point, None)
+
+    def _delta(self, statement: Statement) -> Iterator[Item]:
+        numbers = self._numbers(statement, statement.minor)
+        if numbers is None:
+            return
+        if len(numbers) != 3 or self._position is None:
+            self._faults.add(statement.line, "GODLTA needs dx, dy, dz and a known position before it")
+            return
+        scale = MM_PER_INCH if self._inch else 1.0
+        x, y, z = (p + scale * d for p, d in zip(self._position, numbers, strict=True))
+        yield self._to(statement.line, (x, y, z), None)
+
+    def _to(self, line: int, point: Vector, arc: Arc | None) -> Move:
+        motion = 0 if self._rapid and arc is None else 1
+        self._rapid = False
+        lead = "" if motion == self._motion else f"G{motion} "
+        self._motion = motion
+        tail = ""
+        if motion == 1 and self._feed is not None:
+            mode, word = self._feed
+            tail = f" {word}" if mode == self._feed_mode else f" {mode} {word}"
+            self._feed_mode, self._feed = mode, None
+        self._position = point
+        kind = Kind.ARC if arc else Kind(motion)
+        written = (True, True, True) + (False,) * len(self._rotary)
+        return Move(
+            line, kind, point + self._rotary, written, True, self._inch, lead, tail, " ", _EOL, "", arc=arc
+        )
+
+    def _open_circle(self, statement: Statement) -> None:
+        numbers = self._numbers(statement, statement.minor[:7])
+        if numbers is None:
+            return
+        if len(numbers) < 7:
+            self._faults.add(statement.line, "CIRCLE needs centre, axis and radius", "x, y, z, i, j, k, r")
+            return
+        if self._position is None:
+            self._faults.add(statement.line, "the position before CIRCLE is not known", "give FROM or --start")
+            return
+        scale = MM_PER_INCH if self._inch else 1.0
+        centre = (numbers[0] * scale, numbers[1] * scale, numbers[2] * scale)
+        radius = numbers[6] * scale
+        try:
+            axis = unit(numbers[3:6])
+        except ArcError as problem:
+            self._faults.add(statement.line, f"axis of the circle: {problem}")
+            return
+        x, y, z = self._position
+        if not on_circle((x, y, z), centre, axis, radius):
+            self._faults.add(statement.line, "the position before CIRCLE is not on it")
+            return
+        self._circle, self._rapid = (statement.line, centre, axis, radius), False
+
+    def _finish_circle(self) -> Iterator[Item]:
+        if self._circle is None or self._position is None:
+            return
+        line, centre, axis, _ = self._circle
+        along, self._circle, self._along = self._along, None, []
+        if not along:
+            self._faults.add(line, "CIRCLE without a GOTO on it")
+            return
+        x, y, z = self._position
+        try:
+            arcs = arcs_through((x, y, z), [point for _, point in along], centre, axis)
+        except ArcError as problem:
+            self._faults.add(line, str(problem))
+            return
+        for (number, point), arc in zip(along, arcs, strict=True):
+            yield self._to(number, point, arc)
+
+    def _units(self, statement: Statement) -> Iterator[Item]:
+        unit_name = statement.minor[0].upper() if len(statement.minor) == 1 else ""
+        if unit_name not in {"MM", "INCHES", "INCH"}:
+            self._faults.add(statement.line, "UNITS is neither MM nor INCHES")
+            return
+        inch = unit_name != "MM"
+        if inch != self._inch and self._motion is not None:
+            self._faults.add(statement.line, "UNITS change after the first motion")
+        if inch != self._inch and self._headed:
+            yield f"{'G20' if inch else 'G21'}{_EOL}"
+        self._inch = inch
+
+    def _feed_rate(self, statement: Statement) -> None:
+        words = [word.upper() for word in statement.minor]
+        if words == ["RAPID"]:
+            self._rapid = True
+            return
+        numbers = [word for word in words if word[:1] in "+-.0123456789" and word]
+        units = [word for word in words if word not in numbers]
+        values = self._numbers(statement, numbers)
+        if values is None:
+            return
+        unit_name = units[0] if len(units) == 1 else "PERMIN" if not units else ""
+        table = {**_PER_MINUTE, **_PER_TURN}
+        if len(values) != 1 or unit_name not in table or values[0] <= 0:
+            self._faults.add(
+                statement.line, "FEDRAT is not one positive number with MMPM, IPM, MMPR or IPR", "FEDRAT/100.0,MMPM"
+            )
+            return
+        inch = table[unit_name]
+        value = values[0]
+        if inch is not None and inch != self._inch:
+            value *= MM_PER_INCH if inch else 1.0 / MM_PER_INCH
+        self._feed = ("G95" if unit_name in _PER_TURN else "G94", f"F{value:.4f}".rstrip("0").rstrip("."))

@@ -1,0 +1,113 @@
+"""Post-processor vocabulary: APT statements that move nothing, as NC blocks."""
+
+from collections.abc import Callable
+
+from trueaxis.compensate.apt_statements import Statement
+
+# described in the comments of the written program, of no influence on positions
+IGNORED = frozenset(
+    "MACHIN TOOL PATH TLDATA CUTTER INTOL OUTTOL TOLER PAINT DISPLY LINTOL SEQNO LEADER TMARK REWIND TOOLNO HEAD "
+    "SELECT CLEARP SAFETY PARTNO PPRINT REMARK END-OF-PATH MODE OPSKIP DELAY DRAFT CHECK MULTAX TLAXIS MCHTOL "
+    "MAXDPM MAXVEL CLRSRF PLABEL SPLIT VTLAXIS PROTECT TPRINT AIR FLUSH CLDIST NOPOST PITCH CONTRL".replace(
+        "TOOL PATH", "TOOL_PATH"
+    ).split()
+) | {"TOOL PATH", "END OF PATH", "END-OF-PATH"}  # fmt: skip
+
+# what moves or shifts positions in a way that is not followed
+FAULTY = {
+    "CYCLE": "is a canned cycle: its motions are not in the file",
+    "TRANS": "shifts the positions",
+    "ORIGIN": "shifts the positions",
+    "TRACUT": "transforms the positions",
+    "MATRIX": "defines a transformation",
+    "COPY": "repeats motions transformed",
+    "INDEX": "repeats motions transformed",
+    "ROTATE": "turns a table or head",
+    "ROTABL": "turns a table or head",
+    "ROTHED": "turns a table or head",
+    "CUTCOM": "shifts positions by a tool value that is not in the file",
+    "TLCOMP": "shifts positions by a tool value that is not in the file",
+    "OFSTNO": "shifts positions by a tool value that is not in the file",
+    "GOHOME": "moves to a position that is not in the file",
+    "RETRCT": "moves to a position that is not in the file",
+    "PLUNGE": "moves to a position that is not in the file",
+    "THREAD": "couples the feed to the spindle (thread)",
+    "PREFUN": "inserts a preparatory function",
+    "INSERT": "inserts NC text",
+    "MACRO": "is a macro",
+    "CALL": "calls a macro",
+    "LOOPST": "is a loop",
+    "LOOPND": "is a loop",
+    "JUMPTO": "jumps",
+    "IF": "is a condition",
+    "GOFWD": "is a motion along surfaces, not a cutter location",
+    "GOBACK": "is a motion along surfaces, not a cutter location",
+    "GOLFT": "is a motion along surfaces, not a cutter location",
+    "GORGT": "is a motion along surfaces, not a cutter location",
+    "GOUP": "is a motion along surfaces, not a cutter location",
+    "GODOWN": "is a motion along surfaces, not a cutter location",
+    "TLON": "is a motion along surfaces, not a cutter location",
+    "TLLFT": "is a motion along surfaces, not a cutter location",
+    "TLRGT": "is a motion along surfaces, not a cutter location",
+    "INDIRV": "is a motion along surfaces, not a cutter location",
+    "INDIRP": "is a motion along surfaces, not a cutter location",
+    "NURBS": "is a curve that is not followed",
+    "POLY": "is a curve that is not followed",
+    "COUPLE": "couples axes",
+    "ARCSLP": "changes how circles are made",
+}
+
+
+def comment(text: str) -> str:
+    """An NC comment, its brackets taken out so that it stays one."""
+    clean = text.replace("(", "[").replace(")", "]")
+    return f"({''.join(sign if sign.isprintable() else '?' for sign in clean)})"
+
+
+def number_of(text: str) -> int | None:
+    """A whole number from 0 to 999999, or None."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return int(value) if value == value // 1 and 0 <= value <= 999_999 else None
+
+
+def _tool(statement: Statement) -> str | None:
+    for word in statement.minor:
+        number = number_of(word)
+        if number is not None:
+            return f"T{number} M6"
+    return None
+
+
+def _spindle(statement: Statement) -> str | None:
+    words = [word.upper() for word in statement.minor]
+    if "OFF" in words:
+        return "M5"
+    speed = next((number for word in words if (number := number_of(word)) is not None), None)
+    turn = "M4" if "CCLW" in words else "M3"
+    if speed is None:
+        return turn if not words or set(words) <= {"ON", "CLW", "CCLW"} else None
+    return f"S{speed} {turn}"
+
+
+def _coolant(statement: Statement) -> str | None:
+    words = {word.upper() for word in statement.minor}
+    return "M9" if "OFF" in words else "M7" if "MIST" in words else "M8"
+
+
+def _auxiliary(statement: Statement) -> str | None:
+    number = number_of(statement.minor[0]) if statement.minor else None
+    return None if number is None or number in (91, 92, 96, 97, 98, 99, 128, 130, 198) else f"M{number}"
+
+
+# statements that become words; None from the function: the statement cannot be understood
+BLOCKS: dict[str, Callable[[Statement], str | None]] = {
+    "LOADTL": _tool,
+    "SPINDL": _spindle,
+    "COOLNT": _coolant,
+    "AUXFUN": _auxiliary,
+    "STOP": lambda _: "M0",
+    "OPSTOP": lambda _: "M1",
+}

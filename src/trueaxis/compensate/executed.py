@@ -1,0 +1,121 @@
+"""What the control will execute: positions named by words, and the programmed positions they stand for."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensate.lattice import Lattice, Stretch
+from trueaxis.compensate.machine import ErrorModel, FloatArray, linear_jacobian, linear_rows
+from trueaxis.compensate.middles import passages, passages_allowed
+from trueaxis.compensate.path import Path
+from trueaxis.compensate.settings import Settings
+from trueaxis.compensate.solve import Solution
+from trueaxis.compensate.word_choice import choose
+
+
+@dataclass(frozen=True, slots=True)
+class Executed:
+    """Ends of the blocks to be written, in order.
+
+    positions: (n_axes, n), mm and deg, on the lattice of the words. reference: (n_axes, n), programmed positions that they
+    stand for. point: (n,), index of the path's point. passed: (n,), true for the second end of a short block, in whose
+    middle the path's point is passed (see middles).
+    """
+
+    positions: FloatArray
+    reference: FloatArray
+    point: NDArray[np.int64]
+    passed: NDArray[np.bool_]
+
+    def at_points(self, previous: FloatArray) -> FloatArray:
+        """Positions (n_axes, n_points) where the path's points are reached or passed."""
+        before = np.concatenate([previous[:, None], self.positions[:, :-1]], axis=1)
+        there = np.where(self.passed, 0.5 * (before + self.positions), self.positions)
+        last = np.append(np.diff(self.point) > 0, True)
+        return np.asarray(there[:, last])
+
+
+def execute(
+    stretch: Stretch,
+    previous: FloatArray,
+    path: Path,
+    solution: Solution,
+    passable: NDArray[np.bool_],
+    model: ErrorModel,
+    tool_point: FloatArray,
+    settings: Settings,
+) -> Executed:
+    """Choose the words of one stretch; `previous` (n_axes,) is the position named by the words before it."""
+    part = slice(stretch.first, stretch.last)
+    base = np.zeros_like(previous) if stretch.absolute else previous
+    lattice = Lattice(base[:, None], stretch.step)
+    commands, target = solution.commands[:, part], solution.target[:, part]
+    near = lattice.nearest(commands)
+    point = np.arange(stretch.first, stretch.last)
+    programmed = path.points[:, part]
+    plain = Executed(near, programmed, point, np.zeros(point.size, dtype=bool))
+    if settings.words == "nearest" or settings.ball is None:
+        return plain
+    rows = list(linear_rows(model.axes))
+    ball = np.array(settings.ball)[:, None]
+    limit = float(stretch.step[rows].max())
+    jacobian = linear_jacobian(model, commands, tool_point)
+
+    def error(positions: FloatArray, index: NDArray[np.int64]) -> FloatArray:
+        actual = model.ideal(positions, tool_point) + model.deviation(positions, tool_point)
+        return np.asarray(actual - target[:, index])
+
+    moves = jacobian * stretch.step[rows][None, :, :]
+    near[rows] += stretch.step[rows] * choose(error(near, point - stretch.first), target, ball, moves, 1, limit)
+    if settings.words == "ends":
+        return plain
+
+    rotary = [row for row in range(len(model.axes)) if row not in rows]
+    still = np.ones(point.size, dtype=bool)
+    if rotary:
+        turn = np.abs(np.diff(path.points[rotary][:, part], axis=1)).max(axis=0) < 1e-12
+        still[1:] &= turn
+        still[:-1] &= turn
+    fed = ~path.rapid[part]
+    fed[:-1] &= fed[1:]
+    allowed, direction, half = passages_allowed(
+        commands[rows], passable[part] & fed, still, float(stretch.step[rows].max())
+    )
+    index = np.flatnonzero(allowed)
+    if index.size == 0:
+        return plain
+    on_half = commands[:, index].copy()
+    on_half[rotary] = near[rotary][:, index]
+    on_half[rows] = Lattice(lattice.base[rows], lattice.step[rows]).nearest(commands[rows][:, index], 2)
+    passage = passages(
+        commands[rows][:, index], error(on_half, index), target[:, index], ball, jacobian[:, :, index],
+        direction[:, index], half[index], Lattice(lattice.base[rows], lattice.step[rows]), limit,
+    )  # fmt: skip
+    kept = passage.possible
+    index = index[kept]
+    twice = np.ones(point.size, dtype=np.int64)
+    twice[index] = 2
+    source = np.repeat(np.arange(point.size), twice)
+    second = np.cumsum(twice) - 1
+    positions, reference = near[:, source], programmed[:, source]
+    passed = np.zeros(source.size, dtype=bool)
+    passed[second[index]] = True
+    for column, ends, way in (
+        (second[index] - 1, passage.before, passage.way_before),
+        (second[index], passage.after, passage.way_after),
+    ):
+        for row, linear in enumerate(rows):
+            positions[linear, column] = ends[row, kept]
+            reference[linear, column] += way[kept] * direction[row, index]
+    return Executed(positions, reference, point[source], passed)
+
+
+def joined(parts: list[Executed]) -> Executed:
+    """Several stretches as one."""
+    return Executed(
+        np.concatenate([part.positions for part in parts], axis=1),
+        np.concatenate([part.reference for part in parts], axis=1),
+        np.concatenate([part.point for part in parts]),
+        np.concatenate([part.passed for part in parts]),
+    )

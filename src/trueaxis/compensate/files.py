@@ -1,0 +1,111 @@
+"""A compensation from file to file."""
+
+import os
+import re
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import BinaryIO, Literal
+
+from trueaxis.compensate.apt_reader import AptReader
+from trueaxis.compensate.fault_log import FaultLog
+from trueaxis.compensate.machine import ErrorModel
+from trueaxis.compensate.moves import Notes
+from trueaxis.compensate.nc_reader import NcReader
+from trueaxis.compensate.program import Compensator
+from trueaxis.compensate.report import CompensationReport
+from trueaxis.compensate.settings import Settings
+from trueaxis.faults import Fault, InputError
+
+Language = Literal["nc", "apt"]
+
+LONGEST_LINE = 65536
+_NC = frozenset({".nc", ".tap", ".ngc", ".gcode", ".mpf", ".iso", ".cnc", ".din", ".eia", ".h", ".i", ".min"})
+_APT = frozenset({".cl", ".cls", ".clsf", ".apt", ".aptsource", ".ncl", ".cld"})
+_APT_LINE = re.compile(
+    r"\s*(?:\$\$|(?:GOTO|FROM|FEDRAT|UNITS|LOADTL|SPINDL|COOLNT|CIRCLE|TOOL PATH|CUTTER|TLDATA|MACHIN)\s*/|PARTNO\b)", re.I
+)
+
+
+def language_of(program: Path) -> Language:
+    """NC or APT, by the name's extension, else by what the first lines look like.
+
+    Raises OSError when the file cannot be read.
+    """
+    suffix = program.suffix.lower()
+    if suffix in _APT or re.search(r"\.ncl\.\d+$", program.name.lower()):
+        return "apt"
+    if suffix in _NC:
+        return "nc"
+    with program.open("rb") as file:
+        head = file.read(LONGEST_LINE).decode("latin-1").splitlines()[:200]
+    return "apt" if any(_APT_LINE.match(line) for line in head) else "nc"
+
+
+class _Lines:
+    """Lines of a file as latin-1 text, so that every byte comes back as it was; counts them."""
+
+    def __init__(self, file: BinaryIO, faults: FaultLog, progress: Callable[[int], None] | None) -> None:
+        self._file = file
+        self._faults = faults
+        self._progress = progress
+        self.count = 0
+
+    def __iter__(self) -> Iterator[str]:
+        while line := self._file.readline(LONGEST_LINE + 1):
+            self.count += 1
+            if len(line) > LONGEST_LINE:
+                self._faults.add(self.count, f"a line of more than {LONGEST_LINE} bytes: not a program, or one without line ends")
+                return
+            if self._progress is not None and self.count % 65536 == 0:
+                self._progress(self.count)
+            yield line.decode("latin-1")
+
+
+def compensate_file(
+    program: Path,
+    out: Path,
+    model: ErrorModel,
+    settings: Settings,
+    *,
+    language: Language | None = None,
+    name: str | None = None,
+    progress: Callable[[int], None] | None = None,
+) -> CompensationReport:
+    """Compensate `program` and write `out`, whole or not at all; they may be the same file.
+
+    name: the program's name in messages. progress: called now and then with the number of lines read.
+    Raises InputError with every fault of the program (the first 50 in full), OSError when a file cannot be read or
+    written; `out` is then as it was.
+    """
+    name = name or str(program)
+    language = language or language_of(program)
+    foreign = sorted(set(settings.start) - set(model.axes))
+    if foreign:
+        raise InputError([Fault("--start", "", f"this machine has no axis {' '.join(foreign)}")])
+    linear = [axis for axis in model.axes if axis in "XYZ"]
+    if settings.words != "nearest" and len(linear) != 3:
+        raise InputError([Fault("--words", "", f"'{settings.words}' needs a machine with X, Y and Z")])
+    faults, notes = FaultLog(name), Notes()
+    compensator = Compensator(model, settings, faults, notes)
+    reader = (AptReader if language == "apt" else NcReader)(model.axes, settings, faults, notes)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    handle, staged = tempfile.mkstemp(dir=out.parent, prefix=f".{out.name}.")
+    try:
+        blocks_out = 0
+        ends_whole = True
+        with os.fdopen(handle, "wb") as target, program.open("rb") as source:
+            lines = _Lines(source, faults, progress)
+            for text in compensator.texts(reader.items(lines)):
+                if text and not faults.count:
+                    target.write(text.encode("latin-1"))
+                    blocks_out += text.count("\n")
+                    ends_whole = text.endswith("\n")
+        faults.raise_if_any()
+        os.chmod(staged, 0o644)
+        os.replace(staged, out)
+        staged = ""
+    finally:
+        if staged:
+            os.unlink(staged)
+    return compensator.report(name, language, lines.count, blocks_out + (not ends_whole))

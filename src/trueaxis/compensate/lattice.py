@@ -1,0 +1,50 @@
+"""The positions that NC words can name."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensate.machine import LINEAR, FloatArray
+from trueaxis.compensate.settings import MM_PER_INCH, Settings
+
+
+@dataclass(frozen=True, slots=True)
+class Lattice:
+    """Positions base + k step, k whole, of every axis; base and step are (n_axes, 1), mm or deg."""
+
+    base: FloatArray
+    step: FloatArray
+
+    def nearest(self, positions: FloatArray, parts: int = 1) -> FloatArray:
+        """Nearest position of the lattice, or of the one with steps divided by `parts`."""
+        fine = self.step / parts
+        return np.asarray(self.base + fine * np.rint((positions - self.base) / fine))
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """Points first to last - 1, whose words are of one kind; step as in Lattice."""
+
+    first: int
+    last: int
+    absolute: bool
+    step: FloatArray
+
+
+def word_steps(axes: tuple[str, ...], settings: Settings, inch: bool) -> FloatArray:
+    """Step of each axis' words in mm or deg, (n_axes, 1)."""
+    linear = settings.inch_resolution * MM_PER_INCH if inch else settings.resolution
+    return np.array([[linear if axis in LINEAR else settings.rotary_resolution] for axis in axes])
+
+
+def stretches(
+    absolute: NDArray[np.bool_], inch: NDArray[np.bool_], axes: tuple[str, ...], settings: Settings
+) -> Iterator[Stretch]:
+    """Runs of points between switches of G90/G91 and G20/G21."""
+    kind = absolute * 2 + inch
+    edges = [0, *(np.flatnonzero(np.diff(kind)) + 1).tolist(), kind.size]
+    steps = {flag: word_steps(axes, settings, flag) for flag in (False, True)}
+    for first, last in zip(edges, edges[1:], strict=False):
+        yield Stretch(first, last, bool(absolute[first]), steps[bool(inch[first])])

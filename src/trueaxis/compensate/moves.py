@@ -1,0 +1,81 @@
+"""What the readers hand on: text that moves nothing, and moves."""
+
+from collections import Counter
+from dataclasses import dataclass, field
+from enum import IntEnum
+from typing import NamedTuple
+
+from trueaxis.compensate.arcs import Arc
+
+
+class Kind(IntEnum):
+    """How a move gets to its end."""
+
+    RAPID = 0
+    LINE = 1
+    ARC = 2
+
+
+class Split(NamedTuple):
+    """The text around the axis words when a block becomes several: words due at the end go to the last one."""
+
+    lead: str
+    tail: str
+    last: str
+
+
+class Move(NamedTuple):
+    """One block that moves, as programmed.
+
+    line: number in the source, from 1. end: programmed axis positions, mm and deg, order of the machine's axes.
+    written: for each axis whether the source block has its word. absolute, inch: how words are to be written.
+    lead, tail: the other text of the block before and after its axis words; gap: what separates words.
+    eol: line end as in the source. source: the whole block where it could stand unchanged, else empty.
+    again: what the further blocks of a split begin with. split: lead and tail when split, None if the same.
+    passable: whether the tool may run through the end without anything due there.
+    """
+
+    line: int
+    kind: Kind
+    end: tuple[float, ...]
+    written: tuple[bool, ...]
+    absolute: bool
+    inch: bool
+    lead: str
+    tail: str
+    gap: str
+    eol: str
+    source: str
+    again: str = ""
+    split: Split | None = None
+    arc: Arc | None = None
+    passable: bool = True
+
+
+class Start(NamedTuple):
+    """Where the machine stands before the next move, uncompensated, mm and deg."""
+
+    position: tuple[float, ...]
+
+
+Item = str | Move | Start
+
+
+@dataclass(slots=True)
+class Notes:
+    """Remarks on a program that are no faults: text, how often, and the first line."""
+
+    counts: Counter[str] = field(default_factory=Counter)
+    first: dict[str, int] = field(default_factory=dict)
+
+    def add(self, line: int, text: str) -> None:
+        """Note a remark once more."""
+        self.counts[text] += 1
+        self.first.setdefault(text, line)
+
+    def texts(self) -> tuple[str, ...]:
+        """`line 12 (and 3 more): remark`, in the order of first appearance."""
+        return tuple(
+            f"line {line}{f' (and {self.counts[text] - 1} more)' if self.counts[text] > 1 else ''}: {text}"
+            for text, line in self.first.items()
+        )

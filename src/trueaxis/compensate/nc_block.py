@@ -1,0 +1,153 @@
+"""What the words of one NC block ask for."""
+
+from dataclasses import dataclass, field
+
+from trueaxis.compensate import nc_codes as codes
+from trueaxis.compensate.machine import LINEAR, ROTARY
+from trueaxis.compensate.nc_lexer import Block, Word
+
+_AXES = frozenset(LINEAR + ROTARY)
+_CENTRE = frozenset("IJK")
+_ONCE = frozenset("XYZABCIJKRFSTN")
+_PARAMETERS = frozenset("PQLE")
+_EMPTY = frozenset("DH")  # tool offsets
+
+
+@dataclass(slots=True)
+class Meaning:
+    """A block taken apart; complaints are (problem, remedy) and none may be passed over.
+
+    motion, plane, inch, absolute: None where the block says nothing of it. axes: words that are positions.
+    """
+
+    motion: int | None = None
+    plane: int | None = None
+    inch: bool | None = None
+    absolute: bool | None = None
+    cancel_cycle: bool = False
+    exact_stop: bool = False
+    dwell: bool = False
+    codes: set[int] = field(default_factory=set)
+    miscellaneous: list[int] = field(default_factory=list)
+    axes: dict[str, float] = field(default_factory=dict)
+    centre: dict[str, float] = field(default_factory=dict)
+    radius: float | None = None
+    program_number: bool = False
+    undotted: bool = False
+    complaints: list[tuple[str, str]] = field(default_factory=list)
+
+    @property
+    def positions(self) -> bool:
+        """Whether the block gives positions: axis words or an arc's centre or radius."""
+        return bool(self.axes or self.centre or self.radius is not None)
+
+    @property
+    def changes_modes(self) -> bool:
+        """Whether later blocks read differently after this one."""
+        return self.cancel_cycle or not (
+            self.motion is self.plane is self.inch is self.absolute is None
+        )
+
+    def complain(self, problem: str, remedy: str = "") -> None:
+        """Note what is wrong."""
+        self.complaints.append((problem, remedy))
+
+
+def interpret(block: Block, machine_axes: tuple[str, ...]) -> Meaning:
+    """Sort the words of a block by what they do."""
+    meaning = Meaning()
+    if block.problem:
+        meaning.complain(block.problem)
+    seen: set[str] = set()
+    others: list[Word] = []
+    for word in block.words:
+        if word.letter in _ONCE:
+            if word.letter in seen:
+                meaning.complain(f"{word.letter} occurs twice in the block")
+            seen.add(word.letter)
+        if word.letter == "G":
+            _preparatory(word.value, meaning)
+        elif word.letter == "M":
+            _miscellaneous(word.value, meaning)
+        else:
+            others.append(word)
+    for word in others:
+        _other(word, meaning, machine_axes)
+    if meaning.codes & codes.CANCELS_WITH_AXES and meaning.positions:
+        if meaning.motion is not None:
+            meaning.complain("a cancelling code and a motion in one block: whose axis words these are is not determined")
+        meaning.axes, meaning.centre, meaning.radius = {}, {}, None
+    return meaning
+
+
+def _preparatory(value: float, meaning: Meaning) -> None:
+    code = round(value * 10)
+    name = f"G{value:g}"
+    if abs(value * 10 - code) > 1e-6 or code < 0:
+        meaning.complain(f"{name} is not a known code", "only codes whose effect on positions is known are accepted")
+    elif code in codes.FAULTY:
+        meaning.complain(f"{name} {codes.FAULTY[code]}", codes.OFFSET_REMEDY)
+    elif code in codes.MOTION:
+        _set(meaning, "motion", code // 10, name)
+    elif code in codes.PLANES:
+        _set(meaning, "plane", code, name)
+    elif code in (200, 210):
+        _set(meaning, "inch", code == 200, name)
+    elif code in (900, 910):
+        _set(meaning, "absolute", code == 900, name)
+    elif code == codes.DWELL:
+        meaning.dwell = True
+    elif code == codes.CANCEL_CYCLE:
+        meaning.cancel_cycle = True
+    elif code == codes.EXACT_STOP:
+        meaning.exact_stop = True
+    elif code not in codes.HARMLESS:
+        meaning.complain(f"{name} is not a known code", "only codes whose effect on positions is known are accepted")
+    meaning.codes.add(code)
+
+
+def _set(meaning: Meaning, what: str, value: int | bool, name: str) -> None:
+    before = getattr(meaning, what)
+    if before is not None and before != value:
+        meaning.complain(f"{name} and another code of its group in one block")
+    setattr(meaning, what, value)
+
+
+def _miscellaneous(value: float, meaning: Meaning) -> None:
+    code = int(value)
+    if code != value or code < 0:
+        meaning.complain(f"M{value:g} is not a code")
+    elif code in codes.FAULTY_M:
+        meaning.complain(f"M{code} {codes.FAULTY_M[code]}", codes.OFFSET_REMEDY)
+    meaning.miscellaneous.append(code)
+
+
+def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
+    letter = word.letter
+    if meaning.dwell and letter in "XUPFS":
+        return
+    if letter in _AXES:
+        if letter in machine_axes:
+            meaning.axes[letter] = word.value
+            meaning.undotted |= not word.dot and word.value != 0.0
+        else:
+            meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
+        if meaning.dwell:
+            meaning.complain(f"{letter} in a block of G4 (dwell)", "give the motion a block of its own")
+    elif letter in _CENTRE:
+        meaning.centre[letter] = word.value
+        meaning.undotted |= not word.dot and word.value != 0.0
+    elif letter == "R":
+        meaning.radius = word.value
+    elif letter == "O":
+        meaning.program_number = True
+    elif letter in _EMPTY:
+        if word.value != 0.0:
+            meaning.complain(
+                f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.OFFSET_REMEDY
+            )
+    elif letter in _PARAMETERS:
+        if not (meaning.miscellaneous or meaning.dwell or meaning.codes & {640, 610, 611}):
+            meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")
+    elif letter not in "FSNT":
+        meaning.complain(f"address {letter} is not known", "only words whose effect on positions is known are accepted")

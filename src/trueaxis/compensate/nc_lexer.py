@@ -1,0 +1,55 @@
+"""One block of an NC program as words (ISO 6983-1, RS-274)."""
+
+import re
+from typing import NamedTuple
+
+# possessive quantifiers: no backtracking, so a hostile block costs linear time
+NUMBER = r"[-+]?+(?:\d++\.?+\d*+|\.\d++)"
+_TOKEN = re.compile(rf"([ \t]++)|([A-Za-z])[ \t]*+({NUMBER})|(\([^()]*+\)|;.*+)")
+_MACRO = re.compile(r"[#\[\]=<>&|{}!?]|(?i:\b(?:WHILE|GOTO|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
+
+
+class Word(NamedTuple):
+    """An address and its value; start and end are the place in the block, dot whether a decimal point is given."""
+
+    letter: str
+    value: float
+    start: int
+    end: int
+    dot: bool
+
+
+class Block(NamedTuple):
+    """Words of a block in order; problem is what is wrong with its text, empty if nothing is."""
+
+    words: tuple[Word, ...]
+    problem: str
+
+
+def lex(body: str, begin: int = 0) -> Block:
+    """Words of a block, comments left out; `body` has no line end, reading begins at `begin`."""
+    words: list[Word] = []
+    place = begin
+    while place < len(body):
+        token = _TOKEN.match(body, place)
+        if token is None:
+            return Block(tuple(words), _complaint(body, place))
+        if token[2]:
+            value = float(token[3])
+            if abs(value) > 1e9:
+                return Block(tuple(words), f"{token[2]} has the value {token[3][:20]}..., which is no machine's")
+            words.append(Word(token[2].upper(), value, place, token.end(), "." in token[3]))
+        place = token.end()
+    return Block(tuple(words), "")
+
+
+def _complaint(body: str, place: int) -> str:
+    column = f"column {place + 1}"
+    sign = body[place]
+    if sign == "(":
+        return f"{column}: a comment that is not closed, or holds another"
+    if _MACRO.search(body, place):
+        return f"{column}: {body[place:place + 20]!r} is a macro, variable or expression; its value is not followed"
+    if sign.isascii() and sign.isalpha():
+        return f"{column}: address {sign} without a number"
+    return f"{column}: {sign!r} does not belong in a block"

@@ -1,0 +1,238 @@
+"""Reads NC programs (ISO 6983-1, RS-274) block by block, following every mode that bears on positions.
+
+What it does not follow is a fault of its line; nothing that could move an axis is passed over. Numbers without a
+decimal point are whole millimetres (inches, degrees). A program says where its modes begin: until it does, G90 G21 G17.
+"""
+
+import re
+from collections.abc import Iterable, Iterator
+
+from trueaxis.compensate import nc_codes as codes
+from trueaxis.compensate.arcs import Arc, ArcError, Vector, arc_about, arc_of_radius
+from trueaxis.compensate.fault_log import FaultLog
+from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
+from trueaxis.compensate.nc_block import Meaning, interpret
+from trueaxis.compensate.nc_lexer import NUMBER, Block, lex
+from trueaxis.compensate.nc_state import NcState
+from trueaxis.compensate.nc_text import block_text
+from trueaxis.compensate.settings import MM_PER_INCH, Settings
+
+# most blocks: N, G0 or G1, X Y Z and F, in this order; the groups are lead, G, X, Y, Z, tail, line end
+_PLAIN = re.compile(
+    rf"((?:N\d++)?+[ \t]*+(?:G0?([01]))?+[ \t]*+)"
+    rf"(?:X({NUMBER}))?+(?:[ \t]*+Y({NUMBER}))?+(?:[ \t]*+Z({NUMBER}))?+"
+    rf"([ \t]*+(?:F[ \t]*+(?:\d++\.?+\d*+|\.\d++))?+[ \t]*+)(\r*+\n?+)"
+)
+BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
+
+
+class NcReader:
+    """Turns the lines of one program into items; faults and notes are gathered in the logs given."""
+
+    def __init__(self, axes: tuple[str, ...], settings: Settings, faults: FaultLog, notes: Notes) -> None:
+        self._axes = axes
+        self._settings = settings
+        self._faults = faults
+        self._notes = notes
+        self._state = NcState(axes, [settings.start.get(axis) for axis in axes])
+
+    def items(self, lines: Iterable[str]) -> Iterator[Item]:
+        """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
+        if self._state.known:
+            yield Start(tuple(value for value in self._state.position if value is not None))
+        plain = _PLAIN.fullmatch
+        for number, line in enumerate(lines, 1):
+            match = plain(line)
+            move = self._plain(number, line, match) if match else None
+            yield move if move is not None else self._any(number, line)
+
+    def _plain(self, number: int, line: str, match: re.Match[str]) -> Move | None:
+        """The move of a plain block; None if it needs a closer look."""
+        state = self._state
+        lead, code, x, y, z, tail, eol = match.groups()
+        motion = state.motion if code is None else int(code)
+        position = state.position.copy()
+        if (
+            motion is None
+            or motion > 1
+            or (code is None and state.in_force != motion)
+            or None in position
+            or state.ended
+            or (x is None and y is None and z is None)
+        ):
+            return None
+        rows, scale, absolute = state.row, MM_PER_INCH if state.inch else 1.0, state.absolute
+        written = [False] * len(position)
+        for axis, text in (("X", x), ("Y", y), ("Z", z)):
+            if text is None:
+                continue
+            row = rows.get(axis)
+            distance = float(text) * scale
+            if row is None or abs(distance) > 1e9:
+                return None
+            if absolute:
+                position[row] = distance
+            else:
+                position[row] += distance  # type: ignore[operator]  # known, see above
+            written[row] = True
+            if "." not in text and distance:
+                self._notes.add(number, "numbers without a decimal point are read as whole mm, inches or degrees")
+        state.motion = state.in_force = motion
+        state.position, state.moved = position, True
+        return Move(
+            number, Kind(motion), tuple(position), tuple(written), absolute, state.inch,
+            lead, tail, " " if " " in line else "", eol, line,
+        )  # type: ignore[arg-type]  # fmt: skip
+
+    def _any(self, number: int, line: str) -> Item:
+        """Any block: what it sets, and its move if it has one."""
+        body = line.rstrip("\r\n")
+        begin = 3 if number == 1 and body.startswith(BYTE_ORDER_MARK) else 0
+        text = body[begin:].strip()
+        if not text or text[0] in "%:":
+            self._mark(number, text)
+            return line
+        lead = len(body) - len(body[begin:].lstrip(" \t"))
+        optional = body[lead] == "/"
+        if optional:
+            if self._settings.block_delete == "skip":
+                return line
+            lead += 2 if body[lead + 1 : lead + 2].isdigit() else 1
+        block = lex(body, lead)
+        meaning = interpret(block, self._axes)
+        if optional and self._settings.block_delete == "fault" and (meaning.positions or meaning.changes_modes):
+            meaning.complain(
+                "whether this block with / is run depends on a switch", "say --block-delete run or --block-delete skip"
+            )
+        for problem, remedy in meaning.complaints:
+            self._faults.add(number, problem, remedy)
+        self._modes(number, meaning)
+        move = self._move(number, line, body, block, meaning, "/" if optional else "")
+        if not self._state.ended and codes.M_END_OF_PROGRAM.intersection(meaning.miscellaneous):
+            self._state.ended = number
+        return line if move is None else move
+
+    def _mark(self, number: int, text: str) -> None:
+        state = self._state
+        if text.startswith("%"):
+            state.percents += 1
+            if state.percents == 2 and not state.ended:
+                state.ended = number
+            if text.lstrip("% ") and not re.fullmatch(r"[\w .\-()]*", text[1:], re.ASCII):
+                self._faults.add(number, f"{text[:20]!r} is no program mark")
+
+    def _modes(self, number: int, meaning: Meaning) -> None:
+        state = self._state
+        if meaning.motion is not None:
+            state.motion = meaning.motion
+        if meaning.cancel_cycle:
+            state.motion = state.in_force = meaning.motion
+        if meaning.plane is not None:
+            state.plane = meaning.plane
+        if meaning.inch is not None:
+            state.inch = meaning.inch
+        if meaning.absolute is not None:
+            state.absolute = meaning.absolute
+        if meaning.program_number and state.moved and not state.ended:
+            self._faults.add(number, "a program number after motions: subprograms are not followed")
+        if codes.M_TOOL_CHANGE in meaning.miscellaneous:
+            self._notes.add(number, "M6 is taken to leave the axes where they are")
+        if meaning.undotted:
+            self._notes.add(number, "numbers without a decimal point are read as whole mm, inches or degrees")
+
+    def _move(
+        self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str
+    ) -> Move | None:
+        state = self._state
+        if not meaning.positions or meaning.complaints:
+            self._stay(meaning)
+            return None
+        if state.ended:
+            self._faults.add(number, f"a motion after the end of the program in line {state.ended}")
+            return None
+        if state.motion is None:
+            self._faults.add(number, "a position, but no motion (G0 G1 G2 G3) is in force", "put the G code in the block")
+            return None
+        arc_words = bool(meaning.centre or meaning.radius is not None)
+        if arc_words and state.motion < 2:
+            self._faults.add(number, f"I J K R belong to arcs, but G{state.motion} is in force")
+            return None
+        start, end = state.position, state.after(meaning.axes)
+        unknown = {axis for axis, value in zip(self._axes, end, strict=True) if value is None}
+        if state.motion >= 2:
+            unknown |= {axis for axis, value in zip(self._axes, start, strict=True) if value is None}
+        if unknown:
+            self._unknown(number, unknown, end)
+            return None
+        known_end = tuple(value for value in end if value is not None)
+        arc = None
+        if state.motion >= 2:
+            try:
+                arc = self._arc([value or 0.0 for value in start], known_end, meaning)
+            except ArcError as problem:
+                self._faults.add(number, str(problem))
+        state.position, state.moved = end, True
+        if state.motion >= 2 and arc is None:
+            return None
+        as_line = state.motion > 0
+        motion = min(state.motion, 1)
+        in_force = meaning.motion if meaning.motion is not None else state.in_force
+        insert = meaning.motion is None and in_force != motion
+        text = block_text(body, block.words, insert, as_line)
+        state.in_force = motion
+        due = set(meaning.miscellaneous)
+        if text.split is None and due - codes.M_BEFORE - codes.M_AFTER:
+            self._notes.add(number, "an M code of unknown timing stays with the first part of a block that is cut")
+        kind = Kind.ARC if arc else Kind(motion)
+        return Move(
+            number, kind, known_end, tuple(axis in meaning.axes for axis in self._axes), state.absolute, state.inch,
+            text.lead, text.tail, text.gap, line[len(body) :], "" if arc or insert else line,
+            again, text.split, arc, not due and not meaning.exact_stop,
+        )  # fmt: skip
+
+    def _stay(self, meaning: Meaning) -> None:
+        """After a block without a usable move: what it sets, and where it would have gone, to read on sensibly."""
+        if meaning.motion is not None:
+            self._state.in_force = meaning.motion
+        if meaning.axes and meaning.complaints and self._state.absolute:
+            self._state.position = self._state.after(meaning.axes)
+
+    def _unknown(self, number: int, axes: set[str], end: list[float | None]) -> None:
+        names = " ".join(axis for axis in self._axes if axis in axes)
+        self._faults.add(
+            number,
+            f"the position of {names} is not known here, and the errors depend on it",
+            f"give it in the program or by --start {''.join(f'{axis}0' for axis in names.split())} (with its value)",
+        )
+        self._state.position = [0.0 if value is None else value for value in end]  # said once
+
+    def _arc(self, start: list[float], end: tuple[float, ...], meaning: Meaning) -> Arc:
+        """Arc of a G2 or G3 block in the plane in force.
+
+        Raises ArcError when the words make none.
+        """
+        state = self._state
+        first, second, across = codes.PLANES[state.plane]
+        if not {first, second} <= set(self._axes):
+            raise ArcError(f"the plane {first}{second} of the arc is not one of this machine's")
+        sense = 1.0 if state.motion == 3 else -1.0
+        a, b = self._vector(tuple(start)), self._vector(end)
+        normal = tuple(sense if axis == across else 0.0 for axis in "XYZ")
+        scale = MM_PER_INCH if state.inch else 1.0
+        if meaning.radius is not None:
+            if meaning.centre:
+                raise ArcError("an arc has either R or I J K")
+            return arc_of_radius(a, b, meaning.radius * scale, (normal[0], normal[1], normal[2]))
+        letters = dict(zip("XYZ", "IJK", strict=True))
+        if meaning.centre.get(letters[across]):
+            raise ArcError(f"{letters[across]} points out of the plane {first}{second} in force")
+        if not meaning.centre:
+            raise ArcError("an arc without I J K or R")
+        offset = [scale * meaning.centre.get(letters[axis], 0.0) for axis in "XYZ"]
+        centre = (a[0] + offset[0], a[1] + offset[1], a[2] + offset[2])
+        return arc_about(a, b, centre, (normal[0], normal[1], normal[2]))
+
+    def _vector(self, position: tuple[float, ...]) -> Vector:
+        row = self._state.row
+        x, y, z = (position[row[axis]] if axis in row else 0.0 for axis in "XYZ")
+        return (x, y, z)

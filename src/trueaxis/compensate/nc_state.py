@@ -1,0 +1,53 @@
+"""Modal state of an NC program while it is read."""
+
+from dataclasses import dataclass, field
+
+from trueaxis.compensate.machine import LINEAR
+from trueaxis.compensate.settings import MM_PER_INCH
+
+
+@dataclass(slots=True)
+class NcState:
+    """What the blocks read so far have set.
+
+    position: programmed position of each axis, mm or deg, None until known. motion: 0 rapid, 1 line, 2 and 3 arc
+    (clockwise, counter-clockwise), None: none in force. in_force: the motion in force in the program that is written,
+    where an arc has become lines. ended: line of the end of the program, 0 before.
+    """
+
+    axes: tuple[str, ...]
+    position: list[float | None]
+    motion: int | None = None
+    in_force: int | None = None
+    absolute: bool = True
+    inch: bool = False
+    plane: int = 170
+    ended: int = 0
+    percents: int = 0
+    moved: bool = False
+    row: dict[str, int] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.row = {axis: number for number, axis in enumerate(self.axes)}
+
+    @property
+    def known(self) -> bool:
+        """Whether the position of every axis is known."""
+        return None not in self.position
+
+    def scale(self, axis: str) -> float:
+        """mm or deg of one unit of a word of this axis."""
+        return MM_PER_INCH if self.inch and axis in LINEAR else 1.0
+
+    def after(self, words: dict[str, float]) -> list[float | None]:
+        """Positions after a move to these axis words."""
+        end = list(self.position)
+        for axis, value in words.items():
+            row = self.row[axis]
+            distance = value * self.scale(axis)
+            if self.absolute:
+                end[row] = distance
+            else:
+                before = end[row]
+                end[row] = None if before is None else before + distance
+        return end

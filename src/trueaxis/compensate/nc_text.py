@@ -1,0 +1,71 @@
+"""The text of a moving block without its axis words."""
+
+from typing import NamedTuple
+
+from trueaxis.compensate.moves import Split
+from trueaxis.compensate.nc_codes import EXACT_STOP, M_AFTER
+from trueaxis.compensate.nc_lexer import Word
+
+_REPLACED = frozenset("XYZABCIJKR")
+
+
+class BlockText(NamedTuple):
+    """lead and tail stand before and after the axis words; gap separates words; split as in Move."""
+
+    lead: str
+    tail: str
+    gap: str
+    split: Split | None
+
+
+def block_text(body: str, words: tuple[Word, ...], motion_word: bool, as_line: bool) -> BlockText:
+    """Take the axis and arc words out of a block.
+
+    motion_word: put a G1 or G0 before the axis words, since the block's own text has none and the motion in force
+    differs; `as_line` says which, and turns G2 and G3 into G1.
+    """
+    gap = " " if " " in body or "\t" in body else ""
+    lead: list[str] = []
+    tail: list[str] = []
+    kept_lead: list[str] = []
+    kept_tail: list[str] = []
+    last: list[str] = []
+    place = 0
+    out, kept = lead, kept_lead
+    for word in words:
+        between = body[place : word.start]
+        place = word.end
+        if word.letter in _REPLACED:
+            if out is lead:
+                out, kept = tail, kept_tail
+                lead.append(between)
+                kept_lead.append(between)
+            else:
+                out.append(between.rstrip(" \t"))
+                kept.append(between.rstrip(" \t"))
+            continue
+        text = between + body[word.start : word.end]
+        if as_line and word.letter == "G" and word.value in (2.0, 3.0):
+            text = between + "G1"
+        out.append(text)
+        if _due_at_end(word):
+            last.append(text.strip())
+        else:
+            kept.append(text)
+    out.append(body[place:])
+    kept.append(body[place:])
+    first = "".join(lead)
+    if motion_word:
+        insert = ("G1" if as_line else "G0") + gap
+        first = _joined(first, insert, gap)
+        kept_lead = [_joined("".join(kept_lead), insert, gap)]
+    split = Split("".join(kept_lead), "".join(kept_tail), gap + gap.join(last)) if last else None
+    return BlockText(first, "".join(tail), gap, split)
+
+
+def _joined(lead: str, insert: str, gap: str) -> str:
+    return lead + (gap if lead.strip() and not lead.endswith((" ", "\t")) else "") + insert
+
+
+def _due_at_end(word: Word) -> bool:
+    return (word.letter == "M" and word.value in M_AFTER) or (word.letter == "G" and round(word.value * 10) == EXACT_STOP)

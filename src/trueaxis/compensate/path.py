@@ -1,0 +1,68 @@
+"""From moves to the points of the path: arcs cut into chords, every point with its block."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensate.arcs import chords
+from trueaxis.compensate.machine import LINEAR, FloatArray
+from trueaxis.compensate.moves import Kind, Move
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """Points to be reached one after another, each by a straight motion of the axes from `origins`.
+
+    points, origins: (n_axes, n), mm and deg. owner: (n,), index of the move that a point belongs to, ascending.
+    rapid: (n,), where only the end counts.
+    """
+
+    points: FloatArray
+    origins: FloatArray
+    owner: NDArray[np.int64]
+    rapid: NDArray[np.bool_]
+
+    @property
+    def size(self) -> int:
+        """Number of points."""
+        return int(self.owner.size)
+
+
+def path_of(moves: Sequence[Move], start: FloatArray, axes: tuple[str, ...], chord_tolerance: float) -> Path:
+    """Points of the moves; `start` (n_axes,) is the position before them, NaN where it is not known."""
+    ends = np.array([move.end for move in moves], dtype=np.float64).T
+    starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
+    rapid = np.array([move.kind == Kind.RAPID for move in moves])
+    arcs = np.array([index for index, move in enumerate(moves) if move.arc is not None], dtype=np.int64)
+    if arcs.size == 0:
+        return Path(ends, starts, np.arange(len(moves)), rapid)
+
+    def xyz(positions: FloatArray) -> FloatArray:
+        out = np.zeros((3, positions.shape[1]))
+        for row, axis in enumerate(axes):
+            if axis in LINEAR:
+                out[LINEAR.index(axis)] = positions[row]
+        return out
+
+    cut = chords(
+        xyz(starts[:, arcs]),
+        xyz(ends[:, arcs]),
+        [arc for index in arcs if (arc := moves[index].arc) is not None],
+        chord_tolerance,
+    )
+    of_arc = arcs[cut.arc]
+    on_arcs = np.empty((len(axes), of_arc.size))
+    for row, axis in enumerate(axes):
+        if axis in LINEAR:
+            on_arcs[row] = cut.points[LINEAR.index(axis)]
+        else:
+            on_arcs[row] = starts[row, of_arc] + cut.share * (ends[row, of_arc] - starts[row, of_arc])
+    straight = np.setdiff1d(np.arange(len(moves)), arcs, assume_unique=True)
+    owner = np.concatenate([straight, of_arc])
+    order = np.argsort(owner, kind="stable")
+    points = np.concatenate([ends[:, straight], on_arcs], axis=1)[:, order]
+    owner = owner[order]
+    origins = np.concatenate([start[:, None], points[:, :-1]], axis=1)
+    return Path(points, origins, owner, rapid[owner])

@@ -1,0 +1,71 @@
+"""What a compensation is asked to do."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Literal
+
+Method = Literal["iterative", "ordinary"]
+WordChoice = Literal["nearest", "ends", "middles"]
+BlockDelete = Literal["fault", "run", "skip"]
+
+MM_PER_INCH = 25.4
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Lengths mm, angles deg.
+
+    tolerance: Delta of Eq. (56), the largest tool point error allowed after compensation.
+    resolution, inch_resolution (inch), rotary_resolution (deg): step of the NC words that are written.
+    chord_tolerance: largest distance of an arc from the chords that replace it.
+    method: `iterative` repeats Eq. (55); `ordinary` applies it once.
+    words: `nearest` rounds; `ends` and `middles` choose words that minimise Eq. (6), see word_choice and middles.
+    ball: P_W, centre of the workpiece ball in the workpiece frame; gives E of Eq. (6) its meaning.
+    tool_point: P_T in the tool frame. start: axis positions before the first block (those known).
+    block_delete: what a motion in a `/` block is: a fault, run, or skipped.
+    batch_points: points computed at a time; bounds the memory.
+
+    Raises ValueError when a value is out of its range.
+    """
+
+    tolerance: float = 0.001
+    resolution: float = 0.001
+    inch_resolution: float = 0.00001
+    rotary_resolution: float = 0.0001
+    chord_tolerance: float = 0.0005
+    method: Method = "iterative"
+    words: WordChoice = "nearest"
+    ball: tuple[float, float, float] | None = None
+    tool_point: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    start: Mapping[str, float] = field(default_factory=dict)
+    block_delete: BlockDelete = "fault"
+    batch_points: int = 16384
+
+    def __post_init__(self) -> None:
+        for name in ("tolerance", "resolution", "inch_resolution", "rotary_resolution", "chord_tolerance"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and 0.0 < value <= 1.0):
+                raise ValueError(f"{name} is {value:g}; it must be above 0 and at most 1")
+        for name in ("resolution", "inch_resolution", "rotary_resolution"):
+            decimals(getattr(self, name))
+        for name in ("ball", "tool_point"):
+            values = getattr(self, name)
+            if values is not None and not (len(values) == 3 and all(map(math.isfinite, values))):
+                raise ValueError(f"{name} must be three finite coordinates")
+        if not all(map(math.isfinite, self.start.values())):
+            raise ValueError("start must hold finite positions")
+        if self.words != "nearest" and self.ball is None:
+            raise ValueError(f"words '{self.words}' minimises the error along the ball bar; give the ball too")
+
+
+def decimals(resolution: float) -> int:
+    """Digits after the decimal point that write every multiple of `resolution` exactly.
+
+    Raises ValueError when more than 7 would be needed.
+    """
+    exponent = Decimal(repr(resolution)).normalize().as_tuple().exponent
+    if not isinstance(exponent, int) or exponent < -7:
+        raise ValueError(f"resolution {resolution!r} needs more than 7 decimals")
+    return max(0, -exponent)

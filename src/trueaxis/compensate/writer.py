@@ -1,0 +1,95 @@
+"""NC blocks with compensated axis words."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensate.machine import LINEAR, FloatArray
+from trueaxis.compensate.moves import Move
+from trueaxis.compensate.settings import Settings, decimals
+
+_HOLDS = 1e-9  # mm, deg: positions closer than this are the same
+
+
+class BlockWriter:
+    """Writes moves; holds the number formats of a machine's words."""
+
+    def __init__(self, axes: tuple[str, ...], settings: Settings) -> None:
+        self._formats = {}
+        for inch in (False, True):
+            linear = settings.inch_resolution if inch else settings.resolution
+            steps = [linear if axis in LINEAR else settings.rotary_resolution for axis in axes]
+            self._formats[inch] = [
+                (step, f"{axis}%.{decimals(step)}f") for axis, step in zip(axes, steps, strict=True)
+            ]
+
+    def texts(
+        self,
+        moves: Sequence[Move],
+        owner: NDArray[np.int64],
+        positions: FloatArray,
+        previous: FloatArray,
+        steps: FloatArray,
+        programmed_end: FloatArray,
+    ) -> list[str]:
+        """One text for each move: its block, or the blocks it has become.
+
+        owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
+        before them (NaN: not known); steps: (n_axes, n), mm or deg per step of a word; programmed_end: (n_axes, n).
+        """
+        absolute = np.array([move.absolute for move in moves])[owner]
+        with np.errstate(invalid="ignore"):
+            stays = np.abs(positions - previous) < _HOLDS
+        origin = np.where(absolute, 0.0, previous)
+        counts = np.rint((positions - origin) / steps).astype(np.int64).T.tolist()
+        stay = stays.T.tolist()
+        as_programmed = (np.abs(positions - programmed_end) < _HOLDS).all(axis=0)
+        moved_as_written = as_programmed & (
+            absolute | (np.abs(self._programmed_step(programmed_end, previous) - (positions - previous)) < _HOLDS).all(axis=0)
+        )
+        unchanged = moved_as_written.tolist()
+        pieces = np.bincount(owner, minlength=len(moves)).tolist()
+        out = []
+        place = 0
+        for move, number in zip(moves, pieces, strict=True):
+            if number == 1:
+                out.append(self._single(move, counts[place], stay[place], unchanged[place]))
+            else:
+                out.append(self._several(move, counts[place : place + number], stay[place : place + number]))
+            place += number
+        return out
+
+    @staticmethod
+    def _programmed_step(end: FloatArray, previous: FloatArray) -> FloatArray:
+        return np.asarray(end - previous)
+
+    def _single(self, move: Move, counts: list[int], stay: list[bool], unchanged: bool) -> str:
+        if unchanged and move.source and all(
+            held or written for held, written in zip(stay, move.written, strict=True)
+        ):
+            return move.source
+        words = self._words(move, counts, stay, move.written)
+        return f"{move.lead}{words}{move.tail}{move.eol}"
+
+    def _several(self, move: Move, counts: list[list[int]], stay: list[list[bool]]) -> str:
+        lead, tail, last = move.split or (move.lead, move.tail, "")
+        none = (False,) * len(move.written)
+        eol = move.eol or "\n"
+        parts = [f"{lead}{self._words(move, counts[0], stay[0], move.written)}{tail}"]
+        for count, held in zip(counts[1:], stay[1:], strict=True):
+            words = self._words(move, count, held, none)
+            if words:
+                parts.append(move.again + words)
+        if last:
+            parts[-1 if len(parts) > 1 else 0] += last
+        return eol.join(parts) + move.eol
+
+    def _words(self, move: Move, counts: list[int], stay: list[bool], written: tuple[bool, ...]) -> str:
+        return move.gap.join(
+            form % (count * step)
+            for (step, form), count, held, named in zip(
+                self._formats[move.inch], counts, stay, written, strict=True
+            )
+            if named or not held
+        )
