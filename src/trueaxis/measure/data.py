@@ -11,6 +11,7 @@ from trueaxis.measure.readings import Readings
 from trueaxis.measure.readings_reader import read_readings
 from trueaxis.measure.setup import Setup
 from trueaxis.measure.setup_reader import read_setup
+from trueaxis.runtime.input_files import gathering
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,17 +28,13 @@ def read_data(folder: Path, machine: MachineAxes) -> MeasuredData:
     Raises InputError with every fault of both files.
     """
     found: list[Fault] = []
-    setup = None
-    try:
+    runs = None
+    with gathering(found):
         setup = read_setup(folder / setup_file.FILE_NAME, machine)
-    except InputError as error:
-        found += error.faults
-    try:
-        path = readings_path(folder)
-        readings = read_readings(path, machine, setup.runs if setup else None)
-    except InputError as error:
-        found += error.faults
-    if found or setup is None:
+        runs = setup.runs
+    with gathering(found):
+        readings = read_readings(readings_path(folder), machine, runs)
+    if found:
         raise InputError(found)
     return MeasuredData(setup, readings)
 

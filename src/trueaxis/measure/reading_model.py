@@ -111,7 +111,7 @@ def expected_readings(
     for index, one in enumerate(runs):
         rows = run == index
         if rows.any():
-            found[rows] = expected_reading(machine, one, positions[:, rows])
+            found[rows] = expected_reading(machine, one, np.ascontiguousarray(positions[:, rows]))
     return found
 
 

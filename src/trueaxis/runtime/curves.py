@@ -23,12 +23,12 @@ class PolynomialCurve:
 
     def __call__(self, positions: FloatArray) -> FloatArray:
         """Values, of the shape of `positions`; Horner's scheme, so that no power of s is ever formed in full."""
-        terms = sorted(zip(self.powers, self.coefficients, strict=True), reverse=True)
+        falling = sorted(zip(self.powers, self.coefficients, strict=True), reverse=True)
+        lower = [*(power for power, _ in falling[1:]), 0]
         values = np.zeros_like(positions, dtype=np.float64)
-        following = (*(power for power, _ in terms[1:]), 0)
-        for (power, coefficient), lower in zip(terms, following, strict=True):
+        for index, (power, coefficient) in enumerate(falling):
             values += coefficient
-            for _ in range(power - lower):
+            for _ in range(power - lower[index]):
                 values *= positions
         return values
 

@@ -1,8 +1,19 @@
 """Reading an input file whose absence or encoding is the user's fault, not the program's."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
-from trueaxis.faults import Faults, InputError
+from trueaxis.faults import Fault, Faults, InputError
+
+
+@contextmanager
+def gathering(found: list[Fault]) -> Iterator[None]:
+    """Add the faults of the input read inside to `found`, so that the faults of several files are told together."""
+    try:
+        yield
+    except InputError as error:
+        found += error.faults
 
 
 def input_bytes(path: Path) -> bytes:

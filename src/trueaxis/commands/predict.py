@@ -1,0 +1,52 @@
+"""trueaxis predict: the deviation of the tool point at given axis positions."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trueaxis.faults import Fault, InputError
+from trueaxis.files import write_files
+from trueaxis.measure.points import dump_predicted, read_points
+from trueaxis.measure.predict import predict
+from trueaxis.runtime.input_files import gathering
+from trueaxis.runtime.model import load_model
+from trueaxis.spec import read_machine
+
+if TYPE_CHECKING:
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+DESCRIPTION = """\
+Predict where the tool point really is. For each row of --at (a column per axis: mm, rotary axes deg; optionally tool_x,
+tool_y, tool_z: the point in the tool frame, mm) the deviation, actual minus ideal, is computed on the exact model and
+written as dx, dy, dz (mm, workpiece frame) behind the columns of the row."""
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add this command to the command line."""
+    parser = subparsers.add_parser(
+        "predict", help="the deviation of the tool point at given axis positions", description=DESCRIPTION
+    )
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
+    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
+    parser.add_argument("--at", type=Path, required=True, metavar="POINTS", help="axis positions, .csv or .parquet")
+    parser.add_argument("--out", type=Path, required=True, metavar="OUT", help="table to write, .csv or .parquet")
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Predict and write; raises InputError with the faults of every file."""
+    machine = read_machine(args.machine)
+    found: list[Fault] = []
+    with gathering(found):
+        model = load_model(args.machine, args.errors, args.kernels)
+    with gathering(found):
+        points = read_points(args.at, machine)
+    if found:
+        raise InputError(found)
+    deviation = predict(model, points)
+    write_files({args.out: dump_predicted(points, deviation, args.out.suffix)})
+    print(f"{args.out}: {deviation.shape[1]} points")
+    return 0

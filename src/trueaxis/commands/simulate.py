@@ -1,0 +1,93 @@
+"""trueaxis simulate: readings made from error values and a measuring plan."""
+
+import argparse
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trueaxis.faults import Fault, InputError
+from trueaxis.files import write_files
+from trueaxis.measure import readings as readings_files
+from trueaxis.measure import setup as setup_file
+from trueaxis.measure.data import read_data, readings_path
+from trueaxis.measure.readings import dump_readings
+from trueaxis.measure.simulate import check_simulated, simulate
+from trueaxis.runtime.input_files import gathering
+from trueaxis.runtime.model import load_model
+from trueaxis.spec import read_machine
+
+if TYPE_CHECKING:
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+DESCRIPTION = """\
+Fill in a measuring plan: every row of readings.csv in --data whose reading is empty gets what the instrument would
+read on the exact model, plus Gaussian noise on request. Rows with a reading keep it unless --replace is given. The
+folder --out gets readings.csv and an exact copy of setup.toml."""
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add this command to the command line."""
+    parser = subparsers.add_parser(
+        "simulate", help="readings made from error values and a measuring plan", description=DESCRIPTION
+    )
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
+    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
+    parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="another folder, to be written")
+    parser.add_argument(
+        "--noise-um", type=_size, default=0.0, metavar="S", help="standard deviation of the noise, micrometres (0)"
+    )
+    parser.add_argument("--seed", type=_seed, default=0, metavar="N", help="seed of the noise (%(default)s)")
+    parser.add_argument("--replace", action="store_true", help="replace readings that are there, too")
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Simulate and write; raises InputError with the faults of every file."""
+    found = _faults_of_out(args.out, args.data)
+    machine = read_machine(args.machine)
+    with gathering(found):
+        model = load_model(args.machine, args.errors, args.kernels)
+    with gathering(found):
+        data = read_data(args.data, machine)
+    if found:
+        raise InputError(found)
+    setup, readings = data.setup, data.readings
+    simulated = simulate(model, setup.runs, readings, noise_um=args.noise_um, seed=args.seed, replace_all=args.replace)
+    check_simulated(simulated, str(readings_path(args.data)))
+    write_files(
+        {
+            args.out / setup_file.FILE_NAME: (args.data / setup_file.FILE_NAME).read_bytes(),
+            args.out / readings_files.FILE_NAME: dump_readings(simulated),
+        }
+    )
+    kept = 0 if args.replace else int((~readings.planned).sum())
+    told = f"; {kept} were there already and stay (--replace makes them anew)" if kept else ""
+    print(f"{args.out}: {len(setup.runs)} runs, {len(readings.run) - kept} readings made{told}")
+    return 0
+
+
+def _faults_of_out(out: Path, data: Path) -> list[Fault]:
+    if out.resolve() == data.resolve():
+        return [Fault(str(out), "", "is the folder of the data itself", "another folder for --out")]
+    other = out / readings_files.PARQUET_NAME
+    if other.exists():
+        return [Fault(str(other), "", f"would stand beside the new {readings_files.FILE_NAME}", "remove it")]
+    return []
+
+
+def _size(text: str) -> float:
+    value = float(text)
+    if not (math.isfinite(value) and value >= 0.0):
+        raise argparse.ArgumentTypeError(f"{text} is not a size: at least 0")
+    return value
+
+
+def _seed(text: str) -> int:
+    value = int(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError(f"{text} is not a seed: a whole number, at least 0")
+    return value
