@@ -6,7 +6,7 @@ from time import perf_counter
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from statsmodels.regression.linear_model import OLS
@@ -48,6 +48,7 @@ def test_a_model_the_search_stops_at_has_no_better_neighbour(seed: int) -> None:
         assert fit_terms(fit.samples, neighbour).aic >= fit.after.aic
 
 
+@settings(deadline=None)
 @given(SEEDS, st.floats(0.01, 100.0), st.floats(1e-9, 1e9))
 def test_units_of_position_and_value_change_nothing_but_units(seed: int, mm: float, rad: float) -> None:
     y = noisy(seed)
@@ -60,6 +61,7 @@ def test_units_of_position_and_value_change_nothing_but_units(seed: int, mm: flo
     assert other.after.adjusted_r_squared == pytest.approx(fit.after.adjusted_r_squared, rel=1e-10)
 
 
+@settings(deadline=None)
 @given(SEEDS, st.permutations(range(28)))
 def test_the_order_of_the_points_does_not_matter(seed: int, order: list[int]) -> None:
     y = noisy(seed)
@@ -69,6 +71,7 @@ def test_the_order_of_the_points_does_not_matter(seed: int, order: list[int]) ->
     assert other.verdict == fit.verdict
 
 
+@settings(deadline=None)
 @given(SEEDS)
 def test_mirroring_the_axis_flips_the_odd_coefficients(seed: int) -> None:
     y = noisy(seed)
@@ -78,6 +81,7 @@ def test_mirroring_the_axis_flips_the_odd_coefficients(seed: int) -> None:
     assert other.after.coefficients == pytest.approx(signs * fit.after.coefficients, rel=1e-9, abs=0.0)
 
 
+@settings(deadline=None)
 @given(SEEDS)
 def test_adding_a_polynomial_to_the_values_adds_it_to_the_full_fit_and_leaves_the_residuals(seed: int) -> None:
     added = np.random.default_rng(seed + 1).normal(size=7) * 540.0 ** -np.arange(1.0, 8.0)
@@ -91,6 +95,7 @@ def test_adding_a_polynomial_to_the_values_adds_it_to_the_full_fit_and_leaves_th
     assert other.covariance == pytest.approx(fit.covariance, rel=1e-8, abs=0.0)
 
 
+@settings(deadline=None)
 @given(st.sets(st.integers(1, 7), min_size=1), SEEDS)
 def test_an_exact_polynomial_is_recovered_with_no_other_term(powers: set[int], seed: int) -> None:
     random = np.random.default_rng(seed)
