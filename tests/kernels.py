@@ -1,0 +1,49 @@
+"""The emitted NumPy kernels of a machine, called by names instead of by rows."""
+
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from tests.machines import machine_of
+from trueaxis.derive.model import DerivedModel, derive_model
+from trueaxis.emit.numpy_source import numpy_source
+
+FloatArray = npt.NDArray[np.float64]
+
+
+@lru_cache(maxsize=None)
+def model_of(text: str) -> DerivedModel:
+    return derive_model(machine_of(text))
+
+
+@lru_cache(maxsize=None)
+def kernels_of(text: str) -> ModuleType:
+    model = model_of(text)
+    module = ModuleType("kernels")
+    exec(numpy_source(model.machine, model.routines, "test.toml"), module.__dict__)
+    return module
+
+
+def kernels_at(path: Path) -> ModuleType:
+    return kernels_of(path.read_text())
+
+
+def column(names: Sequence[str], values: Mapping[str, Any]) -> FloatArray:
+    """Values in the order of the names, (n, 1); what is not named is zero."""
+    return np.array([[float(values.get(name, 0.0))] for name in names])
+
+
+def call(module: ModuleType, routine: str, pose: Mapping[str, float], values: Mapping[str, Any], *more: Any) -> Any:
+    """A routine at one pose: positions and, where it takes them, errors and parameters; then whatever follows."""
+    known = {
+        "positions": column(module.META["axes"], pose),
+        "errors": column(module.META["components"], values),
+        "parameters": column(module.META["parameters"], values)[:, 0],
+    }
+    taken = [argument["name"] for argument in module.META["routines"][routine]["inputs"]]
+    return getattr(module, routine)(*(known[name] for name in taken if name in known), *more)
