@@ -1,0 +1,32 @@
+"""First-order readings: how each reading depends on each error, at the error-free machine."""
+
+import numpy as np
+
+from trueaxis.identify.machine import IdentifiedMachine
+from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.reading_model import column, home_positions, run_terms, sensed_directions
+from trueaxis.measure.setup import Run
+
+
+def sensed(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
+    """(n_components + n_location_errors, n): mm of reading per mm or rad of error acting at each position.
+
+    positions: (n_axes, n). For a ball bar the direction sensed is that of the bar on the error-free machine.
+    """
+    return _projected(machine, run, positions, sensed_directions(machine, run, positions))
+
+
+def sensed_at_home(machine: IdentifiedMachine, run: Run) -> FloatArray:
+    """(n_components + n_location_errors, 1): what the zero of the reading takes away; zero for a ball bar."""
+    home = home_positions(run, machine.axes)
+    if home is None:
+        return np.zeros((len(machine.components) + len(machine.location_errors), 1))
+    return _projected(machine, run, home, sensed_directions(machine, run, home))
+
+
+def _projected(machine: IdentifiedMachine, run: Run, positions: FloatArray, direction: FloatArray) -> FloatArray:
+    total = np.zeros((len(machine.components) + len(machine.location_errors), positions.shape[1]))
+    for term in run_terms(run):
+        sensitivity = machine.view_sensitivity(term.view, positions, column(term.point))
+        total += term.sign * np.einsum("in,ijn->jn", direction, sensitivity)
+    return total

@@ -1,0 +1,38 @@
+"""The readings that identification works on."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from trueaxis.faults import Fault, InputError
+from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.readings import IntArray, Readings
+from trueaxis.measure.setup import Run
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Observations:
+    """Readings taken (plan rows left out), one per row.
+
+    source: where they come from, named in faults; run: (n,), index into runs; positions: (n_axes, n), commanded,
+    mm or deg; reading: (n,), mm.
+    """
+
+    source: str
+    runs: tuple[Run, ...]
+    run: IntArray
+    positions: FloatArray
+    reading: FloatArray
+
+    def of(self, keep: "IntArray") -> "Observations":
+        """Those of some rows."""
+        return Observations(self.source, self.runs, self.run[keep], self.positions[:, keep], self.reading[keep])
+
+
+def observations(source: str, runs: Sequence[Run], readings: Readings) -> Observations:
+    """The rows that have a reading. Raises InputError where none has."""
+    taken = (~readings.planned).nonzero()[0]
+    if taken.size == 0:
+        remedy = "take them, or make some with simulate"
+        raise InputError([Fault(source, "column reading", "is a plan: there is no reading in it", remedy)])
+    everything = Observations(source, tuple(runs), readings.run, readings.positions, readings.reading)
+    return everything.of(taken)

@@ -1,0 +1,174 @@
+"""`identify --method paper`: from readings to tables of every component, step by step."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+
+from trueaxis.faults import Fault, InputError
+from trueaxis.identify.curve_fit import polynomial_curves
+from trueaxis.identify.machine import IdentifiedMachine
+from trueaxis.identify.noise import Noise, noise
+from trueaxis.identify.observations import Observations
+from trueaxis.identify.paper import describe
+from trueaxis.identify.paper.equations import Equations, equations
+from trueaxis.identify.paper.grid import BoolArray, Cells, Grid, grid_and_cells
+from trueaxis.identify.paper.solution import Exact, Response, Solution, natural, solve, tables, with_rule
+from trueaxis.identify.paper.squareness import Choice, Squareness, covered, squareness_rule
+from trueaxis.identify.paper.steps import RANK_TOLERANCE, Steps, solve_steps, steps_in_order
+from trueaxis.identify.report import Identification, IdentificationReport
+from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.curves import Curve
+from trueaxis.runtime.errors import ErrorValues
+
+Curves = Literal["table", "polynomial"]
+
+
+@dataclass(frozen=True, slots=True)
+class PaperOptions:
+    """squareness: the rule for the location errors; known: values given beforehand (dimensions too);
+    noise_um: standard deviation of a reading, micrometres; curves: how components are given back.
+    """
+
+    squareness: Choice = "sect36"
+    known: ErrorValues | None = None
+    noise_um: float | None = None
+    curves: Curves = "table"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PaperResult:
+    """Everything that the steps gave, for the report: see the records.
+
+    u_nodes, u_locations: standard uncertainties, NaN where open, None where the noise is unknown; free:
+    (n_location_errors,), those not given; used: readings in steps.
+    """
+
+    machine: IdentifiedMachine
+    observed: Observations
+    left_out: tuple[str, ...]
+    given: ErrorValues
+    options: PaperOptions
+    grid: Grid
+    cells: Cells
+    equations: Equations
+    steps: Steps
+    response: Response
+    rule: Squareness
+    free: BoolArray
+    solution: Solution
+    noise: Noise
+    u_nodes: FloatArray | None
+    u_locations: FloatArray | None
+    residual_rms: float
+    fitted: Mapping[str, Curve] = field(default_factory=dict)
+
+
+def identify_paper(
+    machine: IdentifiedMachine, observed: Observations, options: PaperOptions | None = None
+) -> Identification:
+    """Identify the way of Sects. 3.2-3.6 of the paper.
+
+    machine: its own error values do not matter. Raises InputError where no run can be used, and where a run visits
+    a position of an axis at which what it needs was not measured before.
+    """
+    options = options or PaperOptions()
+    given = options.known or ErrorValues(machine.name)
+    given = replace(given, u={}, undetermined=())
+    machine = machine.with_values(given)
+    usable, left_out = _usable(observed)
+    grid, cells = grid_and_cells(machine, usable)
+    given_components = np.array([name in given.motion_errors for name in machine.components], dtype=bool)
+    free = np.array([name not in given.parameters for name in machine.location_errors], dtype=bool)
+    system = equations(machine, usable, grid, cells, given_components)
+    order = steps_in_order(system, grid, cells, len(usable.runs))
+    steps = solve_steps(order, system, grid, cells, usable)
+    rule = squareness_rule(options.squareness, machine, grid, steps.reached, free, _free(natural(steps, system)[1], free))
+    response = with_rule(steps, system, rule)
+    solution = solve(Exact(machine, given, usable, grid, cells), response, rule)
+    found, rms = _noise(steps, cells, solution, options.noise_um)
+    u_nodes, u_locations = _uncertainty(response, cells, rule, found)
+    result = PaperResult(
+        machine, usable, left_out, given, options, grid, cells, system, steps, response, rule, free, solution, found,
+        u_nodes, u_locations, rms,
+    )  # fmt: skip
+    return _identification(result)
+
+
+def _usable(observed: Observations) -> tuple[Observations, tuple[str, ...]]:
+    """Without the ball-bar runs, which sense no fixed direction."""
+    bars = [index for index, run in enumerate(observed.runs) if run.instrument == "ballbar"]
+    keep = np.flatnonzero(~np.isin(observed.run, bars))
+    left_out = tuple(observed.runs[index].id for index in bars)
+    if keep.size == 0:
+        problem = "the point-by-point method needs laser or probe readings, and there are none"
+        raise InputError([Fault(observed.source, "", problem, "use --method global")])
+    return observed.of(keep), left_out
+
+
+def _free(along: "object", free: BoolArray) -> FloatArray:
+    dense = np.asarray(along.toarray())  # type: ignore[attr-defined]
+    dense[:, ~free] = 0.0
+    return dense
+
+
+def _noise(steps: Steps, cells: Cells, solution: Solution, given_um: float | None) -> tuple[Noise, float]:
+    """The noise, and the rms of the residuals (mm) of the readings that stand in steps."""
+    used = np.unique(np.concatenate([step.cells for step in steps.steps])) if steps.steps else np.zeros(0, dtype=int)
+    squares = float(cells.repeats[used] @ solution.residual[used] ** 2) + cells.scatter
+    readings = int(cells.repeats[used].sum())
+    rank = sum(step.inverse.rank for step in steps.steps)
+    return noise(squares, readings, rank, given_um), float(np.sqrt(squares / max(readings, 1)))
+
+
+def _uncertainty(
+    response: Response, cells: Cells, rule: Squareness, found: Noise
+) -> tuple[FloatArray | None, FloatArray | None]:
+    if found.sigma is None:
+        return None, None
+    nodes, locations = (found.sigma * np.sqrt(variance) for variance in response.variances(cells))
+    locations[response.open_locations | ~covered(rule)] = np.nan
+    return np.where(response.open_nodes, np.nan, nodes), locations
+
+
+def _identification(result: PaperResult) -> Identification:
+    grid, machine = result.grid, result.machine
+    curves = tables(grid, result.solution.nodes, result.steps.reached, result.u_nodes)
+    notes: tuple[str, ...] = ()
+    if result.options.curves == "polynomial":
+        curves, notes = polynomial_curves(curves)
+    undetermined = describe.undetermined(result)
+    located = dict(zip(machine.location_errors, result.solution.locations.tolist(), strict=True))
+    u = {}
+    if result.u_locations is not None:
+        pairs = zip(machine.location_errors, result.u_locations.tolist(), strict=True)
+        u = {name: value for (name, value), free in zip(pairs, result.free, strict=True) if free}
+    values = ErrorValues(
+        machine=machine.name,
+        parameters={**result.given.parameters, **located},
+        motion_errors={**curves, **result.given.motion_errors},
+        u=u,
+        undetermined=undetermined,
+    )
+    report = IdentificationReport(
+        machine=machine.name,
+        method="paper",
+        squareness=describe.RULES[result.options.squareness],
+        readings=result.cells.readings,
+        left_out=result.left_out,
+        lever=describe.lever_of(result),
+        rank_tolerance=RANK_TOLERANCE,
+        blocks=describe.blocks(result),
+        iterations=result.solution.iterations,
+        last_change=result.solution.change,
+        residual_rms_um=result.residual_rms * 1e3,
+        freedom=result.noise.freedom,
+        noise_um=result.noise.um,
+        noise_origin=result.noise.origin,
+        locations=describe.locations(result),
+        components=describe.components(result),
+        undetermined=undetermined,
+        notes=notes,
+    )
+    return Identification(values, report)

@@ -1,0 +1,91 @@
+"""What identification has to say besides the values: blocks, rank, residuals, uncertainty, what stayed open."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from trueaxis.runtime.errors import ErrorValues, Undetermined
+
+Method = Literal["paper", "global"]
+Known = Literal["determined", "partly", "undetermined", "not measured", "given"]
+
+
+@dataclass(frozen=True, slots=True)
+class BlockReport:
+    """Unknowns that were solved together.
+
+    runs and components by name; equations, unknowns and rank: counts; condition: the largest ratio of singular
+    values over the positions, rotations scaled by the lever of the report; remark: what is wrong, may be empty.
+    """
+
+    runs: tuple[str, ...]
+    components: tuple[str, ...]
+    equations: int
+    unknowns: int
+    rank: int
+    condition: float
+    remark: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class LocationReport:
+    """A location error: value and standard uncertainty (None: unknown) in `unit`, and where it comes from."""
+
+    name: str
+    value: float
+    u: float | None
+    unit: str
+    origin: str
+
+
+@dataclass(frozen=True, slots=True)
+class ComponentReport:
+    """A component over the measured positions: largest value and standard uncertainty (None: unknown), mm or rad."""
+
+    name: str
+    known: Known
+    largest: float
+    u: float | None
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class IdentificationReport:
+    """Everything besides the values. Lengths mm and angles rad unless a name says otherwise.
+
+    readings: those used; left_out: runs that the method cannot use; iterations of the exact model and the last
+    change (mm); residual_rms_um: of all readings used; freedom: degrees of freedom left; noise_um: standard
+    deviation of a reading, None where neither given nor to be had from the data; noise_origin says which;
+    undetermined as in the error values; notes: everything else a reader must know.
+    """
+
+    machine: str
+    method: Method
+    squareness: str
+    readings: int
+    left_out: tuple[str, ...]
+    lever: float
+    rank_tolerance: float
+    blocks: tuple[BlockReport, ...]
+    iterations: int
+    last_change: float
+    residual_rms_um: float
+    freedom: int
+    noise_um: float | None
+    noise_origin: str
+    locations: tuple[LocationReport, ...]
+    components: tuple[ComponentReport, ...]
+    undetermined: tuple[Undetermined, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def nothing_determined(self) -> bool:
+        """Whether the data gave no value at all."""
+        return not any(component.known in ("determined", "partly") for component in self.components)
+
+
+@dataclass(frozen=True, slots=True)
+class Identification:
+    """Error values and the report on them."""
+
+    values: ErrorValues
+    report: IdentificationReport

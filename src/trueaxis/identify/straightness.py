@@ -1,0 +1,22 @@
+"""The convention that splits straightness from squareness: least-squares lines of the straightness are level.
+
+ISO 230-1 reads the squareness off the least-squares reference lines of two axes, and the straightness from those
+lines. A slope common to both is then part of the squareness alone.
+"""
+
+import numpy as np
+
+from trueaxis.identify.machine import LINEAR
+from trueaxis.measure.machine import FloatArray
+
+
+def is_straightness(component: str) -> bool:
+    """Whether a component is a translation of a linear axis across its motion."""
+    return component[1] in LINEAR and component[2] in LINEAR and component[1] != component[2]
+
+
+def slope_weights(positions: FloatArray) -> FloatArray:
+    """(n,): weights whose scalar product with values at the positions is the slope of their least-squares line."""
+    centred = positions - positions.mean()
+    total = float(centred @ centred)
+    return centred / total if total > 0.0 else np.zeros_like(centred)
