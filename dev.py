@@ -1,0 +1,77 @@
+"""Set up trueaxis in a folder of its own (.venv) and run it, on a fresh machine with Python 3.11 or later.
+
+    python3 dev.py demo     set up, then the main job: results and pictures in results/
+    python3 dev.py test     set up, then the tests
+    python3 dev.py setup    set up for development, nothing more
+
+Further arguments go to `trueaxis demo` or to pytest. Only the standard library is used here.
+"""
+
+import hashlib
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+VENV = HERE / ".venv"
+BIN = VENV / ("Scripts" if sys.platform == "win32" else "bin")
+LOCKS = {"demo": "run.txt", "test": "dev.txt", "setup": "dev.txt"}
+
+
+def main(arguments: list[str]) -> int:
+    """Set up, then run what was asked for. Returns its exit code."""
+    if sys.version_info < (3, 11):
+        print("trueaxis needs Python 3.11 or later, this is " + sys.version.split()[0], file=sys.stderr)
+        return 2
+    if not arguments or arguments[0] not in LOCKS:
+        print(__doc__, file=sys.stderr)
+        return 2
+    task, rest = arguments[0], arguments[1:]
+    set_up(HERE / "locks" / LOCKS[task])
+    if task == "demo":
+        return run(BIN / "trueaxis", "demo", *rest)
+    if task == "test":
+        return run_tests(rest)
+    return 0
+
+
+def set_up(lock: Path) -> None:
+    """Install the locked packages and the project in place, unless that has been done for these very locks."""
+    stamp = VENV / f"installed-{lock.stem}"
+    state = hashlib.sha256(lock.read_bytes() + (HERE / "pyproject.toml").read_bytes()).hexdigest()
+    if stamp.is_file() and stamp.read_text() == state:
+        return
+    print(f"setting up {VENV.name} from locks/{lock.name} (once; a few minutes) ...", flush=True)
+    if not (BIN / "pip").exists() and not (BIN / "pip.exe").exists():
+        venv.create(VENV, with_pip=True)
+    pip = [str(BIN / "python"), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    subprocess.run([*pip, "--require-hashes", "-r", str(lock)], check=True)
+    subprocess.run([*pip, "--no-deps", "--no-build-isolation", "--editable", str(HERE)], check=True)
+    stamp.write_text(state)
+
+
+def run_tests(rest: list[str]) -> int:
+    """With arguments: pytest with them. Without: the fast tests first, then the slow ones, coverage shown."""
+    pytest = (BIN / "python", "-m", "pytest")
+    if rest:
+        return run(*pytest, *rest)
+    parallel = ("-n", "auto", "-q", "--cov", "--cov-report=")
+    return run(*pytest, *parallel, "-m", "not slow") or run(
+        *pytest, *parallel, "--cov-append", "--cov-report=term", "-m", "slow"
+    )
+
+
+def run(*command: object) -> int:
+    """Run in this folder; its exit code."""
+    return subprocess.run([str(part) for part in command], cwd=HERE, check=False).returncode
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except subprocess.CalledProcessError as error:
+        print(f"setting up failed: {' '.join(error.cmd)}", file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -1,0 +1,32 @@
+"""Write the lock files anew: names, versions and hashes of everything installed, from pyproject.toml.
+
+Needs pip-tools: `pip install pip-tools`, then `python locks/update.py`.
+"""
+
+import subprocess
+import sys
+import tempfile
+import tomllib
+from pathlib import Path
+
+HERE = Path(__file__).parent
+GROUPS = {"run.txt": ["build"], "dev.txt": ["build", "test", "lint"]}
+# The lock names no index: whoever installs from it brings their own.
+OPTIONS = "--generate-hashes --no-header --no-annotate --strip-extras --allow-unsafe --no-emit-index-url"
+OPTIONS += " --no-emit-trusted-host --no-emit-find-links"
+
+
+def main() -> None:
+    """Compile each lock."""
+    project = tomllib.loads((HERE.parent / "pyproject.toml").read_text())
+    for name, groups in GROUPS.items():
+        wanted = project["project"]["dependencies"] + [r for g in groups for r in project["dependency-groups"][g]]
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / "requirements.in"
+            source.write_text("\n".join(wanted) + "\n")
+            command = [sys.executable, "-m", "piptools", "compile", "--quiet", *OPTIONS.split()]
+            subprocess.run([*command, "--output-file", str(HERE / name), str(source)], check=True)
+
+
+if __name__ == "__main__":
+    main()
