@@ -1,0 +1,159 @@
+"""Tables 1-6 as printed (4-6 are the data that Sect. 3 is judged by), and the figures of Sect. 5 that are ratios."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..notation import DIRECTIONS, EPS_XY, EPS_XZ, EPS_YZ, X_H, Y_H, Z_H, Entry, Printed, delta, eps
+
+IDENTITY = sp.ImmutableDenseMatrix.eye(4)
+
+
+def _translation(x: object, y: object, z: object, corner: int = 1) -> sp.ImmutableDenseMatrix:
+    return sp.ImmutableDenseMatrix([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z], [0, 0, 0, corner]])
+
+
+def _motion_error(axis: str) -> sp.ImmutableDenseMatrix:
+    ex, ey, ez = (eps(d, axis) for d in DIRECTIONS)
+    dx, dy, dz = (delta(d, axis) for d in DIRECTIONS)
+    return sp.ImmutableDenseMatrix([[1, -ez, ey, dx], [ez, 1, -ex, dy], [-ey, ex, 1, dz], [0, 0, 0, 1]])
+
+
+def _offset(end: str) -> sp.ImmutableDenseMatrix:
+    return _translation(*(sp.Symbol(f"q_{end}{d}", real=True) for d in DIRECTIONS))
+
+
+XY_ERROR = sp.ImmutableDenseMatrix([[1, -EPS_XY, 0, 0], [EPS_XY, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+Z_ERROR = sp.ImmutableDenseMatrix([[1, 0, EPS_XZ, 0], [0, 1, -EPS_YZ, 0], [-EPS_XZ, EPS_YZ, 1, 0], [0, 0, 0, 1]])
+
+TRANSFORMS: dict[str, sp.ImmutableDenseMatrix] = {
+    "S12_p": IDENTITY,
+    "S12_s": _translation(0, Y_H, 0, corner=0),
+    "S12_pe": IDENTITY,
+    "S12_se": _motion_error("y"),
+    "S24_p": _offset("w"),
+    "S24_s": IDENTITY,
+    "S24_pe": IDENTITY,
+    "S24_se": IDENTITY,
+    "S15_p": IDENTITY,
+    "S15_s": _translation(X_H, 0, 0, corner=0),
+    "S15_pe": XY_ERROR,
+    "S15_se": _motion_error("x"),
+    "S56_p": IDENTITY,
+    "S56_s": _translation(0, 0, Z_H, corner=0),
+    "S56_pe": Z_ERROR,
+    "S56_se": _motion_error("z"),
+    "S69_p": _offset("T"),
+    "S69_s": IDENTITY,
+    "S69_pe": IDENTITY,
+    "S69_se": IDENTITY,
+}
+"""Table 2; x, y, z are written with the index h that the rest of the data uses."""
+
+_NONE = (0, 0, 0, 1)
+_IN_X, _IN_Y, _IN_Z = (X_H, 0, 0, 1), (0, Y_H, 0, 1), (0, 0, Z_H, 1)
+MOTIONS = ("X", "Y", "Z", "XY", "XZ", "YZ")
+IDEAL_MOTION: dict[str, tuple[tuple[object, ...], ...]] = {
+    "S_lh^l": (_NONE, _IN_Y, _NONE, _IN_Y, _NONE, _IN_Y),
+    "S_jh^l": (_IN_X, _NONE, _NONE, _IN_X, _IN_X, _NONE),
+    "S_kh^l": (_NONE, _NONE, _IN_Z, _NONE, _IN_Z, _IN_Z),
+}
+"""Table 3, upper part: one column per pattern of `MOTIONS`."""
+
+POINTS_SINGLE: dict[str, tuple[float, float, float]] = {
+    "k1": (167, 30, -195),
+    "k2": (185, 30, -175),
+    "k3": (232, 40, -164),
+    "l4": (45, -85, 64),
+    "l5": (45, -85, 115),
+    "l6": (150, -120, 84),
+    "k7": (-100, -77, 125),
+    "k8": (-54, -72, 125),
+    "k9": (-54, -72, -165),
+}
+"""Table 4, mm, with P_14 read as P_l4 and so on."""
+
+POINTS_LINKAGE: dict[str, dict[str, tuple[float, float, float]]] = {
+    "XZ": {"k1": (-75.2, 31.8, 58.3), "k2": (-75.2, 81.7, 58.3)},
+    "XY": {
+        "l1": (130, 195, 75),
+        "k1": (-187.8, 97, -49.127),
+        "l2": (130, 195, 105),
+        "k2": (-187.8, 97, -19.127),
+    },
+    "YZ": {"l1": (113, 20, 78), "k1": (-220, 93, -26)},
+}
+"""Table 5, mm, with its rows put under the linkage that Sects. 3.3-3.5 use them in."""
+
+SQUARENESS_VALUES = {"epsilon_xy": -0.000005, "epsilon_xz": 0.000026, "epsilon_yz": 0.00001}
+"""Table 6, rad."""
+
+IMPROVEMENTS = {
+    "mean positioning error": ("0.00119", "0.000244", "79.5"),
+    "standard deviation": ("0.000249", "0.000119", "52.2"),
+    "maximum circularity error": ("42.1", "25.1", "40.4"),
+}
+"""Sects. 5.2 and 5.3, Table 8: ordinary, iterative, printed reduction in per cent, digits as printed."""
+
+TABLES: tuple[Printed, ...] = (
+    Printed(
+        "Table 1",
+        "the 21 errors",
+        "2.2",
+        (
+            Entry("positioning", ("delta_x(x)", "delta_y(y)", "delta_z(z)")),
+            Entry("straightness, x direction", ("delta_x(y)", "delta_x(z)", "")),
+            Entry("straightness, y direction", ("delta_y(x)", "delta_y(z)", "")),
+            Entry("straightness, z direction", ("delta_z(x)", "delta_z(y)", "")),
+            Entry("roll", ("epsilon_x(x)", "epsilon_y(y)", "epsilon_z(z)")),
+            Entry("pitch", ("epsilon_y(x)", "epsilon_x(y)", "epsilon_x(z)")),
+            Entry("yaw", ("epsilon_z(x)", "epsilon_z(y)", "epsilon_y(y)")),
+            Entry("squareness", ("epsilon_xy", "epsilon_xz", "epsilon_yz")),
+        ),
+    ),
+    Printed(
+        "Table 2",
+        "transforms of the adjacent bodies",
+        "2.3",
+        tuple(Entry(name, matrix) for name, matrix in TRANSFORMS.items()),
+    ),
+    Printed(
+        "Table 3",
+        "parameters of the motion equation",
+        "3.2",
+        (
+            *(Entry(name, columns) for name, columns in IDEAL_MOTION.items()),
+            Entry("wording: bodies X, Y, Z are called (Sect. 3.1)", ("L", "J", "K")),
+            Entry("position transforms are those of", ("SIL", "SLJ", "SJK")),
+            Entry("first position error", IDENTITY),
+            Entry("second position error", XY_ERROR),
+            Entry("third position error", Z_ERROR),
+        ),
+    ),
+    Printed(
+        "Table 4",
+        "points of single-axis motion",
+        "4.1",
+        (
+            Entry("point names, Y axis", ("P_14", "P_15", "P_16")),
+            Entry("frames of X, Y, Z points", ("TCS", "WCS", "TCS")),
+            Entry("rank of the systems of X, Y, Z", (3, 3, 3)),
+        ),
+    ),
+    Printed(
+        "Table 5",
+        "points of two-axis motion",
+        "4.1",
+        (
+            Entry("point names, XZ", ("P_k1 r_k1", "P_k2 r_k2")),
+            Entry("point names, XY", ("P_1 r_11", "P_2 r_k1", "P_2 r_12")),
+            Entry("point names, YZ", ("P_1 r_k2", "P_1 r_11", "P_1 r_k1")),
+        ),
+    ),
+    Printed(
+        "Table 6",
+        "squareness values",
+        "4.2",
+        (Entry("parameters", tuple(SQUARENESS_VALUES)),),
+    ),
+)
