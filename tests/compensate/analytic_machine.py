@@ -56,7 +56,7 @@ class XyzMachine:
     def deviation(self, positions: FloatArray, point: FloatArray) -> FloatArray:
         return self.actual(positions, point) - self.ideal(positions, point)
 
-    def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:
+    def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:  # noqa: ARG002  # the model's interface
         return deviation * np.array([[1.0], [-1.0], [1.0]])
 
 

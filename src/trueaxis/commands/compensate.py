@@ -70,7 +70,8 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         help="axis positions before the first block (default: not known)")  # fmt: skip
     parser.add_argument("--block-delete", choices=("fault", "run", "skip"), default=default.block_delete,
                         help="what motions in / blocks are (default %(default)s)")  # fmt: skip
-    parser.add_argument("--kernels", type=Path, metavar="DIR", help="folder of generated kernels")
+    parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
+                        help="folder of derived kernels (default %(default)s)")  # fmt: skip
     parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON too")
     parser.set_defaults(run=run)
 
@@ -112,9 +113,7 @@ def run(args: argparse.Namespace) -> int:
         raise InputError([Fault("options", "", str(problem))]) from None
     model = load_model(args.machine, args.errors, args.kernels)
     try:
-        report = compensate_file(
-            args.program, args.out, model, settings, language=args.format, progress=_progress()
-        )
+        report = compensate_file(args.program, args.out, model, settings, language=args.format, progress=_progress())
         if args.report is not None:
             write_files({args.report: report.to_json()})
     except OSError as problem:

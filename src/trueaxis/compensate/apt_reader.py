@@ -4,7 +4,7 @@ Coordinates are axis positions. GOTO, GODLTA, FROM, RAPID, FEDRAT, CIRCLE and UN
 become M codes or comments; whatever else may move or shift anything is a fault of its line.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from trueaxis.compensate import apt_words
 from trueaxis.compensate.apt_circle import arcs_through, on_circle, unit
@@ -56,9 +56,9 @@ class AptReader:
             if not self._headed and statement.major in _NEED_HEADER:
                 yield f"{'G20' if self._inch else 'G21'} G17 G90 G94{_EOL}"
                 self._headed = True
-            if self._circle is not None and statement.major != "GOTO":
-                if statement.major or statement.problem:
-                    yield from self._finish_circle()
+            speaks = statement.problem or statement.major not in {"", "GOTO"}
+            if self._circle is not None and speaks:
+                yield from self._finish_circle()
             if statement.comment is not None:
                 yield apt_words.comment(statement.comment) + _EOL
             if statement.problem:
@@ -72,44 +72,38 @@ class AptReader:
 
     def _statement(self, statement: Statement) -> Iterator[Item]:
         major = statement.major
-        if self._ended and major not in {"FINI", "PPRINT", "REMARK"}:
-            self._faults.add(statement.line, f"{major} after the end of the program in line {self._ended}")
-        elif major == "GOTO":
-            yield from self._goto(statement)
-        elif major == "GODLTA":
-            yield from self._delta(statement)
-        elif major == "FROM":
-            yield from self._from(statement)
-        elif major == "RAPID":
-            self._rapid = True
-        elif major == "FEDRAT":
-            self._feed_rate(statement)
-        elif major == "UNITS":
-            yield from self._units(statement)
-        elif major == "CIRCLE":
-            self._open_circle(statement)
-        elif major in {"END", "FINI"}:
-            if not self._ended:
-                yield f"M30{_EOL}"
-            self._ended = self._ended or statement.line
+        motions: dict[str, Callable[[Statement], Iterator[Item]]] = {
+            "GOTO": self._goto, "GODLTA": self._delta, "FROM": self._from, "CIRCLE": self._open_circle,
+            "RAPID": self._rapidly, "FEDRAT": self._feed_rate, "UNITS": self._units,
+            "END": self._end, "FINI": self._end, "MSYS": self._system, "CSYS": self._system,
+        }  # fmt: skip
+        if self._ended and major not in {"FINI", *apt_words.TEXT}:
+            self._faults.add(statement.line, f"{major[:30]} after the end of the program in line {self._ended}")
+        elif major in motions:
+            yield from motions[major](statement)
         elif major in apt_words.BLOCKS:
             yield from self._block(statement)
-        elif major in {"CUTCOM", "CYCLE", "TLCOMP", "OFSTNO"} and self._switched_off(statement):
-            yield apt_words.comment(statement.text.strip()) + _EOL
-        elif major in {"MSYS", "CSYS"}:
-            yield from self._system(statement)
-        elif major in apt_words.FAULTY:
-            self._faults.add(statement.line, f"{major} {apt_words.FAULTY[major]}", "resolve it in the CL file")
-        elif major in apt_words.IGNORED:
-            if major not in {"PARTNO", "PPRINT", "REMARK", "TOOL PATH"}:
+        elif major in apt_words.IGNORED or (major in apt_words.CAN_BE_OFF and self._switched_off(statement)):
+            if major not in apt_words.TEXT:
                 self._notes.add(statement.line, f"{major} is kept as a comment only")
             yield apt_words.comment(statement.text.strip()) + _EOL
+        elif major in apt_words.FAULTY:
+            self._faults.add(statement.line, f"{major} {apt_words.FAULTY[major]}", "resolve it in the CL file")
         else:
             self._faults.add(
                 statement.line,
                 f"{major[:30]} is not a known statement",
                 "only statements whose effect on positions is known are accepted",
             )
+
+    def _rapidly(self, _: Statement) -> Iterator[Item]:
+        self._rapid = True
+        yield from ()
+
+    def _end(self, statement: Statement) -> Iterator[Item]:
+        if not self._ended:
+            yield f"M30{_EOL}"
+        self._ended = self._ended or statement.line
 
     @staticmethod
     def _switched_off(statement: Statement) -> bool:
@@ -214,11 +208,10 @@ class AptReader:
         self._position = point
         kind = Kind.ARC if arc else Kind(motion)
         written = (True, True, True) + (False,) * len(self._rotary)
-        return Move(
-            line, kind, point + self._rotary, written, True, self._inch, lead, tail, " ", _EOL, "", arc=arc
-        )
+        return Move(line, kind, point + self._rotary, written, True, self._inch, lead, tail, " ", _EOL, "", arc=arc)
 
-    def _open_circle(self, statement: Statement) -> None:
+    def _open_circle(self, statement: Statement) -> Iterator[Item]:
+        yield from ()
         numbers = self._numbers(statement, statement.minor[:7])
         if numbers is None:
             return
@@ -271,7 +264,8 @@ class AptReader:
             yield f"{'G20' if inch else 'G21'}{_EOL}"
         self._inch = inch
 
-    def _feed_rate(self, statement: Statement) -> None:
+    def _feed_rate(self, statement: Statement) -> Iterator[Item]:
+        yield from ()
         words = [word.upper() for word in statement.minor]
         if words == ["RAPID"]:
             self._rapid = True

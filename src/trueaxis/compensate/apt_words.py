@@ -4,14 +4,15 @@ from collections.abc import Callable
 
 from trueaxis.compensate.apt_statements import Statement
 
-# described in the comments of the written program, of no influence on positions
-IGNORED = frozenset(
-    "MACHIN TOOL PATH TLDATA CUTTER INTOL OUTTOL TOLER PAINT DISPLY LINTOL SEQNO LEADER TMARK REWIND TOOLNO HEAD "
-    "SELECT CLEARP SAFETY PARTNO PPRINT REMARK END-OF-PATH MODE OPSKIP DELAY DRAFT CHECK MULTAX TLAXIS MCHTOL "
-    "MAXDPM MAXVEL CLRSRF PLABEL SPLIT VTLAXIS PROTECT TPRINT AIR FLUSH CLDIST NOPOST PITCH CONTRL".replace(
-        "TOOL PATH", "TOOL_PATH"
-    ).split()
-) | {"TOOL PATH", "END OF PATH", "END-OF-PATH"}  # fmt: skip
+# kept as comments in the written program, of no influence on positions
+TEXT = frozenset({"PARTNO", "PPRINT", "REMARK", "TOOL PATH", "END-OF-PATH"})
+IGNORED = TEXT | frozenset(
+    "MACHIN TLDATA CUTTER INTOL OUTTOL TOLER PAINT DISPLY LINTOL SEQNO LEADER TMARK REWIND TOOLNO HEAD SELECT CLEARP "
+    "SAFETY MODE OPSKIP DELAY DRAFT CHECK MULTAX TLAXIS MCHTOL MAXDPM MAXVEL CLRSRF PLABEL VTLAXIS PROTECT TPRINT AIR "
+    "FLUSH CLDIST PITCH".split()
+)
+# faults, unless they say OFF
+CAN_BE_OFF = frozenset({"CUTCOM", "CYCLE", "TLCOMP", "OFSTNO"})
 
 # what moves or shifts positions in a way that is not followed
 FAULTY = {

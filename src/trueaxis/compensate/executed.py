@@ -18,9 +18,9 @@ from trueaxis.compensate.word_choice import choose
 class Executed:
     """Ends of the blocks to be written, in order.
 
-    positions: (n_axes, n), mm and deg, on the lattice of the words. reference: (n_axes, n), programmed positions that they
-    stand for. point: (n,), index of the path's point. passed: (n,), true for the second end of a short block, in whose
-    middle the path's point is passed (see middles).
+    positions: (n_axes, n), mm and deg, on the lattice of the words. reference: (n_axes, n), programmed positions that
+    they stand for. point: (n,), index of the path's point. passed: (n,), true for the second end of a short block, in
+    whose middle the path's point is passed (see middles).
     """
 
     positions: FloatArray
@@ -67,7 +67,8 @@ def execute(
         return np.asarray(actual - target[:, index])
 
     moves = jacobian * stretch.step[rows][None, :, :]
-    near[rows] += stretch.step[rows] * choose(error(near, point - stretch.first), target, ball, moves, 1, limit)
+    chosen, _ = choose(error(near, point - stretch.first), target, ball, moves, 1, limit)
+    near[rows] += stretch.step[rows] * chosen[:, 0]
     if settings.words == "ends":
         return plain
 

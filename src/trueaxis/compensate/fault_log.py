@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from trueaxis.faults import Fault, Faults, InputError
 
-KEPT = 50
+KEPT = 49  # with the count of all, 50 messages
 
 
 @dataclass(slots=True)
@@ -32,7 +32,5 @@ class FaultLog:
             return
         found = list(self.kept.found)
         if self.count > KEPT:
-            found.append(
-                Fault(self.file, "", f"{self.count} faults in all; the first {KEPT} are shown")
-            )
+            found.append(Fault(self.file, "", f"{self.count} faults in all; the first {KEPT} are shown"))
         raise InputError(found)

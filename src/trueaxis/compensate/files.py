@@ -23,7 +23,8 @@ LONGEST_LINE = 65536
 _NC = frozenset({".nc", ".tap", ".ngc", ".gcode", ".mpf", ".iso", ".cnc", ".din", ".eia", ".h", ".i", ".min"})
 _APT = frozenset({".cl", ".cls", ".clsf", ".apt", ".aptsource", ".ncl", ".cld"})
 _APT_LINE = re.compile(
-    r"\s*(?:\$\$|(?:GOTO|FROM|FEDRAT|UNITS|LOADTL|SPINDL|COOLNT|CIRCLE|TOOL PATH|CUTTER|TLDATA|MACHIN)\s*/|PARTNO\b)", re.I
+    r"\s*(?:\$\$|(?:GOTO|FROM|FEDRAT|UNITS|LOADTL|SPINDL|COOLNT|CIRCLE|TOOL PATH|CUTTER|TLDATA|MACHIN)\s*/|PARTNO\b)",
+    re.I,
 )
 
 
@@ -55,7 +56,9 @@ class _Lines:
         while line := self._file.readline(LONGEST_LINE + 1):
             self.count += 1
             if len(line) > LONGEST_LINE:
-                self._faults.add(self.count, f"a line of more than {LONGEST_LINE} bytes: not a program, or one without line ends")
+                self._faults.add(
+                    self.count, f"a line of more than {LONGEST_LINE} bytes: not a program, or one without line ends"
+                )
                 return
             if self._progress is not None and self.count % 65536 == 0:
                 self._progress(self.count)
@@ -102,10 +105,10 @@ def compensate_file(
                     blocks_out += text.count("\n")
                     ends_whole = text.endswith("\n")
         faults.raise_if_any()
-        os.chmod(staged, 0o644)
-        os.replace(staged, out)
+        Path(staged).chmod(0o644)
+        Path(staged).replace(out)
         staged = ""
     finally:
         if staged:
-            os.unlink(staged)
+            Path(staged).unlink()
     return compensator.report(name, language, lines.count, blocks_out + (not ends_whole))

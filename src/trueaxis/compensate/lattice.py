@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,5 +47,5 @@ def stretches(
     kind = absolute * 2 + inch
     edges = [0, *(np.flatnonzero(np.diff(kind)) + 1).tolist(), kind.size]
     steps = {flag: word_steps(axes, settings, flag) for flag in (False, True)}
-    for first, last in zip(edges, edges[1:], strict=False):
+    for first, last in pairwise(edges):
         yield Stretch(first, last, bool(absolute[first]), steps[bool(inch[first])])

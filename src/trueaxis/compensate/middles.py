@@ -1,10 +1,10 @@
 """Programmed points passed in the middle of short blocks.
 
-A control interpolates between words much finer than their resolution. If the tool is to be at P, and the block before P
-ends at a lattice point A a little before it, and a short block leads from A to the lattice point B a little behind it, then
-P is passed in the middle of that block, at (A + B) / 2: a point of the lattice of half the resolution, which has eight times
-as many candidates to choose from as the ends of blocks have. A and B are chosen as well, so that at both the error
-across the path is small along the ball bar and within the limit.
+A control interpolates between words much finer than their resolution. If the tool is to be at P, and the block before
+P ends at a lattice point A a little before it, and a short block leads from A to the lattice point B a little behind
+it, then P is passed in the middle of that block, at (A + B) / 2: a point of the lattice of half the resolution, which
+has eight times as many candidates to choose from as the ends of blocks have. A and B are chosen as well, so that at
+both the error across the path is small along the ball bar and within the limit.
 
 Cost: one more block, of twice `HALF_LENGTH` mm, for every point passed so; the path leaves the corner at P by no more
 than `CORNER` of the resolution. It needs a control that interpolates finer than its words and reads short blocks fast
@@ -23,7 +23,10 @@ from trueaxis.compensate.word_choice import CHUNK, across, choose, offsets
 HALF_LENGTH = 0.02  # mm
 CORNER = 0.25
 LEAST_STEPS = 4.0  # half length in steps below which direction is lost to rounding
-_SHARES = (1.0, 0.9, 0.8, 0.7, 0.6)
+ENDS_WEIGHT = 0.5  # of the larger |E| at the ends of the short block beside |E| in its middle
+LINEAR_MARGIN = 0.995  # of the limit for errors at the ends, which are extrapolated from P
+_MIDDLES = 6  # middles for which ends are sought
+_SHARES = (1.0, 0.9, 0.8, 0.7, 0.6)  # of the half length; a step of 0.001 mm apart by 2 steps, +-1 is tried about each
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,56 +79,67 @@ def passages(
 ) -> Passage:
     """Choose A and B for every point.
 
-    All arrays are of the points to be passed: commands (3, n) of the linear axes; half_error (3, n), actual minus wanted
-    tool point at the nearest point of the half lattice; jacobian (3, 3, n); direction (3, n) and half length (n,) of the
-    short block in axis space; lattice of the linear axes; limit, mm, for every error vector.
+    All arrays are of the points to be passed: commands (3, n) of the linear axes; half_error (3, n), actual minus
+    wanted tool point at the nearest point of the half lattice; jacobian (3, 3, n); direction (3, n) and half length
+    (n,) of the short block in axis space; lattice of the linear axes; limit, mm, for every error vector.
     """
     step = lattice.step
     near = lattice.nearest(commands, 2)
-    chosen = choose(half_error, target, ball, jacobian * (step[None, :, :] / 2.0), 2, limit)
-    twice = np.rint(2.0 * (near - lattice.base) / step + chosen)  # A + B in steps
-    count = commands.shape[1]
-    before = np.empty((3, count))
-    possible = np.empty(count, dtype=bool)
+    moves = jacobian * (step[None, :, :] / 2.0)
+    chosen, middle_error = choose(half_error, target, ball, moves, 2, limit, _MIDDLES)
+    residual = half_error - np.einsum("ijn,jn->in", jacobian, near - commands)
     bar = target - ball
     bar = bar / np.maximum(np.sqrt((bar**2).sum(axis=0)), 1e-12)
+    wanted = (commands - lattice.base) / step
+    on_half = np.rint(2.0 * (near - lattice.base) / step)
+    count = commands.shape[1]
+    least = np.full(count, np.inf)
+    start, end = np.zeros((3, count)), np.zeros((3, count))
     for first in range(0, count, CHUNK):
         part = slice(first, first + CHUNK)
-        before[:, part], possible[part] = _ends_of_short_block(
-            twice[:, part], (commands[:, part] - lattice.base) / step, step, bar[:, part], jacobian[:, :, part],
-            direction[:, part], half[part], limit,
-        )  # fmt: skip
-    after = twice - before
-    start, end = lattice.base + before * step, lattice.base + after * step
+        for number in range(_MIDDLES):
+            twice = on_half[:, part] + chosen[:, number, part]  # A + B in steps
+            before, worst = _ends_of_short_block(
+                twice, wanted[:, part], residual[:, part], step, bar[:, part], jacobian[:, :, part],
+                direction[:, part], half[part], LINEAR_MARGIN * limit,
+            )  # fmt: skip
+            cost = middle_error[number, part] + ENDS_WEIGHT * worst
+            better = cost < least[part]
+            least[part] = np.where(better, cost, least[part])
+            start[:, part] = np.where(better, before, start[:, part])
+            end[:, part] = np.where(better, twice - before, end[:, part])
+    start, end = lattice.base + start * step, lattice.base + end * step
     way_before = ((start - commands) * direction).sum(axis=0)
     way_after = ((end - commands) * direction).sum(axis=0)
-    return Passage(start, end, way_before, way_after, possible)
+    return Passage(start, end, way_before, way_after, np.isfinite(least))
 
 
 def _ends_of_short_block(
     twice: FloatArray,
     wanted: FloatArray,
+    residual: FloatArray,
     step: FloatArray,
     bar: FloatArray,
     jacobian: FloatArray,
     direction: FloatArray,
     half: FloatArray,
     limit: float,
-) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """A in steps, (3, n), with the least of max(|E| at A, |E| at B), and whether one is within the limit."""
+) -> tuple[FloatArray, FloatArray]:
+    """A in steps, (3, n), with the least of max(|E| at A, |E| at B), and that, (n,), mm; infinite if none may be."""
     shift = np.concatenate(
-        [np.rint(twice / 2.0 - share * half * direction / step)[:, :, None] + offsets(1)[:, None, :] for share in _SHARES],
+        [
+            np.rint(twice / 2.0 - share * half * direction / step)[:, :, None] + offsets(1)[:, None, :]
+            for share in _SHARES
+        ],
         axis=2,
     )
     worst = np.zeros(shift.shape[1:])
-    for end in (shift, twice[:, :, None] - shift):
+    for sign, end in ((-1.0, shift), (1.0, twice[:, :, None] - shift)):
         off, way = across((end - wanted[:, :, None]) * step[:, :, None], direction[:, :, None])
-        error = np.einsum("ijn,jnc->inc", jacobian, off)
+        error = residual[:, :, None] + np.einsum("ijn,jnc->inc", jacobian, off)
         value = np.abs(np.einsum("in,inc->nc", bar, error))
-        value[np.sqrt((error**2).sum(axis=0)) > limit] = np.inf
-        wrong_side = way >= 0.0 if end is shift else way <= 0.0
-        value[wrong_side] = np.inf
+        value[((error**2).sum(axis=0) > limit * limit) | (sign * way <= 0.0)] = np.inf
         worst = np.maximum(worst, value)
     best = np.argmin(worst, axis=1)
     found = np.take_along_axis(shift, best[None, :, None], axis=2)[:, :, 0]
-    return found, np.isfinite(np.take_along_axis(worst, best[:, None], axis=1)[:, 0])
+    return found, np.take_along_axis(worst, best[:, None], axis=1)[:, 0]

@@ -10,7 +10,9 @@ _AXES = frozenset(LINEAR + ROTARY)
 _CENTRE = frozenset("IJK")
 _ONCE = frozenset("XYZABCIJKRFSTN")
 _PARAMETERS = frozenset("PQLE")
-_EMPTY = frozenset("DH")  # tool offsets
+_OFFSETS = frozenset("DH")
+_HARMLESS = frozenset("FSNT") | _PARAMETERS | _OFFSETS
+_DWELL = frozenset("XUPFS")  # words of a G4 block, of which X and U are a time
 
 
 @dataclass(slots=True)
@@ -44,9 +46,7 @@ class Meaning:
     @property
     def changes_modes(self) -> bool:
         """Whether later blocks read differently after this one."""
-        return self.cancel_cycle or not (
-            self.motion is self.plane is self.inch is self.absolute is None
-        )
+        return self.cancel_cycle or not (self.motion is self.plane is self.inch is self.absolute is None)
 
     def complain(self, problem: str, remedy: str = "") -> None:
         """Note what is wrong."""
@@ -75,7 +75,9 @@ def interpret(block: Block, machine_axes: tuple[str, ...]) -> Meaning:
         _other(word, meaning, machine_axes)
     if meaning.codes & codes.CANCELS_WITH_AXES and meaning.positions:
         if meaning.motion is not None:
-            meaning.complain("a cancelling code and a motion in one block: whose axis words these are is not determined")
+            meaning.complain(
+                "a cancelling code and a motion in one block: whose axis words these are is not determined"
+            )
         meaning.axes, meaning.centre, meaning.radius = {}, {}, None
     return meaning
 
@@ -124,16 +126,10 @@ def _miscellaneous(value: float, meaning: Meaning) -> None:
 
 def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     letter = word.letter
-    if meaning.dwell and letter in "XUPFS":
+    if meaning.dwell and letter in _DWELL:
         return
     if letter in _AXES:
-        if letter in machine_axes:
-            meaning.axes[letter] = word.value
-            meaning.undotted |= not word.dot and word.value != 0.0
-        else:
-            meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
-        if meaning.dwell:
-            meaning.complain(f"{letter} in a block of G4 (dwell)", "give the motion a block of its own")
+        _axis(word, meaning, machine_axes)
     elif letter in _CENTRE:
         meaning.centre[letter] = word.value
         meaning.undotted |= not word.dot and word.value != 0.0
@@ -141,13 +137,24 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         meaning.radius = word.value
     elif letter == "O":
         meaning.program_number = True
-    elif letter in _EMPTY:
-        if word.value != 0.0:
-            meaning.complain(
-                f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.OFFSET_REMEDY
-            )
-    elif letter in _PARAMETERS:
-        if not (meaning.miscellaneous or meaning.dwell or meaning.codes & {640, 610, 611}):
-            meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")
-    elif letter not in "FSNT":
+    elif letter in _OFFSETS and word.value != 0.0:
+        meaning.complain(
+            f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.OFFSET_REMEDY
+        )
+    elif letter in _PARAMETERS and not (
+        meaning.miscellaneous or meaning.dwell or meaning.codes & codes.WITH_PARAMETERS
+    ):
+        meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")
+    elif letter not in _HARMLESS:
         meaning.complain(f"address {letter} is not known", "only words whose effect on positions is known are accepted")
+
+
+def _axis(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
+    letter = word.letter
+    if meaning.dwell:
+        meaning.complain(f"{letter} in a block of G4 (dwell)", "give the motion a block of its own")
+    if letter not in machine_axes:
+        meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
+        return
+    meaning.axes[letter] = word.value
+    meaning.undotted |= not word.dot and word.value != 0.0

@@ -24,8 +24,12 @@ _CYCLE = "is a canned cycle: its motions are not in the program"
 _HOME = "moves by way of a position that is not in the program"
 _CURVE = "is a curve that is not followed"
 
+# exact path modes that take a tolerance or a number of blocks
+WITH_PARAMETERS = frozenset({610, 611, 640})
+
 FAULTY: dict[int, str] = {
-    50: _CURVE, 51: _CURVE, 52: _CURVE, 53: _CURVE, 61: _CURVE, 62: _CURVE, 22: _CURVE, 23: _CURVE, 32: _CURVE, 33: _CURVE,
+    50: _CURVE, 51: _CURVE, 52: _CURVE, 53: _CURVE, 61: _CURVE, 62: _CURVE,
+    22: _CURVE, 23: _CURVE, 32: _CURVE, 33: _CURVE,
     70: "switches to diameters or imaginary axes", 71: "interpolates on a cylinder",
     80: "switches lathe diameters or look-ahead by a table that is not in the program",
     100: "changes offsets or parameters", 110: "changes offsets or parameters", 101: "changes offsets or parameters",

@@ -49,7 +49,7 @@ def _complaint(body: str, place: int) -> str:
     if sign == "(":
         return f"{column}: a comment that is not closed, or holds another"
     if _MACRO.search(body, place):
-        return f"{column}: {body[place:place + 20]!r} is a macro, variable or expression; its value is not followed"
+        return f"{column}: {body[place : place + 20]!r} is a macro, variable or expression; its value is not followed"
     if sign.isascii() and sign.isalpha():
         return f"{column}: address {sign} without a number"
     return f"{column}: {sign!r} does not belong in a block"

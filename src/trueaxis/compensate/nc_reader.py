@@ -23,6 +23,7 @@ _PLAIN = re.compile(
     rf"(?:X({NUMBER}))?+(?:[ \t]*+Y({NUMBER}))?+(?:[ \t]*+Z({NUMBER}))?+"
     rf"([ \t]*+(?:F[ \t]*+(?:\d++\.?+\d*+|\.\d++))?+[ \t]*+)(\r*+\n?+)"
 )
+_STRAIGHT = (Kind.RAPID, Kind.LINE)
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 
 
@@ -34,6 +35,7 @@ class NcReader:
         self._settings = settings
         self._faults = faults
         self._notes = notes
+        self._gap = " "  # between words, as in the last block that shows it
         self._state = NcState(axes, [settings.start.get(axis) for axis in axes])
 
     def items(self, lines: Iterable[str]) -> Iterator[Item]:
@@ -77,12 +79,16 @@ class NcReader:
             written[row] = True
             if "." not in text and distance:
                 self._notes.add(number, "numbers without a decimal point are read as whole mm, inches or degrees")
+        if " " in line:
+            self._gap = " "
+        elif sum(written) > 1:
+            self._gap = ""
         state.motion = state.in_force = motion
         state.position, state.moved = position, True
         return Move(
-            number, Kind(motion), tuple(position), tuple(written), absolute, state.inch,
-            lead, tail, " " if " " in line else "", eol, line,
-        )  # type: ignore[arg-type]  # fmt: skip
+            number, _STRAIGHT[motion], tuple(position), tuple(written), absolute, state.inch,  # type: ignore[arg-type]
+            lead, tail, self._gap, eol, line,
+        )  # fmt: skip
 
     def _any(self, number: int, line: str) -> Item:
         """Any block: what it sets, and its move if it has one."""
@@ -140,55 +146,57 @@ class NcReader:
         if meaning.undotted:
             self._notes.add(number, "numbers without a decimal point are read as whole mm, inches or degrees")
 
-    def _move(
-        self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str
-    ) -> Move | None:
-        state = self._state
-        if not meaning.positions or meaning.complaints:
+    def _move(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> Move | None:
+        if not meaning.positions or meaning.complaints or not self._may_move(number, meaning):
             self._stay(meaning)
             return None
-        if state.ended:
-            self._faults.add(number, f"a motion after the end of the program in line {state.ended}")
-            return None
-        if state.motion is None:
-            self._faults.add(number, "a position, but no motion (G0 G1 G2 G3) is in force", "put the G code in the block")
-            return None
-        arc_words = bool(meaning.centre or meaning.radius is not None)
-        if arc_words and state.motion < 2:
-            self._faults.add(number, f"I J K R belong to arcs, but G{state.motion} is in force")
-            return None
+        state = self._state
         start, end = state.position, state.after(meaning.axes)
-        unknown = {axis for axis, value in zip(self._axes, end, strict=True) if value is None}
-        if state.motion >= 2:
-            unknown |= {axis for axis, value in zip(self._axes, start, strict=True) if value is None}
-        if unknown:
-            self._unknown(number, unknown, end)
+        needed = start + end if state.motion in (2, 3) else end
+        if None in needed:
+            self._unknown(number, needed, end)
             return None
+        state.position, state.moved = end, True
         known_end = tuple(value for value in end if value is not None)
         arc = None
-        if state.motion >= 2:
+        if state.motion in (2, 3):
             try:
-                arc = self._arc([value or 0.0 for value in start], known_end, meaning)
+                arc = self._arc(tuple(value for value in start if value is not None), known_end, meaning)
             except ArcError as problem:
                 self._faults.add(number, str(problem))
-        state.position, state.moved = end, True
-        if state.motion >= 2 and arc is None:
-            return None
-        as_line = state.motion > 0
-        motion = min(state.motion, 1)
+                return None
+        motion = 0 if state.motion == 0 else 1
         in_force = meaning.motion if meaning.motion is not None else state.in_force
         insert = meaning.motion is None and in_force != motion
-        text = block_text(body, block.words, insert, as_line)
+        if " " in body or "\t" in body:
+            self._gap = " "
+        elif len(block.words) > 1:
+            self._gap = ""
+        text = block_text(body, block.words, self._gap, insert, motion == 1)
         state.in_force = motion
         due = set(meaning.miscellaneous)
-        if text.split is None and due - codes.M_BEFORE - codes.M_AFTER:
+        if due - codes.M_BEFORE - codes.M_AFTER:
             self._notes.add(number, "an M code of unknown timing stays with the first part of a block that is cut")
-        kind = Kind.ARC if arc else Kind(motion)
         return Move(
-            number, kind, known_end, tuple(axis in meaning.axes for axis in self._axes), state.absolute, state.inch,
-            text.lead, text.tail, text.gap, line[len(body) :], "" if arc or insert else line,
-            again, text.split, arc, not due and not meaning.exact_stop,
+            number, Kind.ARC if arc else _STRAIGHT[motion], known_end, tuple(axis in meaning.axes for axis in self._axes),
+            state.absolute, state.inch, text.lead, text.tail, self._gap, line[len(body) :],
+            "" if arc or insert else line, again, text.split, arc, not due and not meaning.exact_stop,
         )  # fmt: skip
+
+    def _may_move(self, number: int, meaning: Meaning) -> bool:
+        """Whether positions mean a motion here; a fault if they do not."""
+        state = self._state
+        if state.ended:
+            self._faults.add(number, f"a motion after the end of the program in line {state.ended}")
+        elif state.motion is None:
+            self._faults.add(
+                number, "a position, but no motion (G0 G1 G2 G3) is in force", "put the G code in the block"
+            )
+        elif state.motion < 2 and (meaning.centre or meaning.radius is not None):
+            self._faults.add(number, f"I J K R belong to arcs, but G{state.motion} is in force")
+        else:
+            return True
+        return False
 
     def _stay(self, meaning: Meaning) -> None:
         """After a block without a usable move: what it sets, and where it would have gone, to read on sensibly."""
@@ -197,8 +205,9 @@ class NcReader:
         if meaning.axes and meaning.complaints and self._state.absolute:
             self._state.position = self._state.after(meaning.axes)
 
-    def _unknown(self, number: int, axes: set[str], end: list[float | None]) -> None:
-        names = " ".join(axis for axis in self._axes if axis in axes)
+    def _unknown(self, number: int, needed: list[float | None], end: list[float | None]) -> None:
+        missing = {row % len(end) for row, value in enumerate(needed) if value is None}
+        names = " ".join(self._axes[row] for row in sorted(missing))
         self._faults.add(
             number,
             f"the position of {names} is not known here, and the errors depend on it",
@@ -206,7 +215,7 @@ class NcReader:
         )
         self._state.position = [0.0 if value is None else value for value in end]  # said once
 
-    def _arc(self, start: list[float], end: tuple[float, ...], meaning: Meaning) -> Arc:
+    def _arc(self, start: tuple[float, ...], end: tuple[float, ...], meaning: Meaning) -> Arc:
         """Arc of a G2 or G3 block in the plane in force.
 
         Raises ArcError when the words make none.
@@ -216,7 +225,7 @@ class NcReader:
         if not {first, second} <= set(self._axes):
             raise ArcError(f"the plane {first}{second} of the arc is not one of this machine's")
         sense = 1.0 if state.motion == 3 else -1.0
-        a, b = self._vector(tuple(start)), self._vector(end)
+        a, b = self._vector(start), self._vector(end)
         normal = tuple(sense if axis == across else 0.0 for axis in "XYZ")
         scale = MM_PER_INCH if state.inch else 1.0
         if meaning.radius is not None:

@@ -36,7 +36,7 @@ class NcState:
         return None not in self.position
 
     def scale(self, axis: str) -> float:
-        """mm or deg of one unit of a word of this axis."""
+        """Length (mm) or angle (deg) of one unit of a word of this axis."""
         return MM_PER_INCH if self.inch and axis in LINEAR else 1.0
 
     def after(self, words: dict[str, float]) -> list[float | None]:

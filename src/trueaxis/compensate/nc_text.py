@@ -10,21 +10,19 @@ _REPLACED = frozenset("XYZABCIJKR")
 
 
 class BlockText(NamedTuple):
-    """lead and tail stand before and after the axis words; gap separates words; split as in Move."""
+    """lead and tail stand before and after the axis words; split as in Move."""
 
     lead: str
     tail: str
-    gap: str
     split: Split | None
 
 
-def block_text(body: str, words: tuple[Word, ...], motion_word: bool, as_line: bool) -> BlockText:
-    """Take the axis and arc words out of a block.
+def block_text(body: str, words: tuple[Word, ...], gap: str, motion_word: bool, as_line: bool) -> BlockText:
+    """Take the axis and arc words out of a block; gap separates words that are put in.
 
     motion_word: put a G1 or G0 before the axis words, since the block's own text has none and the motion in force
     differs; `as_line` says which, and turns G2 and G3 into G1.
     """
-    gap = " " if " " in body or "\t" in body else ""
     lead: list[str] = []
     tail: list[str] = []
     kept_lead: list[str] = []
@@ -60,7 +58,7 @@ def block_text(body: str, words: tuple[Word, ...], motion_word: bool, as_line: b
         first = _joined(first, insert, gap)
         kept_lead = [_joined("".join(kept_lead), insert, gap)]
     split = Split("".join(kept_lead), "".join(kept_tail), gap + gap.join(last)) if last else None
-    return BlockText(first, "".join(tail), gap, split)
+    return BlockText(first, "".join(tail), split)
 
 
 def _joined(lead: str, insert: str, gap: str) -> str:
@@ -68,4 +66,6 @@ def _joined(lead: str, insert: str, gap: str) -> str:
 
 
 def _due_at_end(word: Word) -> bool:
-    return (word.letter == "M" and word.value in M_AFTER) or (word.letter == "G" and round(word.value * 10) == EXACT_STOP)
+    return (word.letter == "M" and word.value in M_AFTER) or (
+        word.letter == "G" and round(word.value * 10) == EXACT_STOP
+    )

@@ -222,7 +222,7 @@ class Compensator:
 
 
 def _follows(batch: list[str | Move]) -> NDArray[np.bool_]:
-    """For each move of a batch whether the next item is a move too and the tool may run through the end between them."""
+    """For each move of a batch whether another follows at once and the tool may run through the end between them."""
     return np.array(
         [
             not isinstance(after, str) and after is not None and item.passable and after.passable
@@ -230,4 +230,3 @@ def _follows(batch: list[str | Move]) -> NDArray[np.bool_]:
             if not isinstance(item, str)
         ]
     )
-

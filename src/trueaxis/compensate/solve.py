@@ -41,9 +41,9 @@ def solve(
 
     programmed: (n_axes, n). begin: the same with rotary positions as they will be written; only linear axes are
     corrected, and for the rounding of rotary words too.
-    `iterative`: command += correction(target - actual(command)), actual = Psi of Eq. (55), until the error left is within
-    `SOLVER_SHARE` of the tolerance (mm) or `MOST_STEPS` are made; a step that does not improve a point is its last and the
-    best command is kept. `ordinary`: one step.
+    `iterative`: command += correction(target - actual(command)), actual = Psi of Eq. (55), until the error left is
+    within `SOLVER_SHARE` of the tolerance (mm) or `MOST_STEPS` are made; a step that does not improve a point is its
+    last and the best command is kept. `ordinary`: one step.
     """
     target = model.ideal(programmed, tool_point)
     commands = begin.copy()

@@ -1,5 +1,7 @@
 """Cuts straight motions where the errors along them are not straight enough."""
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -57,7 +59,7 @@ def _parts(length: FloatArray) -> list[slice]:
     while edges[-1] < length.size:
         before = total[edges[-1] - 1] if edges[-1] else 0
         edges.append(max(edges[-1] + 1, int(np.searchsorted(total, before + PROBES_AT_ONCE))))
-    return [slice(a, b) for a, b in zip(edges, edges[1:], strict=False)]
+    return [slice(a, b) for a, b in pairwise(edges)]
 
 
 def _bent(

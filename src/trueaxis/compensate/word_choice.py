@@ -1,14 +1,13 @@
 """Words whose rounding error lies across the ball bar (Eqs. 5 and 6).
 
-E of Eq. (6) is, to the rounding errors' size, the error vector's component along the bar. Among the lattice points within
-`limit` of the wanted position some have their error nearly across it. In the unit lattice a ball of radius 1 holds 4.2
-points on average, which bounds what choosing a block's end can do: about half the mean |E| of plain rounding.
+E of Eq. (6) is, to the rounding errors' size, the error vector's component along the bar. Among the lattice points
+within `limit` of the wanted position some have their error nearly across it. In the unit lattice a ball of radius 1
+holds 4.2 points on average, which bounds what choosing the end of a block can do: half the mean |E| of plain rounding.
 """
 
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
 from trueaxis.compensate.machine import FloatArray
 
@@ -33,34 +32,37 @@ def _length(vectors: FloatArray) -> FloatArray:
 
 
 def choose(
-    error: FloatArray, target: FloatArray, ball: FloatArray, moves: FloatArray, reach: int, limit: float
-) -> FloatArray:
-    """Offset (3, n), in steps, of the candidate with the least |E| among those with an error of at most `limit` mm.
+    error: FloatArray,
+    target: FloatArray,
+    ball: FloatArray,
+    moves: FloatArray,
+    reach: int,
+    limit: float,
+    kept: int = 1,
+) -> tuple[FloatArray, FloatArray]:
+    """Offsets (3, kept, n), in steps, of the candidates with the least |E|, and that |E|, mm, (kept, n).
 
     error: (3, n), mm, at the nearest lattice point (offset 0). moves: (3, 3, n), tool motion in mm per step of each
-    linear axis. All offsets up to `reach` steps are tried: 1 covers every candidate within one step of the target, 2 every
-    one within a step of twice the size. Offset 0 where no candidate is within the limit.
+    linear axis. Candidates are the offsets up to `reach` steps whose error vector is at most `limit` mm long. Reach 1
+    covers everything within one step of the target, reach 2 everything within two. Where candidates are fewer than
+    `kept`, offset 0 fills up, with an |E| of infinity.
     """
     tried = offsets(reach)
-    out = np.zeros_like(error)
-    for first in range(0, error.shape[1], CHUNK):
+    count = error.shape[1]
+    out, least = np.zeros((3, kept, count)), np.full((kept, count), np.inf)
+    for first in range(0, count, CHUNK):
         part = slice(first, first + CHUNK)
         at = error[:, part, None] + np.einsum("ijn,jc->inc", moves[:, :, part], tried)
         value = np.abs(bar_error(target[:, part, None], at, ball[:, :, None]))
         value[_length(at) > limit] = np.inf
-        best = np.argmin(value, axis=1)
-        possible = np.isfinite(np.take_along_axis(value, best[:, None], axis=1)[:, 0])
-        out[:, part] = np.where(possible, tried[:, best], 0.0)
-    return out
+        best = np.argmin(value, axis=1)[:, None] if kept == 1 else np.argpartition(value, kept, axis=1)[:, :kept]
+        found = np.take_along_axis(value, best, axis=1).T
+        least[:, part] = found
+        out[:, :, part] = np.where(np.isfinite(found), tried[:, best.T], 0.0)
+    return out, least
 
 
 def across(vectors: FloatArray, direction: FloatArray) -> tuple[FloatArray, FloatArray]:
     """The part of vectors (3, n, ...) across unit directions of the same shape, and the length along them."""
     along = (vectors * direction).sum(axis=0)
     return vectors - along * direction, along
-
-
-def possible_count(error: FloatArray, moves: FloatArray, reach: int, limit: float) -> NDArray[np.int64]:
-    """Number of candidates that `choose` has for each point."""
-    at = error[:, :, None] + np.einsum("ijn,jc->inc", moves, offsets(reach))
-    return np.asarray((_length(at) <= limit).sum(axis=1))

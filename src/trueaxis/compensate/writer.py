@@ -20,9 +20,7 @@ class BlockWriter:
         for inch in (False, True):
             linear = settings.inch_resolution if inch else settings.resolution
             steps = [linear if axis in LINEAR else settings.rotary_resolution for axis in axes]
-            self._formats[inch] = [
-                (step, f"{axis}%.{decimals(step)}f") for axis, step in zip(axes, steps, strict=True)
-            ]
+            self._formats[inch] = [(step, f"{axis}%.{decimals(step)}f") for axis, step in zip(axes, steps, strict=True)]
 
     def texts(
         self,
@@ -46,7 +44,8 @@ class BlockWriter:
         stay = stays.T.tolist()
         as_programmed = (np.abs(positions - programmed_end) < _HOLDS).all(axis=0)
         moved_as_written = as_programmed & (
-            absolute | (np.abs(self._programmed_step(programmed_end, previous) - (positions - previous)) < _HOLDS).all(axis=0)
+            absolute
+            | (np.abs(self._programmed_step(programmed_end, previous) - (positions - previous)) < _HOLDS).all(axis=0)
         )
         unchanged = moved_as_written.tolist()
         pieces = np.bincount(owner, minlength=len(moves)).tolist()
@@ -65,9 +64,7 @@ class BlockWriter:
         return np.asarray(end - previous)
 
     def _single(self, move: Move, counts: list[int], stay: list[bool], unchanged: bool) -> str:
-        if unchanged and move.source and all(
-            held or written for held, written in zip(stay, move.written, strict=True)
-        ):
+        if unchanged and move.source and all(held or written for held, written in zip(stay, move.written, strict=True)):
             return move.source
         words = self._words(move, counts, stay, move.written)
         return f"{move.lead}{words}{move.tail}{move.eol}"
@@ -88,8 +85,6 @@ class BlockWriter:
     def _words(self, move: Move, counts: list[int], stay: list[bool], written: tuple[bool, ...]) -> str:
         return move.gap.join(
             form % (count * step)
-            for (step, form), count, held, named in zip(
-                self._formats[move.inch], counts, stay, written, strict=True
-            )
+            for (step, form), count, held, named in zip(self._formats[move.inch], counts, stay, written, strict=True)
             if named or not held
         )
