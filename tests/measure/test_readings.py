@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import polars as pl
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from tests.measure.adapter import Dmu60pAxes
@@ -167,7 +167,7 @@ ROW = st.tuples(st.floats(0.0, 540.0), st.floats(0.0, 700.0), st.floats(0.0, 600
 
 
 @given(rows=st.lists(ROW, min_size=2, max_size=20), suffix=st.sampled_from([".csv", ".parquet"]), extra=st.booleans())
-@settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_what_is_written_reads_back_bit_for_bit(
     tmp_path: Path, rows: list[tuple[float, float, float, float]], suffix: str, extra: bool
 ) -> None:
@@ -277,14 +277,12 @@ def test_any_cells_read_or_are_refused_clearly(tmp_path: Path, text: str) -> Non
 
 
 @given(at=st.integers(0, 4000), piece=st.binary(min_size=1, max_size=4))
-@settings(max_examples=200, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@example(at=-250, piece=b"\xff\xff\xff\xff")  # within the footer
 def test_damaged_parquet_reads_or_is_refused_clearly(tmp_path: Path, at: int, piece: bytes) -> None:
-    path = tmp_path / "readings.parquet"
-    if not path.exists():
-        path.write_bytes(dump_readings(read_text(tmp_path, VALID), ".parquet"))
-    raw = path.read_bytes()
-    damaged = tmp_path / "damaged.parquet"
+    raw = dump_readings(read_text(tmp_path, VALID), ".parquet")
+    path = tmp_path / "damaged.parquet"
     at %= len(raw)
-    damaged.write_bytes(raw[:at] + piece + raw[at + len(piece) :])
+    path.write_bytes(raw[:at] + piece + raw[at + len(piece) :])
     with suppress(InputError):
-        read_readings(damaged, Dmu60pAxes(), RUNS)
+        read_readings(path, Dmu60pAxes(), RUNS)

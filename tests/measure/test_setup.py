@@ -144,7 +144,7 @@ def check(setup: Setup) -> None:
 
 
 @given(at=st.integers(0, len(CONTRACT)), cut=st.integers(0, 20), piece=st.binary(max_size=6))
-@settings(max_examples=400, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=400, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_damaged_bytes_read_or_are_refused_clearly(tmp_path: Path, at: int, cut: int, piece: bytes) -> None:
     raw = CONTRACT.encode()
     with suppress(InputError):
@@ -158,7 +158,7 @@ TOML_VALUES = st.sampled_from(
 
 
 @given(data=st.data())
-@settings(max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_any_value_under_any_key_reads_or_is_refused_clearly(tmp_path: Path, data: st.DataObject) -> None:
     lines = CONTRACT.splitlines()
     for _ in range(data.draw(st.integers(1, 3))):

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trueaxis.runtime.curves import PolynomialCurve, TableCurve, evaluate_components, pack_polynomials
@@ -13,6 +13,7 @@ POWERS = st.lists(st.integers(0, 12), min_size=1, max_size=8, unique=True)
 
 
 @given(powers=POWERS, data=st.data())
+@settings(deadline=None)
 def test_a_polynomial_is_as_good_as_rational_arithmetic_allows(powers: list[int], data: st.DataObject) -> None:
     scaled = st.floats(-1.0, 1.0).filter(lambda v: v == 0.0 or abs(v) > 1e-6)
     coefficients = tuple(data.draw(scaled) / 700.0**power for power in powers)

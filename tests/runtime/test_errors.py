@@ -218,7 +218,7 @@ def polynomials(draw: st.DrawFn) -> PolynomialCurve:
 
 
 @given(curve=polynomials(), value=FINITE, order=st.permutations(COMPONENTS))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_what_is_written_reads_back_and_does_not_depend_on_insertion_order(
     tmp_path: Path, curve: PolynomialCurve, value: float, order: list[str]
 ) -> None:
@@ -263,7 +263,7 @@ def mutate(draw: st.DrawFn, node: Any) -> Any:
 
 
 @given(data=st.data())
-@settings(max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_a_mutated_file_reads_or_is_refused_clearly(tmp_path: Path, data: st.DataObject) -> None:
     tree = st.composite(lambda draw: mutate(draw, VALID))()
     mutated = data.draw(tree)
@@ -275,7 +275,7 @@ def test_a_mutated_file_reads_or_is_refused_clearly(tmp_path: Path, data: st.Dat
 
 
 @given(data=st.binary(max_size=60), at=st.integers(0, 400), cut=st.integers(0, 30))
-@settings(max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_a_file_with_damaged_bytes_reads_or_is_refused_clearly(tmp_path: Path, data: bytes, at: int, cut: int) -> None:
     text = json.dumps(VALID).encode()
     with suppress(InputError):

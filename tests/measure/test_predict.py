@@ -1,0 +1,104 @@
+"""predict: the exact deviation at given points, behind the columns that were given."""
+
+import json
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from tests.generator.dmu60p import TRAVEL, cubic_errors, dmu60p
+from tests.measure.adapter import Dmu60pAxes
+from tests.measure.command_line import errors_tree, run
+from trueaxis.commands import predict as command
+from trueaxis.faults import InputError
+from trueaxis.measure.points import read_points
+
+
+@pytest.fixture
+def errors(tmp_path: Path) -> Path:
+    path = tmp_path / "errors.json"
+    path.write_text(json.dumps(errors_tree()))
+    return path
+
+
+def table(count: int, tool: str) -> pl.DataFrame:
+    source = np.random.default_rng(5)
+    frame = pl.DataFrame({axis: source.uniform(*TRAVEL[axis], count) for axis in "ZXY"})
+    if tool == "none":
+        return frame
+    point = source.uniform(-100.0, 100.0, (3, count))
+    if tool == "constant":
+        point[:] = point[:, :1]
+    return frame.with_columns(tool_z=pl.Series(point[2]), tool_x=pl.Series(point[0]), tool_y=pl.Series(point[1]))
+
+
+@pytest.mark.parametrize("tool", ["none", "constant", "varying"])
+@pytest.mark.parametrize("suffix", ["csv", "parquet"])
+def test_deviations_are_those_of_the_independent_exact_machine(
+    tmp_path: Path, errors: Path, tool: str, suffix: str
+) -> None:
+    frame = table(40, tool)
+    at, out = tmp_path / f"points.{suffix}", tmp_path / f"out.{suffix}"
+    (frame.write_csv if suffix == "csv" else frame.write_parquet)(at)
+    assert run(command, "--errors", errors, "--at", at, "--out", out) == 0
+    found = pl.read_csv(out) if suffix == "csv" else pl.read_parquet(out)
+    assert found.columns == [*frame.columns, "dx", "dy", "dz"]
+    assert found.select(frame.columns).equals(frame)
+    machine = dmu60p(cubic_errors())
+    for row in found.iter_rows(named=True):
+        point = [row.get(f"tool_{axis}", 0.0) for axis in "xyz"]
+        exact = machine.deviation("tool", "workpiece", {axis: row[axis] for axis in "XYZ"}, point)
+        assert np.abs(np.array([row["dx"], row["dy"], row["dz"]]) - exact.astype(float)).max() < 1e-12
+
+
+def test_a_curve_given_as_a_table_is_followed_through_its_points(tmp_path: Path, errors: Path) -> None:
+    tree = {"schema": 1, "machine": "dmu60p"}
+    curve = {"basis": "table", "positions": [0, 100, 540], "values": [0.0, 0.01, 0.0]}
+    errors.write_text(json.dumps({**tree, "motion_errors": {"EZX": curve}}))
+    at, out = tmp_path / "points.csv", tmp_path / "out.csv"
+    at.write_text("X,Y,Z\n0,0,0\n50,0,0\n100,700,0\n320,0,600\n")
+    assert run(command, "--errors", errors, "--at", at, "--out", out) == 0
+    assert pl.read_csv(out)["dz"].to_list() == pytest.approx([0.0, 0.005, 0.01, 0.005], abs=1e-15)
+
+
+def test_no_points_give_no_rows(tmp_path: Path, errors: Path) -> None:
+    at, out = tmp_path / "points.csv", tmp_path / "out.csv"
+    at.write_text("X,Y,Z\n")
+    assert run(command, "--errors", errors, "--at", at, "--out", out) == 0
+    assert out.read_text() == "X,Y,Z,dx,dy,dz\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("X,Y\n1,2\n", "column Z: is missing"),
+        ("X,Y,Z,A\n1,2,3,4\n", "column A: machine dmu60p has no axis A"),
+        ("X,Y,Z,tool_X\n1,2,3,4\n", "column tool_X: is not a known column"),
+        ("X,Y,Z,dx\n1,2,3,4\n", "column dx: is not a known column"),
+        ("X,Y,Z\n1,2,3\n1,2,601\n", 'line 3, column Z: "601" is outside the travel'),
+        ("X,Y,Z\n1,,3\n", "line 2, column Y: is empty"),
+        ("X,Y,Z,tool_x\n1,2,3,\n", "line 2, column tool_x: is empty"),
+    ],
+)
+def test_what_is_wrong_with_points_is_said_and_nothing_written(
+    tmp_path: Path, errors: Path, text: str, expected: str
+) -> None:
+    at, out = tmp_path / "points.csv", tmp_path / "out.csv"
+    at.write_text(text)
+    with pytest.raises(InputError) as caught:
+        run(command, "--errors", errors, "--at", at, "--out", out)
+    assert [f"{fault.place}: {fault.problem}"[: len(expected)] for fault in caught.value.faults] == [expected]
+    assert not out.exists()
+
+
+@given(text=st.text(alphabet='XYZtool_,;"\n\r 0123.-+eEnaif', max_size=100))
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_any_cells_read_or_are_refused_clearly(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "points.csv"
+    path.write_text(f"X,Y,Z,tool_x\n1,2,3,4\n{text}", newline="")
+    with suppress(InputError):
+        assert np.isfinite(read_points(path, Dmu60pAxes()).positions).all()
