@@ -1,0 +1,59 @@
+"""What a compensated program leaves, read from the program file alone."""
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensate.ends import commanded_ends
+from trueaxis.measure.circularity import Circularity, circularity
+from trueaxis.measure.data import read_data
+from trueaxis.measure.reading_model import ideal_bar
+from trueaxis.pictures.error_map import PathErrors
+from trueaxis.runtime.model import MachineModel
+
+FloatArray = NDArray[np.float64]
+_ORIGIN = np.zeros((3, 1))
+
+
+def path_errors(model: MachineModel, wanted: FloatArray, commanded: FloatArray, ball: FloatArray) -> PathErrors:
+    """Errors at the wanted points (3, n; axis positions) of a path executed block by block.
+
+    commanded: (3, m) ends of the blocks. A wanted point is held against the block end or block middle that comes
+    nearest to it: words are met at ends, and half steps of words in the middles. ball: (3, 1), workpiece frame.
+    """
+    target = model.ideal(wanted, _ORIGIN)
+    middles = 0.5 * (commanded[:, :-1] + commanded[:, 1:])
+    reached = np.concatenate([commanded, middles], axis=1)
+    actual = model.ideal(reached, _ORIGIN) + model.deviation(reached, _ORIGIN)
+    error = np.empty_like(target)
+    for index in range(target.shape[1]):
+        off = actual - target[:, index : index + 1]
+        error[:, index] = off[:, np.argmin(np.einsum("in,in->n", off, off))]
+    arm = target - ball
+    length = np.linalg.norm(arm, axis=0)
+    stretched = np.einsum("in,in->n", 2.0 * arm + error, error) / (np.linalg.norm(arm + error, axis=0) + length)
+    return PathErrors(stretched, np.linalg.norm(error, axis=0))
+
+
+def read_wanted(cl_file: Path) -> FloatArray:
+    """The GOTO points of the demonstration's CL file, (3, n), axis positions."""
+    rows = [line[5:].split(",") for line in cl_file.read_text().splitlines() if line.startswith("GOTO/")]
+    return np.array(rows, dtype=np.float64).T
+
+
+def feed_ends(program: Path, axes: tuple[str, ...]) -> FloatArray:
+    """Ends of all moves of an NC program, (n_axes, n)."""
+    return commanded_ends(program, axes)[0]
+
+
+def circles(model: MachineModel, folder: Path) -> dict[str, tuple[FloatArray, Circularity]]:
+    """Polar angles (rad) and circular deviation of each ball-bar run of a data folder."""
+    data = read_data(folder, model)
+    found: dict[str, tuple[FloatArray, Circularity]] = {}
+    for index, run in enumerate(data.setup.runs):
+        rows = data.readings.of_run(index)
+        bar = ideal_bar(model, run, np.ascontiguousarray(data.readings.positions[:, rows]))
+        angles = np.arctan2(bar[1], bar[0])
+        found[run.id] = angles, circularity(angles, data.readings.reading[rows])
+    return found

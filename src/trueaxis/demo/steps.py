@@ -1,0 +1,212 @@
+"""The demonstration, step by step: real commands, each shown as a user would type it, run in the results folder."""
+
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from trueaxis.demo import inputs
+from trueaxis.demo.evaluate import circles, feed_ends, path_errors, read_wanted
+from trueaxis.demo.summary import Figures, format_summary
+from trueaxis.files import write_files
+from trueaxis.identify.polynomial import fit_optimal
+from trueaxis.pictures.curves import draw_curves
+from trueaxis.pictures.error_map import PathErrors, error_map
+from trueaxis.pictures.polar import Trace, polar_plot
+from trueaxis.runtime.curves import TableCurve
+from trueaxis.runtime.model import MachineModel, load_model
+
+MACHINE, TRUTH = "machine/dmu60p.toml", "machine/dmu60p_errors.json"
+WAYS = {
+    "ordinary": ("--method", "ordinary"),
+    "iterative": ("--method", "iterative"),
+    "iterative-ends": ("--words", "ends"),
+    "iterative-middles": ("--words", "middles"),
+}
+
+
+class StepError(RuntimeError):
+    """A command of the demonstration did not end as it should."""
+
+
+def run_demo(out: Path, noise_um: float, seed: int) -> str:
+    """Do the whole job in `out`; returns the summary, which is also out/summary.txt. Raises StepError."""
+    inputs.copy_machine(out / "machine")
+    ball = ",".join(str(part) for part in inputs.BALL_S_PATH)
+    files = {"s_path.cl": inputs.s_path(), "circle_ccw.nc": inputs.circle(False), "circle_cw.nc": inputs.circle(True)}
+    write_files({out / "programs" / name: text for name, text in files.items()})
+
+    _command(out, "derive", MACHINE)
+    noise = ("--noise-um", f"{noise_um:g}", "--seed", str(seed))
+    _command(
+        out,
+        "simulate",
+        MACHINE,
+        "--errors",
+        TRUTH,
+        "--data",
+        "machine/dmu60p_runs",
+        "--out",
+        "measured_as_published",
+        *noise,
+    )
+    _command(
+        out,
+        "simulate",
+        MACHINE,
+        "--errors",
+        TRUTH,
+        "--data",
+        "machine/dmu60p_regular_runs",
+        "--out",
+        "measured",
+        *noise,
+    )
+    _command(
+        out,
+        "identify",
+        MACHINE,
+        "--data",
+        "measured_as_published",
+        "--out",
+        "identified_as_published.json",
+        "--report",
+        "identification_as_published.json",
+    )
+    _command(out, "identify", MACHINE, "--data", "measured", "--out", "identified_points.json")
+    _command(
+        out,
+        "identify",
+        MACHINE,
+        "--data",
+        "measured",
+        "--out",
+        "identified.json",
+        "--curves",
+        "polynomial",
+        "--report",
+        "identification.json",
+    )
+    for way, options in WAYS.items():
+        _command(
+            out,
+            "compensate",
+            MACHINE,
+            "--errors",
+            "identified.json",
+            "programs/s_path.cl",
+            "--out",
+            f"compensated/s_path_{way}.nc",
+            "--ball",
+            ball,
+            *options,
+            allowed=(0, 1),
+        )
+    for direction in ("ccw", "cw"):
+        _command(
+            out,
+            "compensate",
+            MACHINE,
+            "--errors",
+            "identified.json",
+            f"programs/circle_{direction}.nc",
+            "--out",
+            f"compensated/circle_{direction}.nc",
+        )
+    _ballbar_plans(out)
+    for when in ("before", "after"):
+        _command(
+            out,
+            "simulate",
+            MACHINE,
+            "--errors",
+            TRUTH,
+            "--data",
+            f"ballbar_{when}_plan",
+            "--out",
+            f"ballbar_{when}",
+            "--noise-um",
+            "0.1",
+            "--seed",
+            str(seed),
+        )
+    summary = format_summary(_figures(out, noise_um))
+    write_files({out / "summary.txt": summary})
+    return summary
+
+
+def _command(out: Path, *words: str, allowed: Sequence[int] = (0,)) -> None:
+    print("\n$ trueaxis " + " ".join(words), flush=True)
+    code = subprocess.run([sys.executable, "-m", "trueaxis", *words], cwd=out, check=False).returncode
+    if code not in allowed:
+        raise StepError(f"trueaxis {words[0]} ended with exit code {code}")
+
+
+def _ballbar_plans(out: Path) -> None:
+    """The positions to be read: the programmed circle, and the blocks of the compensated programs."""
+    for when in ("before", "after"):
+        rows = ["run,seq,X,Y,Z,feed,reading"]
+        for direction in ("ccw", "cw"):
+            if when == "before":
+                positions = inputs.circle_positions(direction == "cw")
+            else:
+                ends = feed_ends(out / f"compensated/circle_{direction}.nc", ("X", "Y", "Z"))
+                positions = [(x, y, z) for x, y, z in ends.T.tolist()]
+            rows += [f"{direction},{k},{x!r},{y!r},{z!r},1000,,"[:-1] for k, (x, y, z) in enumerate(positions)]
+        folder = out / f"ballbar_{when}_plan"
+        write_files({folder / "setup.toml": inputs.ballbar_setup(), folder / "readings.csv": "\n".join(rows) + "\n"})
+
+
+def _figures(out: Path, noise_um: float) -> Figures:
+    found, truth = (load_model(out / MACHINE, out / name, out / "generated") for name in ("identified.json", TRUTH))
+    points = load_model(out / MACHINE, out / "identified_points.json", out / "generated")
+    _draw_curves(out, points)
+
+    wanted = read_wanted(out / "programs/s_path.cl")
+    ball = np.array(inputs.BALL_S_PATH)[:, None]
+    programs = {"not compensated": wanted} | {
+        way: feed_ends(out / f"compensated/s_path_{way}.nc", found.axes) for way in WAYS
+    }
+    on_model = {way: path_errors(found, wanted, ends, ball) for way, ends in programs.items()}
+    on_machine = {way: path_errors(truth, wanted, ends, ball) for way, ends in programs.items()}
+    _draw_map(out, found, wanted, on_model)
+
+    before, after = (circles(truth, out / f"ballbar_{when}") for when in ("before", "after"))
+    names = {"ccw": "counter-clockwise", "cw": "clockwise"}
+    panels = [
+        (title, [Trace(names[run], angles, found_circle.radial) for run, (angles, found_circle) in runs.items()])
+        for title, runs in (("not compensated", before), ("compensated, iterative", after))
+    ]
+    title = "Ball bar 300 mm, XY, the arcs that 540 mm of X allow"
+    write_files({out / "ball_bar.png": polar_plot(panels, title)})
+    return Figures(
+        out.name,
+        noise_um,
+        found,
+        truth,
+        points,
+        on_model,
+        on_machine,
+        {run: (before[run][1].deviation, after[run][1].deviation) for run in before},
+    )
+
+
+def _draw_curves(out: Path, points: MachineModel) -> None:
+    fits, bars = {}, {}
+    for name, curve in points.errors.motion_errors.items():
+        if isinstance(curve, TableCurve):
+            positions, values = np.array(curve.positions), np.array(curve.values)
+            fits[name] = fit_optimal(positions, values)
+            if curve.u is not None:
+                bars[name] = np.array(curve.u)
+    draw_curves(fits, out / "error_curves.png", u=bars)
+
+
+def _draw_map(out: Path, model: MachineModel, wanted: np.ndarray, errors: dict[str, PathErrors]) -> None:
+    shown = {way: errors[way] for way in ("not compensated", "ordinary", "iterative", "iterative-middles")}
+    path = model.ideal(wanted, np.zeros((3, 1)))
+    write_files(
+        {out / "error_map.png": error_map(path, shown, "S path: positioning error E (Eq. 6), words of 0.001 mm")}
+    )

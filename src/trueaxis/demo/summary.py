@@ -1,0 +1,95 @@
+"""The summary that a person reads at the end of the demonstration."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from trueaxis.pictures.error_map import PathErrors
+from trueaxis.runtime.model import MachineModel
+
+# Sect. 5.2 of the paper: largest, mean and standard deviation of E, mm; Table 8: circularity, um.
+PAPER = {"ordinary": (0.0021, 0.00119, 0.000249), "iterative": (0.00053, 0.000244, 0.000119)}
+PAPER_CIRCULARITY = {"ordinary": 42.1, "iterative": 25.1}
+
+
+@dataclass(frozen=True)
+class Figures:
+    """Everything the summary says. circularity: run -> (before, after), mm."""
+
+    folder: str
+    noise_um: float
+    found: MachineModel
+    truth: MachineModel
+    points: MachineModel
+    on_model: Mapping[str, PathErrors]
+    on_machine: Mapping[str, PathErrors]
+    circularity: Mapping[str, tuple[float, float]]
+
+
+def format_summary(figures: Figures) -> str:
+    """The summary as text."""
+    return "\n".join(_lines(figures)) + "\n"
+
+
+def _lines(figures: Figures) -> Iterator[str]:
+    yield f"trueaxis: the paper's machine, simulated (laser noise {figures.noise_um:g} um)"
+    yield ""
+    yield from _identification(figures)
+    yield ""
+    yield from _path(figures)
+    yield ""
+    yield from _circle(figures)
+    yield ""
+    yield f"in {figures.folder}/: pictures error_curves.png, error_map.png, ball_bar.png; the errors in identified.json,"
+    yield "the NC programs in compensated/, the equations in generated/dmu60p/equations.md, this text in summary.txt"
+
+
+def _identification(figures: Figures) -> Iterator[str]:
+    yield "identified from 18 laser runs, point by point as in Sect. 3, then as optimal polynomials (Sect. 4)"
+    worst = {"um": 0.0, "urad": 0.0}
+    for name in figures.truth.components:
+        axis = figures.truth.axes.index(name[2])
+        low, high = figures.truth.travel[name[2]]
+        positions = np.zeros((len(figures.truth.axes), 55))
+        positions[axis] = np.linspace(low, high, 55)
+        row = figures.truth.components.index(name)
+        off = (figures.found.component_errors(positions) - figures.truth.component_errors(positions))[row]
+        # Slope of straightness and squareness are told apart by convention only: the line is taken out.
+        off = off - np.polynomial.Polynomial.fit(positions[axis], off, 1)(positions[axis])
+        unit = "um" if name[1] in "XYZ" else "urad"
+        worst[unit] = max(worst[unit], float(np.abs(off).max()) * (1e3 if unit == "um" else 1e6))
+    off_um, off_urad = worst["um"], worst["urad"]
+    yield f"  largest departure from the simulated curves, a straight line apart: {off_um:.3f} um, {off_urad:.3f} urad"
+    for entry in figures.found.errors.undetermined:
+        yield f"  not determined: {entry.combination}"
+    yield "  with the points as published the Z system is singular: P_k8 and P_k9 (Table 4) have the same x and y;"
+    yield "  P_k9 is taken at y = +72 here (identification_as_published.json says what the published points leave open)"
+
+
+def _path(figures: Figures) -> Iterator[str]:
+    yield "S path, words of 0.001 mm: positioning error E (Eq. 6) and error vector at the programmed points, um"
+    yield "                               |E|                          vector           on the simulated machine"
+    yield "                       mean      sd     max            mean     max           |E| mean      max"
+    for way, errors in figures.on_model.items():
+        e, machine = 1e3 * np.abs(errors.positioning), 1e3 * np.abs(figures.on_machine[way].positioning)
+        v = 1e3 * errors.vector
+        yield (
+            f"  {way:18s}{e.mean():8.4f}{e.std():8.4f}{e.max():8.4f}       {v.mean():9.4f}{v.max():8.4f}"
+            f"         {machine.mean():9.4f}{machine.max():9.4f}"
+        )
+    for way, (largest, mean, sd) in PAPER.items():
+        yield f"  {'paper, ' + way:18s}{1e3 * mean:8.4f}{1e3 * sd:8.4f}{1e3 * largest:8.4f}"
+    yield "  rounding words alone gives |E| a mean of 0.25 um along an axis: the paper's whole iterative figure;"
+    yield "  `middles` passes each point in the middle of a short block, where half steps can be reached"
+
+
+def _circle(figures: Figures) -> Iterator[str]:
+    yield "ball bar 300 mm in XY, circular deviation (ISO 230-4), um"
+    yield "(the circle of Table 7 needs 600 mm of X, the stroke is 540 mm: the two arcs within the stroke are run)"
+    yield "                  before    after   reduction"
+    for run, (before, after) in figures.circularity.items():
+        yield f"  {run:12s}{1e3 * before:10.2f}{1e3 * after:9.2f}{100 * (1 - after / before):10.1f} %"
+    ordinary, iterative = PAPER_CIRCULARITY["ordinary"], PAPER_CIRCULARITY["iterative"]
+    reduction = 100 * (1 - iterative / ordinary)
+    yield f"  {'paper':12s}{ordinary:10.2f}{iterative:9.2f}{reduction:10.1f} %   (from ordinary to iterative, real machine)"
