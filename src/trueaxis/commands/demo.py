@@ -11,8 +11,8 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "demo",
         help="the whole job on the paper's machine, with pictures",
         description="Derive the model of the paper's machine, simulate its 18 laser runs with noise, identify the "
-        "errors, fit optimal polynomials, compensate an S path and a ball-bar circle, and say what it gained. Every step is a "
-        "command that is shown as you would type it; results and pictures are left in OUT.",
+        "errors, fit optimal polynomials, compensate an S path and a ball-bar circle, and say what it gained. Every "
+        "step is a command that is shown as you would type it; results and pictures are left in OUT.",
         epilog="exit code: 0 done, 1 a step failed",
     )
     parser.add_argument("--out", type=Path, default=Path("results"), help="folder for everything (%(default)s)")

@@ -41,7 +41,7 @@ def _lines(figures: Figures) -> Iterator[str]:
     yield ""
     yield from _circle(figures)
     yield ""
-    yield f"in {figures.folder}/: pictures error_curves.png, error_map.png, ball_bar.png; the errors in identified.json,"
+    yield f"{figures.folder}/: pictures error_curves.png, error_map.png, ball_bar.png; the errors in identified.json,"
     yield "the NC programs in compensated/, the equations in generated/dmu60p/equations.md, this text in summary.txt"
 
 
@@ -92,4 +92,4 @@ def _circle(figures: Figures) -> Iterator[str]:
         yield f"  {run:12s}{1e3 * before:10.2f}{1e3 * after:9.2f}{100 * (1 - after / before):10.1f} %"
     ordinary, iterative = PAPER_CIRCULARITY["ordinary"], PAPER_CIRCULARITY["iterative"]
     reduction = 100 * (1 - iterative / ordinary)
-    yield f"  {'paper':12s}{ordinary:10.2f}{iterative:9.2f}{reduction:10.1f} %   (from ordinary to iterative, real machine)"
+    yield f"  {'paper':12s}{ordinary:10.2f}{iterative:9.2f}{reduction:10.1f} %   (ordinary to iterative, real machine)"
