@@ -286,3 +286,18 @@ def test_damaged_parquet_reads_or_is_refused_clearly(tmp_path: Path, at: int, pi
     path.write_bytes(raw[:at] + piece + raw[at + len(piece) :])
     with suppress(InputError):
         read_readings(path, Dmu60pAxes(), RUNS)
+
+
+@pytest.mark.parametrize("kind", [pl.Categorical, pl.Enum(["X1", "b, c"])])
+def test_parquet_ids_may_be_categories(tmp_path: Path, kind: pl.DataType) -> None:
+    path = tmp_path / "readings.parquet"
+    frame = pl.read_csv(VALID.encode()).with_columns(pl.col("run").cast(kind))
+    frame.write_parquet(path)
+    assert read_readings(path, Dmu60pAxes(), RUNS).run.tolist() == [0, 0, 1, 1]
+
+
+def test_parquet_ids_that_are_no_texts_are_a_fault(tmp_path: Path) -> None:
+    path = tmp_path / "readings.parquet"
+    pl.read_csv(VALID.encode()).with_columns(run=pl.lit(1.5)).write_parquet(path)
+    with pytest.raises(InputError, match="column run: holds Float64; texts"):
+        read_readings(path, Dmu60pAxes(), RUNS)

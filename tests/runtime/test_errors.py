@@ -104,6 +104,10 @@ def test_uncertainties_ride_along(tmp_path: Path) -> None:
         ({"effects": [{"kind": "backlash"}]}, "effects: effects are not known to this version"),
         ({"u": {"eps_xy": -1.0}}, "u.eps_xy: -1.0 is negative"),
         ({"paramters": {}}, "paramters: is not a key of an error-values file; did you mean parameters?"),
+        ({"undetermined": {}}, "undetermined: an object is not a list"),
+        ({"undetermined": [3]}, "undetermined[0]: is not an object of combination and parameters"),
+        ({"undetermined": [{"combination": "", "parameters": [1]}]}, "undetermined[0].parameters: is not a list of n"),
+        ({"parameters": {"zzz": 1.0}}, "parameters.zzz: the machine has no parameter zzz; known: q_wx, eps_xy, eps_xz"),
         ({"undetermined": [{"combination": 3, "parameters": []}]}, "undetermined[0].combination: 3 is not a text"),
     ],
 )
