@@ -51,32 +51,3 @@ def only_slope(positions: FloatArray, values: FloatArray, origin: float) -> floa
     slope = float(away @ values) / total
     fits = np.abs(values - slope * away).max() <= 1e-9 * np.abs(values).max()
     return slope if fits else None
-
-
-def reduced(null: FloatArray, first: Sequence[int] = ()) -> FloatArray:
-    """The same null space (n, d) with a basis of few entries each: reduced echelon form of its transpose.
-
-    first: rows that are to lead a basis vector each where they can; then the largest entry left leads the next.
-    Rounding is set to zero.
-    """
-    rows = null.T.copy()
-    used: list[int] = []
-    for column in [*first, None]:
-        while len(used) < rows.shape[0]:
-            left = np.abs(rows[len(used) :])
-            if column is None:
-                row, pivot = np.unravel_index(int(left.argmax()), left.shape)
-            else:
-                row, pivot = int(left[:, column].argmax()), column
-            if left[row, pivot] < 1e-6:
-                break
-            place = len(used)
-            rows[[place, place + int(row)]] = rows[[place + int(row), place]]
-            rows[place] /= rows[place, pivot]
-            others = np.delete(np.arange(rows.shape[0]), place)
-            rows[others] -= np.outer(rows[others, pivot], rows[place])
-            used.append(int(pivot))
-            if column is not None:
-                break
-    rows[np.abs(rows) < 1e-9] = 0.0
-    return rows.T

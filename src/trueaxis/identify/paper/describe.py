@@ -1,23 +1,18 @@
 """The report of the point-by-point method: blocks, values, and what is open, in words."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from trueaxis.identify.machine import lever, units
+from trueaxis.identify.null_space import reduced
 from trueaxis.identify.paper.grid import IntArray
 from trueaxis.identify.paper.points import points_remark
+from trueaxis.identify.paper.result import PaperResult
 from trueaxis.identify.paper.squareness import covered
 from trueaxis.identify.paper.steps import SolvedStep
 from trueaxis.identify.report import BlockReport, ComponentReport, Known, LocationReport
-from trueaxis.identify.words import Share, enumerated, only_slope, reduced, slope_unit, together, unit_of
+from trueaxis.identify.words import Share, enumerated, only_slope, slope_unit, together, unit_of
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import Undetermined
-
-if TYPE_CHECKING:
-    from trueaxis.identify.paper.method import PaperResult
 
 RULES = {
     "sect36": "from the yaw and pitch curves (Sect. 3.6)",
@@ -105,8 +100,10 @@ def _singular(result: PaperResult, solved: SolvedStep) -> Undetermined:
     own = null.tocsr()[solved.nodes].toarray()
     names = [grid.components[c] for c in solved.step.components]
     taking_part = [name for name in names if (own[_of(result, solved.nodes, name)] != 0.0).any()]
-    ranks = enumerated([f"{rank} equations for {count} unknowns" for rank, count in solved.inverse.ranks if rank < count])
-    basis = reduced(own)
+    ranks = enumerated(
+        [f"{rank} equations for {count} unknowns" for rank, count in solved.inverse.ranks if rank < count]
+    )
+    basis, _ = reduced(own)
     shares = _shares(result, solved.nodes, basis[:, 0] * result.equations.node_scale[solved.nodes])
     text = (
         f"{enumerated(taking_part)} at {_places(result, solved)}: {ranks}, in runs {enumerated(_runs(result, solved))}"
@@ -127,7 +124,9 @@ def _consequences(result: PaperResult, singular: list[Undetermined]) -> list[Und
     }
     resting = {name: count for name, count in counts.items() if count}
     located = [
-        name for name, is_open in zip(result.machine.location_errors, result.response.open_locations, strict=True) if is_open
+        name
+        for name, is_open in zip(result.machine.location_errors, result.response.open_locations, strict=True)
+        if is_open
     ]
     if not resting and not located:
         return []

@@ -28,7 +28,9 @@ class Equations:
     location_scale: FloatArray
 
 
-def equations(machine: IdentifiedMachine, observed: Observations, grid: Grid, cells: Cells, given: BoolArray) -> Equations:
+def equations(
+    machine: IdentifiedMachine, observed: Observations, grid: Grid, cells: Cells, given: BoolArray
+) -> Equations:
     """The equations of all cells. given: (n_components,), components whose values are known beforehand."""
     n_components = len(grid.components)
     scale = scales(machine)

@@ -94,9 +94,7 @@ def grid_and_cells(machine: IdentifiedMachine, observed: Observations) -> tuple[
         reference.append(zero[0] if zero.size else home_knots[-1][0])
     axis = component_axes(machine)
     offset = np.concatenate([[0], np.cumsum([knots[a].size for a in axis])]).astype(np.int64)
-    grid = Grid(
-        machine.axes, machine.components, tuple(knots), np.array(reference), np.array(home_knots), offset, axis
-    )
+    grid = Grid(machine.axes, machine.components, tuple(knots), np.array(reference), np.array(home_knots), offset, axis)
     return grid, _cells(observed, np.array(at), grid)
 
 

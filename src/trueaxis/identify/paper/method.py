@@ -1,68 +1,24 @@
 """`identify --method paper`: from readings to tables of every component, step by step."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from typing import Literal
+from dataclasses import replace
 
 import numpy as np
+from scipy.sparse import csr_array
 
 from trueaxis.faults import Fault, InputError
-from trueaxis.identify.curve_fit import polynomial_curves
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise, noise
 from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper import describe
-from trueaxis.identify.paper.equations import Equations, equations
-from trueaxis.identify.paper.grid import BoolArray, Cells, Grid, grid_and_cells
+from trueaxis.identify.paper.equations import equations
+from trueaxis.identify.paper.grid import BoolArray, Cells, grid_and_cells
+from trueaxis.identify.paper.result import PaperOptions, PaperResult
 from trueaxis.identify.paper.solution import Exact, Response, Solution, natural, solve, tables, with_rule
-from trueaxis.identify.paper.squareness import Choice, Squareness, covered, squareness_rule
+from trueaxis.identify.paper.squareness import Squareness, covered, squareness_rule
 from trueaxis.identify.paper.steps import RANK_TOLERANCE, Steps, solve_steps, steps_in_order
 from trueaxis.identify.report import Identification, IdentificationReport
 from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.curves import Curve
 from trueaxis.runtime.errors import ErrorValues
-
-Curves = Literal["table", "polynomial"]
-
-
-@dataclass(frozen=True, slots=True)
-class PaperOptions:
-    """squareness: the rule for the location errors; known: values given beforehand (dimensions too);
-    noise_um: standard deviation of a reading, micrometres; curves: how components are given back.
-    """
-
-    squareness: Choice = "sect36"
-    known: ErrorValues | None = None
-    noise_um: float | None = None
-    curves: Curves = "table"
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PaperResult:
-    """Everything that the steps gave, for the report: see the records.
-
-    u_nodes, u_locations: standard uncertainties, NaN where open, None where the noise is unknown; free:
-    (n_location_errors,), those not given; used: readings in steps.
-    """
-
-    machine: IdentifiedMachine
-    observed: Observations
-    left_out: tuple[str, ...]
-    given: ErrorValues
-    options: PaperOptions
-    grid: Grid
-    cells: Cells
-    equations: Equations
-    steps: Steps
-    response: Response
-    rule: Squareness
-    free: BoolArray
-    solution: Solution
-    noise: Noise
-    u_nodes: FloatArray | None
-    u_locations: FloatArray | None
-    residual_rms: float
-    fitted: Mapping[str, Curve] = field(default_factory=dict)
 
 
 def identify_paper(
@@ -84,7 +40,9 @@ def identify_paper(
     system = equations(machine, usable, grid, cells, given_components)
     order = steps_in_order(system, grid, cells, len(usable.runs))
     steps = solve_steps(order, system, grid, cells, usable)
-    rule = squareness_rule(options.squareness, machine, grid, steps.reached, free, _free(natural(steps, system)[1], free))
+    rule = squareness_rule(
+        options.squareness, machine, grid, steps.reached, free, _of_free(natural(steps, system)[1], free)
+    )
     response = with_rule(steps, system, rule)
     solution = solve(Exact(machine, given, usable, grid, cells), response, rule)
     found, rms = _noise(steps, cells, solution, options.noise_um)
@@ -107,8 +65,9 @@ def _usable(observed: Observations) -> tuple[Observations, tuple[str, ...]]:
     return observed.of(keep), left_out
 
 
-def _free(along: "object", free: BoolArray) -> FloatArray:
-    dense = np.asarray(along.toarray())  # type: ignore[attr-defined]
+def _of_free(along: csr_array, free: BoolArray) -> FloatArray:
+    """(n_nodes, n_location_errors): given location errors move nothing."""
+    dense = np.asarray(along.toarray(), dtype=np.float64)
     dense[:, ~free] = 0.0
     return dense
 
@@ -137,6 +96,8 @@ def _identification(result: PaperResult) -> Identification:
     curves = tables(grid, result.solution.nodes, result.steps.reached, result.u_nodes)
     notes: tuple[str, ...] = ()
     if result.options.curves == "polynomial":
+        from trueaxis.identify.curve_fit import polynomial_curves  # noqa: PLC0415  statsmodels takes long to import
+
         curves, notes = polynomial_curves(curves)
     undetermined = describe.undetermined(result)
     located = dict(zip(machine.location_errors, result.solution.locations.tolist(), strict=True))

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import block_array, coo_array, csc_array, csr_array
+from scipy.sparse import coo_array, csc_array, csr_array
 from scipy.sparse.csgraph import connected_components
 
 from trueaxis.identify.paper.grid import IntArray
@@ -41,7 +41,9 @@ def pseudo_inverse(matrix: csr_array, tolerance: float) -> PseudoInverse:
     Raises TooLargeError where a part has more than LARGEST_PART unknowns.
     """
     m, k = matrix.shape
-    label = connected_components(block_array([[None, matrix], [matrix.T, None]], format="csr"), directed=False)[1]
+    across = coo_array(matrix)
+    graph = coo_array((np.ones(across.nnz), (across.row, m + across.col)), shape=(m + k, m + k))
+    label = connected_components(graph, directed=False)[1].astype(np.int64)
     row_label, column_label = label[:m], label[m:]
     inverse: list[tuple[IntArray, IntArray, FloatArray]] = []
     null: list[tuple[IntArray, FloatArray]] = []

@@ -52,7 +52,8 @@ class Response:
     @property
     def open_locations(self) -> BoolArray:
         """(n_location_errors,): location errors that rest on open nodes."""
-        return np.abs(self.null_located).max(axis=1, initial=0.0) > OPEN * self.location_scale
+        share: FloatArray = np.abs(self.null_located).max(axis=1, initial=0.0)
+        return share > OPEN * self.location_scale
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -72,7 +72,7 @@ class LinesFromAngles:
     def response(self) -> FloatArray:
         """First order of the angles, nodes going along with the location errors."""
         own = self._inverse @ self._products()
-        return np.linalg.solve(np.eye(own.shape[0]) - own @ self.by_location, own)
+        return np.asarray(np.linalg.solve(np.eye(own.shape[0]) - own @ self.by_location, own), dtype=np.float64)
 
     @property
     def _inverse(self) -> FloatArray:
@@ -92,9 +92,7 @@ class LinesFromAngles:
 
     def _products(self) -> FloatArray:
         """(pairs, n_nodes): first order of the scalar products."""
-        rows = [
-            a.ideal @ self.slopes[b.axis] + b.ideal @ self.slopes[a.axis] for a, b in combinations(self.lines, 2)
-        ]
+        rows = [a.ideal @ self.slopes[b.axis] + b.ideal @ self.slopes[a.axis] for a, b in combinations(self.lines, 2)]
         return np.array(rows)
 
 
@@ -142,7 +140,7 @@ def accumulated_slope(positions: FloatArray, reference: int) -> FloatArray:
 
 def covered(rule: Squareness) -> BoolArray:
     """(n_location_errors,): those that the rule gives a value."""
-    return (np.abs(rule.response) > NEGLIGIBLE).any(axis=1)
+    return np.asarray((np.abs(rule.response) > NEGLIGIBLE).any(axis=1))
 
 
 def _line_slopes(grid: Grid, axis: str, reached: BoolArray) -> FloatArray:

@@ -92,7 +92,7 @@ def solve_steps(
         unknown = block[:, mine]
         holding = np.flatnonzero(np.diff(unknown.indptr))
         rows, block, unknown = rows[holding], block[holding], unknown[holding]
-        nodes = np.unique(unknown.indices)
+        nodes = np.unique(unknown.indices).astype(np.int64)
         _check_known(block, mine, reached, (observed, grid, cells, rows), faults)
         try:
             inverse = pseudo_inverse(_weighted(unknown[:, nodes], weight[rows]), RANK_TOLERANCE)

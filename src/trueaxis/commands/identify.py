@@ -1,0 +1,137 @@
+"""trueaxis identify: error values from measured data."""
+
+import argparse
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trueaxis.faults import Fault, InputError
+from trueaxis.files import write_files
+from trueaxis.identify.global_fit.method import identify_global
+from trueaxis.identify.global_fit.result import Choice as GlobalChoice
+from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.observations import Observations, observations
+from trueaxis.identify.paper.method import identify_paper
+from trueaxis.identify.paper.result import PaperOptions
+from trueaxis.identify.paper.squareness import Choice as PaperChoice
+from trueaxis.identify.report import Identification
+from trueaxis.identify.report_text import report_json, report_text
+from trueaxis.measure.data import read_data
+from trueaxis.runtime.errors import ErrorValues, dump_errors, read_errors
+from trueaxis.runtime.input_files import gathering
+from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.spec import read_machine
+
+if TYPE_CHECKING:
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+DESCRIPTION = """\
+Find the motion and location errors of a machine from readings. Method paper goes point by point and step by step: each
+run gives the components that it alone still holds, at every position, with those found before. Method global fits
+polynomials of all components to all readings at once, ball bar included. Both work on the exact model, give standard
+uncertainties where the noise is known, and say what the readings cannot determine (which is no failure: exit code 0;
+1 where they determine nothing at all)."""
+
+HIGHEST_DEGREE = 30
+DEFAULT_PAPER: PaperChoice = "sect36"
+DEFAULT_GLOBAL: GlobalChoice = "convention"
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add this command to the command line."""
+    parser = subparsers.add_parser("identify", help="error values from measured data", description=DESCRIPTION)
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
+    parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
+    parser.add_argument("--out", type=Path, required=True, metavar="E.json", help="error values, to be written")
+    parser.add_argument("--method", choices=("paper", "global"), default="paper", help="(default %(default)s)")
+    parser.add_argument(
+        "--squareness",
+        choices=("sect36", "convention", "known"),
+        help="what gives the squareness: sect36 the yaw and pitch curves by Sect. 3.6 of the paper (default of "
+        "paper); convention the slope of the straightness, whose least-squares lines become level as in ISO 230-1 "
+        "(default of global); known the file --known (zero where it is silent)",
+    )
+    parser.add_argument(
+        "--known",
+        type=Path,
+        metavar="E.json",
+        help="error values taken as they are: dimensions, location errors, whole components; the rest is identified",
+    )
+    parser.add_argument(
+        "--noise-um", type=_size, metavar="S", help="standard deviation of a reading, um (else from what is left over)"
+    )
+    parser.add_argument(
+        "--curves",
+        choices=("table", "polynomial"),
+        default="table",
+        help="method paper: components as tables of the measured positions or as optimal polynomials (%(default)s)",
+    )
+    parser.add_argument("--degree", type=_degree, default=7, metavar="N", help="method global: highest power (7)")
+    parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON, too")
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Identify and write; raises InputError with the faults of every file."""
+    found = _faults_of_options(args)
+    machine = read_machine(args.machine)
+    known = None
+    with gathering(found):
+        model = load_model(args.machine, None, args.kernels)
+    with gathering(found):
+        data = read_data(args.data, machine)
+    if args.known is not None:
+        with gathering(found):
+            known = read_errors(
+                args.known, machine=machine.name, components=machine.components, parameters=machine.parameters
+            )
+    if found:
+        raise InputError(found)
+    observed = observations(str(args.data), data.setup.runs, data.readings)
+    identified = _identify(args, model, observed, known)
+    contents = {args.out: dump_errors(identified.values, components=machine.components, parameters=machine.parameters)}
+    if args.report is not None:
+        contents[args.report] = report_json(identified.report)
+    write_files(contents)
+    print(report_text(identified.report), end="")
+    print(f"written: {', '.join(str(path) for path in contents)}")
+    return 1 if identified.report.nothing_determined else 0
+
+
+def _identify(
+    args: argparse.Namespace, model: MachineModel, observed: Observations, known: ErrorValues | None
+) -> Identification:
+    if args.method == "paper":
+        options = PaperOptions(args.squareness or DEFAULT_PAPER, known, args.noise_um, args.curves)
+        return identify_paper(model, observed, options)
+    return identify_global(
+        model, observed, GlobalOptions(args.squareness or DEFAULT_GLOBAL, known, args.noise_um, args.degree)
+    )
+
+
+def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
+    found = []
+    if args.method == "global" and args.squareness == "sect36":
+        found.append(Fault("--squareness sect36", "", "goes with --method paper", "convention or known"))
+    if args.squareness == "known" and args.known is None:
+        found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
+    if args.report is not None and args.report.resolve() == args.out.resolve():
+        found.append(Fault(str(args.report), "", "is the file of --out as well", "another file"))
+    return found
+
+
+def _size(text: str) -> float:
+    value = float(text)
+    if not (math.isfinite(value) and value > 0.0):
+        raise argparse.ArgumentTypeError(f"{text} is not a size: above 0")
+    return value
+
+
+def _degree(text: str) -> int:
+    value = int(text)
+    if not 1 <= value <= HIGHEST_DEGREE:
+        raise argparse.ArgumentTypeError(f"{text} is not a degree: 1 to {HIGHEST_DEGREE}")
+    return value

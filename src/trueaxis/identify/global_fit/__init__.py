@@ -1,0 +1,1 @@
+"""Identification from all readings at once: weighted least squares on polynomial coefficients."""

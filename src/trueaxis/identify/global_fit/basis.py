@@ -1,0 +1,76 @@
+"""Well-scaled polynomials without a constant term, and the way back to plain powers."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from trueaxis.measure.machine import FloatArray
+
+
+@dataclass(frozen=True)
+class Basis:
+    """Legendre polynomials on [low, high], each less its value at position 0: b_k(0) = 0, k = 1 .. degree.
+
+    The first is the position divided by half the range. low, high: mm or deg.
+    """
+
+    low: float
+    high: float
+    degree: int
+
+    def __call__(self, positions: FloatArray) -> FloatArray:
+        """(degree, n): the basis functions at positions (n,)."""
+        values = legendre.legvander(self._scaled(positions), self.degree)
+        return np.ascontiguousarray((values - legendre.legvander(self._scaled(np.zeros(1)), self.degree))[:, 1:].T)
+
+    @cached_property
+    def powers(self) -> FloatArray:
+        """(degree, degree): row k holds the coefficients of s^1 .. s^degree of b_(k+1); exact before rounding."""
+        centre, half = self._centre_and_half()
+        scaled = [Fraction(-centre) / Fraction(half), 1 / Fraction(half)]
+        before, current = [Fraction(1)], scaled
+        found = [current]
+        for k in range(1, self.degree):
+            following = _sum(_times(_product(scaled, current), Fraction(2 * k + 1, k + 1)), before, Fraction(-k, k + 1))
+            before, current = current, following
+            found.append(current)
+        matrix = np.zeros((self.degree, self.degree))
+        for row, coefficients in zip(matrix, found, strict=False):
+            row[: len(coefficients) - 1] = [float(c) for c in coefficients[1:]]
+        return matrix
+
+    @property
+    def per_position(self) -> float:
+        """Slope of the first basis function, 1/mm or 1/deg."""
+        return 1.0 / self._centre_and_half()[1]
+
+    def _scaled(self, positions: FloatArray) -> FloatArray:
+        centre, half = self._centre_and_half()
+        return (positions - centre) / half
+
+    def _centre_and_half(self) -> tuple[float, float]:
+        return 0.5 * (self.low + self.high), 0.5 * (self.high - self.low) or 1.0
+
+
+def axis_basis(travel: tuple[float, float], degree: int) -> Basis:
+    """The basis of an axis: over its travel, position 0 included."""
+    return Basis(min(travel[0], 0.0), max(travel[1], 0.0), degree)
+
+
+def _product(a: list[Fraction], b: list[Fraction]) -> list[Fraction]:
+    found = [Fraction(0)] * (len(a) + len(b) - 1)
+    for i, left in enumerate(a):
+        for j, right in enumerate(b):
+            found[i + j] += left * right
+    return found
+
+
+def _times(a: list[Fraction], factor: Fraction) -> list[Fraction]:
+    return [factor * part for part in a]
+
+
+def _sum(a: list[Fraction], b: list[Fraction], factor: Fraction) -> list[Fraction]:
+    return [part + (factor * b[i] if i < len(b) else 0) for i, part in enumerate(a)]

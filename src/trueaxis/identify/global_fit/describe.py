@@ -1,0 +1,242 @@
+"""The report of the global method: values, uncertainty, and what is open, in words."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trueaxis.identify.global_fit.result import GlobalResult
+from trueaxis.identify.machine import units
+from trueaxis.identify.report import ComponentReport, Known, LocationReport
+from trueaxis.identify.words import Share, enumerated, slope_unit, together, unit_of
+from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.errors import Undetermined
+
+OPEN = 1e-4  # share of an unknown in the null space, scaled, below which what is open does not matter to it
+RULES = {
+    "convention": "least-squares lines of the straightness are level (ISO 230-1)",
+    "known": "given",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """One component's share of a null vector: the orders that take part and their scaled values."""
+
+    component: str
+    orders: tuple[int, ...]
+    values: tuple[float, ...]
+
+
+def curves(result: GlobalResult) -> dict[str, PolynomialCurve]:
+    """Components in plain powers with standard uncertainties, NaN where open."""
+    plan = result.layout
+    found = {}
+    for place, component in enumerate(plan.components):
+        mine = plan.of_component(place)
+        u = None
+        if result.covariance is not None:
+            back = plan.basis_of(place).powers
+            variance = np.einsum("ki,kl,li->i", back, result.covariance[mine, mine], back)
+            touched = (np.abs(back) * result.open[mine, np.newaxis] > 0.0).any(axis=0)
+            u = np.where(touched, np.nan, np.sqrt(np.maximum(variance, 0.0)))
+        found[plan.machine.components[component]] = plan.curve(place, result.unknowns, u)
+    return found
+
+
+def location_u(result: GlobalResult) -> dict[str, float]:
+    """Standard uncertainties of the location errors that were unknown, NaN where open."""
+    if result.covariance is None:
+        return {}
+    start = int(result.layout.offset[-1])
+    u = np.sqrt(np.diag(result.covariance)[start:])
+    u = np.where(result.open[start:], np.nan, u)
+    return dict(zip(result.layout.names()[result.layout.components.size :], u.tolist(), strict=True))
+
+
+def locations(result: GlobalResult) -> tuple[LocationReport, ...]:
+    """Values of the location errors and where they come from."""
+    plan, machine = result.layout, result.layout.machine
+    unit = units(machine)[len(machine.components) :]
+    u = location_u(result)
+    found = []
+    for index, name in enumerate(machine.location_errors):
+        if index not in plan.locations:
+            found.append(LocationReport(name, result.given.parameters.get(name, 0.0), None, unit[index], "given"))
+            continue
+        place = int(plan.offset[-1]) + int(np.flatnonzero(plan.locations == index)[0])
+        origin = "from the readings"
+        if result.open[place]:
+            origin = "undetermined: solution of least norm"
+        elif result.gauge.settled[place].any():
+            origin = RULES["convention"]
+        spread = u.get(name, np.nan)
+        found.append(
+            LocationReport(
+                name, float(result.unknowns[place]), None if np.isnan(spread) else spread, unit[index], origin
+            )
+        )
+    return tuple(found)
+
+
+def components(result: GlobalResult) -> tuple[ComponentReport, ...]:
+    """Largest value and uncertainty of each component over the positions of the readings."""
+    plan = result.layout
+    place_of = {int(component): place for place, component in enumerate(plan.components)}
+    found = []
+    for index, name in enumerate(plan.machine.components):
+        if index not in place_of:
+            known: Known = "given" if name in result.given.motion_errors else "not measured"
+            found.append(ComponentReport(name, known, 0.0, None, unit_of(name)))
+            continue
+        place = place_of[index]
+        mine = plan.of_component(place)
+        basis = plan.basis_of(place)(plan.knots[plan.axis[place]])
+        opened = result.open[mine]
+        if unseen(result, mine):
+            known = "not measured"
+        else:
+            known = "determined" if not opened.any() else "undetermined" if opened.all() else "partly"
+        u = None
+        if result.covariance is not None and not opened.any():
+            variance = np.einsum("kn,kl,ln->n", basis, result.covariance[mine, mine], basis)
+            u = float(np.sqrt(np.max(variance, initial=0.0)))
+        largest = float(np.max(np.abs(result.unknowns[mine] @ basis), initial=0.0))
+        found.append(ComponentReport(name, known, largest, u, unit_of(name)))
+    return tuple(found)
+
+
+def unseen(result: GlobalResult, mine: slice) -> bool:
+    """Whether no reading holds any of these unknowns."""
+    return not result.factors.vectors[mine].any() or bool(np.abs(result.factors.vectors[mine]).max() < OPEN)
+
+
+def undetermined(result: GlobalResult) -> tuple[Undetermined, ...]:
+    """Everything that the readings leave open, and what was done about it."""
+    found = [_settled(result, vector) for vector in result.gauge.settled.T]
+    plan = result.layout
+    missing = [part.name for part in components(result) if part.known == "not measured"]
+    silent = np.zeros(plan.count, dtype=bool)
+    for place in range(plan.components.size):
+        silent[plan.of_component(place)] = unseen(result, plan.of_component(place))
+    seen = [vector for vector in result.gauge.null.T if not silent[np.abs(vector) > OPEN].all()]
+    found += [_open(result, vectors) for vectors in _overlapping(result, seen)]
+    if missing:
+        found.append(Undetermined(f"{enumerated(missing)}: no run holds them, they are left at zero", tuple(missing)))
+    return tuple(found)
+
+
+def _settled(result: GlobalResult, vector: FloatArray) -> Undetermined:
+    shares = _location_shares(result, vector)
+    others = _component_shares(result, vector)
+    partners = [part.component for part in _parts(result, vector)]
+    names = [share.what for share in shares]
+    text = (
+        f"{enumerated(names)} and the slope of {enumerated(partners)}: only their sum is determined "
+        f"({together([*shares, *others])} changes no reading); {names[0]}: {RULES['convention']}"
+    )
+    return Undetermined(text, (*names, *partners))
+
+
+def _overlapping(result: GlobalResult, vectors: list[FloatArray]) -> list[list[FloatArray]]:
+    """Vectors that share names, directly or through others, together."""
+    groups: list[tuple[set[str], list[FloatArray]]] = []
+    for vector in vectors:
+        names, together_with = _names(result, vector), [vector]
+        apart = []
+        for other, members in groups:
+            if other & names:
+                names |= other
+                together_with = members + together_with
+            else:
+                apart.append((other, members))
+        groups = [*apart, (names, together_with)]
+    return [members for _, members in groups]
+
+
+def _names(result: GlobalResult, vector: FloatArray) -> set[str]:
+    located = (share.what for share in _location_shares(result, vector))
+    return {*located, *(part.component for part in _parts(result, vector))}
+
+
+def _open(result: GlobalResult, vectors: list[FloatArray]) -> Undetermined:
+    machine = result.layout.machine
+    names = set().union(*(_names(result, vector) for vector in vectors))
+    ordered = tuple(name for name in (*machine.location_errors, *machine.components) if name in names)
+    simplest = min(vectors, key=lambda vector: int(np.count_nonzero(np.abs(vector) > OPEN)))
+    shares = [*_location_shares(result, simplest), *_component_shares(result, simplest)]
+    orders = sorted({order for vector in vectors for part in _parts(result, vector) for order in part.orders})
+    count = "1 combination" if len(vectors) == 1 else f"{len(vectors)} combinations"
+    text = (
+        f"{enumerated(ordered)}: {count} undetermined (polynomial orders {_ranges(orders)}); "
+        f"for one, {together(_per_largest(shares))} changes no reading; the solution of least norm is given"
+    )
+    return Undetermined(text, ordered)
+
+
+def _per_largest(shares: list[Share]) -> list[Share]:
+    """The same combination per unit of its first rotation (or first part), which comes first."""
+    first = next((share for share in shares if share.unit.startswith("rad")), shares[0])
+    ordered = [first, *(share for share in shares if share is not first)]
+    return [Share(share.what, share.value / first.value, share.unit) for share in ordered]
+
+
+def _parts(result: GlobalResult, vector: FloatArray) -> list[_Part]:
+    plan = result.layout
+    found = []
+    for place, component in enumerate(plan.components):
+        values = vector[plan.of_component(place)]
+        taking_part = np.flatnonzero(np.abs(values) > OPEN)
+        if taking_part.size:
+            orders = tuple((taking_part + 1).tolist())
+            found.append(_Part(plan.machine.components[component], orders, tuple(values[taking_part].tolist())))
+    return found
+
+
+def _location_shares(result: GlobalResult, vector: FloatArray) -> list[Share]:
+    plan, machine = result.layout, result.layout.machine
+    unit = units(machine)[len(machine.components) :]
+    start = int(plan.offset[-1])
+    lead = _lead(result, vector)
+    return [
+        Share(machine.location_errors[p], float(vector[start + i] * plan.scale[start + i] / lead), unit[p])
+        for i, p in enumerate(plan.locations)
+        if abs(vector[start + i]) > OPEN
+    ]
+
+
+def _component_shares(result: GlobalResult, vector: FloatArray) -> list[Share]:
+    """Slopes where a component takes part by its first order alone, else its largest value over the positions."""
+    plan = result.layout
+    lead = _lead(result, vector)
+    found = []
+    for part in _parts(result, vector):
+        place = int(np.flatnonzero(plan.components == plan.machine.components.index(part.component))[0])
+        mine, basis = plan.of_component(place), plan.basis_of(place)
+        own = vector[mine] * plan.scale[mine] / lead
+        if part.orders == (1,):
+            found.append(Share(part.component, float(own[0] * basis.per_position), slope_unit(part.component)))
+        else:
+            curve = own @ basis(plan.knots[plan.axis[place]])
+            far = float(curve[int(np.abs(curve).argmax())])
+            found.append(Share(f"{part.component} at its largest", far, unit_of(part.component)))
+    return found
+
+
+def _lead(result: GlobalResult, vector: FloatArray) -> float:
+    """What the shares are given per: the first location error that takes part, else the largest unknown."""
+    plan = result.layout
+    located = vector[int(plan.offset[-1]) :]
+    first = np.flatnonzero(np.abs(located) > OPEN)
+    at = int(plan.offset[-1]) + int(first[0]) if first.size else int(np.abs(vector).argmax())
+    return float(vector[at] * plan.scale[at])
+
+
+def _ranges(orders: list[int]) -> str:
+    return (
+        ""
+        if not orders
+        else f"{orders[0]} to {orders[-1]}"
+        if len(orders) > 2
+        else enumerated([str(order) for order in orders])
+    )

@@ -1,0 +1,86 @@
+"""The first-order design matrix of all readings, in pieces, and its triangular factor."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from trueaxis.identify.first_order import sensed, sensed_at_home
+from trueaxis.identify.global_fit.layout import Layout
+from trueaxis.identify.machine import IntArray
+from trueaxis.identify.observations import Observations
+from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.reading_model import home_positions
+
+CHUNK_ENTRIES = 2**21  # of the design matrix at a time: 16 MB
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Design:
+    """Derivative of every reading by every scaled unknown, never held in full.
+
+    Each row is the basis of each axis times what the instrument senses of each component, less the same at home.
+    """
+
+    layout: Layout
+    observed: Observations
+
+    def pieces(self) -> Iterator[tuple[IntArray, FloatArray]]:
+        """(rows, (rows.size, n_unknowns)): pieces of bounded size, run by run."""
+        longest = max(CHUNK_ENTRIES // max(self.layout.count, 1), 1)
+        for index in range(len(self.observed.runs)):
+            rows = np.flatnonzero(self.observed.run == index)
+            for start in range(0, rows.size, longest):
+                chosen = rows[start : start + longest]
+                yield chosen, self._piece(index, chosen)
+
+    def triangle(self) -> tuple[FloatArray, int]:
+        """R of the QR factorisation (n_unknowns, n_unknowns), and how many rows hold an unknown."""
+        n = self.layout.count
+        factor, held = np.zeros((n, n)), 0
+        waiting: list[FloatArray] = []
+        for _, piece in self.pieces():
+            held += int(np.count_nonzero(np.abs(piece).max(axis=1, initial=0.0) > 0.0))
+            waiting.append(piece)
+            if sum(part.shape[0] for part in waiting) >= 4 * n:
+                factor, waiting = _folded(factor, waiting), []
+        return _folded(factor, waiting), held
+
+    def transposed(self, residual: FloatArray) -> FloatArray:
+        """(n_unknowns,): transposed design times residuals (n,)."""
+        total = np.zeros(self.layout.count)
+        for rows, piece in self.pieces():
+            total += residual[rows] @ piece
+        return total
+
+    def _piece(self, index: int, rows: IntArray) -> FloatArray:
+        run, machine = self.observed.runs[index], self.layout.machine
+        positions = self.observed.positions[:, rows]
+        here, home = sensed(machine, run, positions), sensed_at_home(machine, run)
+        piece = self._with_bases(here, positions)
+        zeroed = home_positions(run, machine.axes)
+        if zeroed is not None:
+            piece -= self._with_bases(home, zeroed)
+        piece[np.abs(piece) < 1e-12] = 0.0  # rounding of what cancels
+        return piece
+
+    def _with_bases(self, sensitivity: FloatArray, positions: FloatArray) -> FloatArray:
+        """(n, n_unknowns) from sensitivities (n_components + n_location_errors, n)."""
+        layout = self.layout
+        piece = np.empty((positions.shape[1], layout.count))
+        values = [basis(at) if basis else None for basis, at in zip(layout.bases, positions, strict=True)]
+        for place, component in enumerate(layout.components):
+            of_axis = values[layout.axis[place]]
+            assert of_axis is not None
+            piece[:, layout.of_component(place)] = (sensitivity[component] * of_axis).T
+        located = len(layout.machine.components) + layout.locations
+        piece[:, layout.offset[-1] :] = sensitivity[located].T
+        return piece * layout.scale
+
+
+def _folded(factor: FloatArray, pieces: list[FloatArray]) -> FloatArray:
+    if not pieces:
+        return factor
+    n = factor.shape[0]
+    stacked = np.vstack([factor, *pieces])
+    return np.asarray(np.linalg.qr(stacked, mode="r"))[:n]

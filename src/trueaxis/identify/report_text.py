@@ -1,0 +1,91 @@
+"""The identification report as a person reads it, and as JSON."""
+
+import json
+import math
+from dataclasses import asdict
+from typing import Any
+
+from trueaxis.identify.report import BlockReport, ComponentReport, IdentificationReport, LocationReport
+
+WIDTH = 100
+MICRO = 1e6
+
+
+def report_text(report: IdentificationReport) -> str:
+    """Lines of text, ending with a newline."""
+    noise = "unknown" if report.noise_um is None else f"{report.noise_um:.4g} um"
+    lines = [
+        f"{report.machine}: method {report.method}, {report.readings} readings, {report.iterations} iterations on the "
+        f"exact model (last change {report.last_change:.1g} mm)",
+        f"residuals: rms {report.residual_rms_um:.4g} um; noise of a reading: {noise} ({report.noise_origin})",
+        f"squareness: {report.squareness}",
+    ]
+    if report.left_out:
+        lines.append(f"left out (this method cannot use ball-bar runs): {', '.join(report.left_out)}")
+    if report.noise_um is None:
+        lines.append("standard uncertainties are not given: the noise is unknown (--noise-um gives it)")
+    lines += ["", "solved, in this order:"]
+    lines += [line for number, block in enumerate(report.blocks, 1) for line in _block(number, block)]
+    if report.locations:
+        lines += ["", "location errors:"]
+        lines += [_location(location) for location in report.locations]
+    lines += ["", "motion errors over the measured positions:"]
+    lines += [_component(component) for component in report.components]
+    lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing"]
+    for item in report.undetermined:
+        lines += _wrapped(item.combination, "- ")
+    for note in report.notes:
+        lines += _wrapped(note, "note: ")
+    return "\n".join(lines) + "\n"
+
+
+def report_json(report: IdentificationReport) -> str:
+    """The same as JSON; NaN is null."""
+    return json.dumps(_plain({"schema": 1, **asdict(report)}), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _block(number: int, block: BlockReport) -> list[str]:
+    solved = f"rank {block.rank}" if block.rank == block.unknowns else f"RANK {block.rank} OF {block.unknowns}"
+    head = f"{number}. {' '.join(block.runs)} -> {' '.join(block.components)}: "
+    head += f"{block.equations} equations, {block.unknowns} unknowns, {solved}, condition {block.condition:.3g}"
+    return _wrapped(head + (f"; {block.remark}" if block.remark else ""), "  ")
+
+
+def _location(location: LocationReport) -> str:
+    value, unit = _small(location.value, location.unit)
+    return f"  {location.name:<10} {value:+10.4g} {unit:<5} {_with_u(location.u, location.unit)}  {location.origin}"
+
+
+def _component(component: ComponentReport) -> str:
+    value, unit = _small(component.largest, component.unit)
+    largest = f"largest {value:10.4g} {unit:<5} {_with_u(component.u, component.unit)}"
+    if component.known in ("not measured", "given"):
+        largest = ""
+    return f"  {component.name:<4} {component.known:<12} {largest}".rstrip()
+
+
+def _with_u(u: float | None, unit: str) -> str:
+    return f"u {_small(u, unit)[0]:9.3g}" if u is not None else " " * 11
+
+
+def _small(value: float, unit: str) -> tuple[float, str]:
+    """In micrometres or microradians."""
+    return (value * 1e3, "um") if unit == "mm" else (value * MICRO, "urad")
+
+
+def _wrapped(text: str, lead: str) -> list[str]:
+    lines, current = [], lead
+    for word in text.split():
+        if len(current) + len(word) + 1 > WIDTH and current.strip():
+            lines.append(current)
+            current = " " * (len(lead) + 1)
+        current += word if current.endswith(" ") else f" {word}"
+    return [*lines, current]
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
