@@ -66,7 +66,8 @@ def run(args: argparse.Namespace) -> int:
     if model.identification:
         print("identification systems in the order of solution:")
         for number, system in enumerate(model.identification.systems, 1):
-            print(f"  {number}. {', '.join(system.runs)} -> {', '.join(system.unknowns)}")
+            lack = f"   (singular at these points: rank {system.rank})" if system.rank < len(system.unknowns) else ""
+            print(f"  {number}. {', '.join(system.runs)} -> {', '.join(system.unknowns)}{lack}")
     for name in files:
         print(f"wrote {folder / name}")
     return 0

@@ -9,7 +9,7 @@ from trueaxis.derive.chain import Vector
 from trueaxis.derive.first_order import first_order
 from trueaxis.derive.folded import coefficient, curve, folded_deviation
 from trueaxis.derive.propagate import walk
-from trueaxis.derive.routine import Argument, Binder, Routine, build
+from trueaxis.derive.routine import Argument, Assignment, Binder, Routine, build
 from trueaxis.derive.views import View, view, views
 from trueaxis.spec.machine import LINEAR, ROTARY, Machine
 
@@ -158,31 +158,45 @@ def _curve_routines(machine: Machine, main: View) -> Iterator[Routine]:
     deviation = vector_argument(
         "deviation", ("dx", "dy", "dz"), "tool point in the workpiece frame, actual minus ideal"
     )
-    binder = Binder()
-    values = {symbols.named(name): binder.bind(curve(name, machine.curve_degree)) for name in machine.components}
-    steps = Binder()
-    walked = walk(main, symbols.point(), steps)
-    bound = binder.assignments + [(_marked(t), _mark(v).xreplace(values)) for t, v in steps.assignments]
     yield build(
         f"{main.name}_deviation_curves",
         "Deviation of the tool point under polynomial error curves, exact.",
         "Eqs. (1)-(4), (44)",
         inputs,
         (deviation,),
-        _rows(deviation.rows, tuple(_mark(d).xreplace(values) for d in walked.deviation)),
-        bound,
+        *_walk_with_curves(machine, main, deviation.rows, exact=True),
     )
     binder = Binder()
     folded = folded_deviation(machine, main, symbols.point(), binder)
-    yield build(
-        f"{main.name}_deviation_first_order_curves",
-        "Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.",
-        "Eqs. (1)-(4), (44)",
-        inputs,
-        (deviation,),
-        _rows(deviation.rows, folded),
-        binder.assignments,
-    )
+    candidates = [
+        build(
+            f"{main.name}_deviation_first_order_curves",
+            f"Deviation of the tool point under polynomial error curves, to first order{remark}.",
+            "Eqs. (1)-(4), (44)",
+            inputs,
+            (deviation,),
+            results,
+            bound,
+        )
+        for remark, (results, bound) in (
+            (", constants folded once per call", (_rows(deviation.rows, folded), binder.assignments)),
+            ("", _walk_with_curves(machine, main, deviation.rows, exact=False)),
+        )
+    ]
+    # With two rotary axes there are more monomials to fold by than component errors.
+    yield min(candidates, key=lambda routine: routine.operations)
+
+
+def _walk_with_curves(
+    machine: Machine, main: View, rows: tuple[str, ...], *, exact: bool
+) -> tuple[dict[str, sp.Expr], list[Assignment]]:
+    """The walk with each component error replaced by its polynomial: results and what they refer to."""
+    curves, steps = Binder(), Binder()
+    values = {symbols.named(name): curves.bind(curve(name, machine.curve_degree)) for name in machine.components}
+    walked = walk(main, symbols.point(), steps, exact=exact)
+    bound = [(_marked(target), _mark(value).xreplace(values)) for target, value in steps.assignments]
+    results = dict(zip(rows, (_mark(d).xreplace(values) for d in walked.deviation), strict=True))
+    return results, curves.assignments + bound
 
 
 def _marked(symbol: sp.Symbol) -> sp.Symbol:

@@ -35,7 +35,8 @@ class RunPattern:
 class IdentificationSystem:
     """matrix * unknowns = reading - known, solved: unknowns = inverse * (reading - known); inverse None if not square.
 
-    points: for each point symbol triple the body and the coordinates that the runs give it.
+    points: for each point symbol triple the body and the coordinates that the runs give it. rank: of the matrix at
+    those points, exact; less than the number of unknowns where the points leave the system singular.
     """
 
     runs: tuple[str, ...]
@@ -46,6 +47,7 @@ class IdentificationSystem:
     inverse: sp.Matrix | None
     determinant: sp.Expr | None
     points: tuple[tuple[Vector, str, Point], ...]
+    rank: int
 
     def numeric_matrix(self) -> sp.Matrix:
         """The matrix at the points of the runs, exact rational numbers."""
@@ -152,6 +154,15 @@ def _system(machine: Machine, runs: Sequence[RunPattern], unknowns: Sequence[str
         if determinant != 0:
             inverse = matrix.adjugate() / determinant
     moves = tuple(dict.fromkeys(run.moves for run in runs))
+    at_points = matrix.subs(point_values(points) | {symbols.named(name): sp.S.Zero for name in machine.dimensions})
     return IdentificationSystem(
-        tuple(run.name for run in runs), moves, tuple(unknowns), matrix, known, inverse, determinant, points
+        tuple(run.name for run in runs),
+        moves,
+        tuple(unknowns),
+        matrix,
+        known,
+        inverse,
+        determinant,
+        points,
+        int(at_points.rank()),
     )

@@ -94,7 +94,7 @@ def equations_page(model: DerivedModel, spec: str) -> str:
                 (f"`{name}`", *(f"${latex(entry)}$" for entry in column)) for name, column in main.columns.items()
             ],
             motions=[_motion(equation, latex, references) for equation in model.motions],
-            systems=[_system(machine, k, s, latex, references) for k, s in enumerate(found.systems)] if found else [],
+            systems=[_system(k, s, latex, references) for k, s in enumerate(found.systems)] if found else [],
             undetermined=[combination_text(machine, c) for c in found.combinations] if found else [],
             unseen=", ".join((*found.unseen, *found.unreached)) if found else "",
             squareness=[("".join(s.axes), latex(s.product)) for s in model.squareness],
@@ -133,9 +133,7 @@ def _motion(equation: MotionEquation, latex: Latex, references: dict[str, str]) 
     return EquationText(f"{' and '.join(equation.moves)}: {what}", references.get(name, ""), lines)
 
 
-def _system(
-    machine: Machine, index: int, system: IdentificationSystem, latex: Latex, references: dict[str, str]
-) -> SystemText:
+def _system(index: int, system: IdentificationSystem, latex: Latex, references: dict[str, str]) -> SystemText:
     readings = [sp.Symbol(f"L{k + 1}", real=True) for k in range(len(system.runs))]
     unknowns = sp.Matrix([symbols.named(name) for name in system.unknowns])
     return SystemText(
@@ -151,7 +149,7 @@ def _system(
         tuple(_right(latex, reading, known) for reading, known in zip(readings, system.known, strict=True)),
         tuple(_solution(system, readings, latex)),
         latex(system.determinant) if system.determinant is not None else "",
-        int(system.numeric_matrix().subs({symbols.named(d): 0 for d in machine.dimensions}).rank()),
+        system.rank,
         len(system.unknowns),
     )
 
