@@ -1,0 +1,197 @@
+"""The C kernels: one function per routine, whose loop over the points a compiler vectorises."""
+
+import re
+import textwrap
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from trueaxis.derive.routine import Argument, Assignment, Routine
+from trueaxis.emit.c_printer import CPrinter
+from trueaxis.emit.meta import ABI
+from trueaxis.emit.templates import environment
+from trueaxis.spec.machine import Machine
+
+# Points per block where cosines and sines are computed ahead of the arithmetic: they stay in the first-level cache.
+BLOCK = 512
+
+_WIDTH = 116
+# What the functions use beside the arguments' names; the macros of stddef.h and math.h that a name may not be.
+_TAKEN = frozenset(
+    "n stride start count i j block size_t ptrdiff_t wchar_t max_align_t cos sin sqrt".split()
+) | frozenset(
+    "NULL NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL MATH_ERRNO MATH_ERREXCEPT math_errhandling offsetof".split()
+)
+
+
+@dataclass(frozen=True)
+class TrigonometryText:
+    """A cosine or sine of one point, kept in an array of one block."""
+
+    name: str
+    array: str
+    value: str
+
+
+@dataclass(frozen=True)
+class FunctionText:
+    """What the template prints of one routine."""
+
+    name: str
+    summary: str
+    comment: tuple[str, ...]
+    signature: tuple[str, ...]
+    unused: tuple[str, ...]
+    constants: tuple[str, ...]
+    batch: tuple[str, ...]
+    positions: tuple[str, ...]
+    preparation: tuple[TrigonometryText, ...]
+    rows: tuple[str, ...]
+    body: tuple[str, ...]
+    stores: tuple[str, ...]
+
+
+def c_identifier(name: str) -> str:
+    """The prefix of a machine's functions: its name with what C does not allow replaced."""
+    identifier = re.sub(r"[^A-Za-z0-9_]", "_", name)
+    return f"machine_{identifier}" if identifier[:1].isdigit() else identifier
+
+
+def c_source(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> str:
+    """The text of kernels.c. `spec`: the spec's file as shown in the header. Same input, same bytes."""
+    return environment().get_template("kernels.c.j2").render(source_context(machine, routines, spec))
+
+
+def c_header(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> str:
+    """The text of kernels.h."""
+    return environment().get_template("kernels.h.j2").render(header_context(machine, routines, spec))
+
+
+def source_context(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> dict[str, Any]:
+    """The variables of kernels.c.j2."""
+    return header_context(machine, routines, spec) | {"block": BLOCK}
+
+
+def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> dict[str, Any]:
+    """The variables of kernels.h.j2."""
+    prefix = c_identifier(machine.name)
+    return {
+        "abi": ABI,
+        "digest": machine.digest,
+        "prefix": prefix,
+        "spec": spec or f"machines/{machine.name}.toml",
+        "title": _commentable(machine.title),
+        "functions": [_function(prefix, routine) for routine in routines],
+    }
+
+
+def _function(prefix: str, routine: Routine) -> FunctionText:
+    names = _names(routine)
+    printer = CPrinter(names)
+    varying = [a for a in routine.inputs if a.per_point]
+    body = _used(routine.body)
+    batch = _used(routine.batch)
+    used = body | batch | _used(routine.preparation)
+    constants = [
+        _declared(names[row], f"{a.name}[{k}]")
+        for a in routine.inputs
+        if not a.per_point
+        for k, row in enumerate(a.rows)
+        if row in body | batch
+    ]
+    outputs = [(row, f"{a.name}[{k} * stride + i]") for a in routine.outputs for k, row in enumerate(a.rows)]
+    stored = dict(outputs)
+    direct = {target.name: value for target, value in routine.body if target.name in stored and target.name not in body}
+    return FunctionText(
+        f"{prefix}_{routine.name}",
+        _commentable(routine.summary),
+        tuple(_comment(routine)),
+        tuple(_signature(routine)),
+        tuple(a.name for a in routine.inputs if used.isdisjoint(a.rows)),
+        tuple(constants),
+        tuple(_assigned(assignment, printer) for assignment in routine.batch),
+        tuple(_loads(varying, _used(routine.preparation), names)),
+        tuple(
+            TrigonometryText(names[target.name], f"{names[target.name]}_block", printer.doprint(value))
+            for target, value in routine.preparation
+        ),
+        tuple(_loads(varying, body, names)),
+        tuple(_assigned(assignment, printer) for assignment in routine.body if assignment[0].name not in direct),
+        tuple(
+            _wrapped(f"{place} = {printer.doprint(direct[row]) if row in direct else names[row]};")
+            for row, place in outputs
+        ),
+    )
+
+
+def _names(routine: Routine) -> Mapping[str, str]:
+    """Every symbol's name in C: its own, unless that is the name of something else there."""
+    taken = set(_TAKEN) | {a.name for a in routine.inputs + routine.outputs}
+    taken |= {f"{target.name}_block" for target, _ in routine.preparation}
+    symbols = [row for a in routine.inputs + routine.outputs for row in a.rows]
+    symbols += [target.name for stage in (routine.batch, routine.preparation, routine.body) for target, _ in stage]
+    names: dict[str, str] = {}
+    for symbol in symbols:
+        name = symbol
+        while name in taken or (name != symbol and name in symbols):
+            name += "_"
+        names[symbol] = name
+    return names
+
+
+def _used(assignments: Iterable[Assignment]) -> set[str]:
+    return {symbol.name for _, value in assignments for symbol in value.free_symbols}
+
+
+def _loads(arguments: Iterable[Argument], used: set[str], names: Mapping[str, str]) -> Iterable[str]:
+    for argument in arguments:
+        for k, row in enumerate(argument.rows):
+            if row in used:
+                yield _declared(names[row], f"{argument.name}[{k} * stride + i]")
+
+
+def _declared(name: str, value: str) -> str:
+    return _wrapped(f"const double {name} = {value};")
+
+
+def _assigned(assignment: Assignment, printer: CPrinter) -> str:
+    target, value = assignment
+    return _declared(printer.doprint(target), printer.doprint(value))
+
+
+def _wrapped(line: str) -> str:
+    """Broken where it is too long; the template indents what follows a line's end."""
+    return "\n".join(
+        textwrap.wrap(line, _WIDTH - 8, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    )
+
+
+def _signature(routine: Routine) -> list[str]:
+    arrays = [f"const double *restrict {a.name}" for a in routine.inputs]
+    arrays += [f"double *restrict {a.name}" for a in routine.outputs]
+    return ["size_t n, size_t stride", *arrays]
+
+
+def _comment(routine: Routine) -> Iterable[str]:
+    yield from textwrap.wrap(_commentable(routine.summary), _WIDTH)
+    operations = f"Operations: {routine.operations} per point"
+    operations += f", {routine.batch_operations} once per call." if routine.batch_operations else "."
+    yield _commentable(f"Source: {routine.source}. {operations}")
+    for title, arguments in (("in", routine.inputs), ("out", routine.outputs)):
+        for a in arguments:
+            layout = f"{len(a.rows)} rows of stride" if a.per_point else f"{len(a.rows)} values"
+            rows = _rows_text(a)
+            text = f"{title} {a.name}: {layout}, {a.unit}; {a.description}{rows}"
+            yield from textwrap.wrap(_commentable(text), _WIDTH, subsequent_indent="    ", break_on_hyphens=False)
+
+
+def _rows_text(argument: Argument) -> str:
+    """The names of the rows, where they are few enough to be read."""
+    if len(argument.rows) <= 40:
+        return f" ({' '.join(argument.rows)})"
+    return f" ({argument.rows[0]} {argument.rows[1]} .. {argument.rows[-1]}, last index fastest)"
+
+
+def _commentable(text: str) -> str:
+    """Text that ends no comment and starts none."""
+    return " ".join(text.replace("*/", "* /").replace("/*", "/ *").split())
