@@ -87,7 +87,8 @@ def test_layout_changes_nothing(tmp_path: Path, change: Callable[[str], str]) ->
         ("1.25e-3", "nan", 'line 3, column reading: "nan" is not a finite number'),
         ("1.25e-3", "-inf", 'line 3, column reading: "-inf" is not a finite number'),
         ("1.25e-3", "1250", 'line 3, column reading: "1250" is too large; readings are deviations in mm'),
-        (",20,", ",-20,", 'line 3, column X: "-20" is outside the travel; from 0.0 to 540.0'),
+        (",20,", ",-0.001,", 'line 3, column X: "-0.001" is outside the travel; from 0.0 to 540.0'),
+        (",20,", ",540.001,", 'line 3, column X: "540.001" is outside the travel; from 0.0 to 540.0'),
         (",20,", ",,", "line 3, column X: is empty"),
         ("1.5,20", "1.5,20,3", "line 3: has 8 cells; 7 as in the header"),
         ("1.5,20,", "1.5,", "line 3: has 6 cells; 7 as in the header"),
@@ -160,6 +161,20 @@ def test_directions_follow_seq_not_the_order_of_lines_and_are_kept_while_an_axis
     found = read_text(tmp_path, text)
     assert found.directions[0].tolist() == [-1, 0, 1, -1, 0]
     assert found.directions[1].tolist() == [1, 1, 1, -1, 0]  # row 1 came to Y 5 from home
+
+
+def test_a_ball_bar_run_starts_where_it_is_first_read(tmp_path: Path) -> None:
+    bar = Run("bar", "ballbar", PointOn("tool"), PointOn("workpiece"), "bed", HOME, None, 300.0)
+    text = "run,seq,X,Y,Z,reading\nbar,1,300,5,0,\nbar,2,290,5,0,\n"
+    assert read_text(tmp_path, text, (bar,)).directions.tolist() == [[0, -1], [0, 0], [0, 0]]
+
+
+def test_rows_of_unknown_runs_are_not_taken_for_repeated_ones(tmp_path: Path) -> None:
+    found = faults_of(tmp_path, VALID + "P,1,0,0,0,0,0\nQ,1,0,0,0,0,0\n")
+    assert [fault.split(";")[0] for fault in found] == [
+        'line 6, column run: the setup has no run "P"',
+        'line 7, column run: the setup has no run "Q"',
+    ]
 
 
 READING = st.floats(-100.0, 100.0) | st.just(np.nan)
