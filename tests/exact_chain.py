@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import mpmath
+import mpmath  # type: ignore[import-untyped]
 
 Values = Mapping[str, Any]
 DIGITS = mpmath.mp.clone()

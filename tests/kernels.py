@@ -1,7 +1,7 @@
 """The emitted NumPy kernels of a machine, called by names instead of by rows."""
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -16,12 +16,12 @@ from trueaxis.emit.numpy_source import numpy_source
 FloatArray = npt.NDArray[np.float64]
 
 
-@lru_cache(maxsize=None)
+@cache
 def model_of(text: str) -> DerivedModel:
     return derive_model(machine_of(text))
 
 
-@lru_cache(maxsize=None)
+@cache
 def kernels_of(text: str) -> ModuleType:
     model = model_of(text)
     module = ModuleType("kernels")

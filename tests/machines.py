@@ -49,7 +49,7 @@ def serial_text(workpiece_side: str, tool_side: str, **extra: Mapping[str, Any])
             number = len(bodies) + 2
             travel = [-300.0, 400.0] if axis in "XYZ" else [-170.0, 180.0]
             body = {"number": number, "name": axis, "lower": lower, "moves": axis, "travel": travel}
-            bodies.append(body | extra.get(axis, {}))
+            bodies.append(body | dict(extra.get(axis, {})))
             lower = number
         number = len(bodies) + 2
         position = [f"q_{end}{letter}" for letter in "xyz"]

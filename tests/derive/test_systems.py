@@ -1,0 +1,210 @@
+"""Identification systems of the paper's runs: order, closed form, use, and what they cannot determine."""
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from tests.exact_chain import DIGITS, ExactChain
+from tests.machines import DMU60P, ROOT, machine_at
+from trueaxis.commands.derive import run_patterns
+from trueaxis.derive.model import DerivedModel, derive_model
+from trueaxis.derive.systems import RunPattern, identification, undetermined
+from trueaxis.emit.numpy_source import numpy_source
+from trueaxis.measure.data import read_data
+
+CHAIN = ExactChain(DMU60P.read_text())
+DIMENSIONS = {"q_wx": 270.0, "q_wy": -350.0, "q_wz": 12.5, "q_Tx": 1.25, "q_Ty": 3.0, "q_Tz": 400.0}
+
+
+@cache
+def patterns(folder: str) -> tuple[RunPattern, ...]:
+    machine = machine_at(DMU60P)
+    return run_patterns(machine, read_data(ROOT / "machines" / folder, machine))
+
+
+@cache
+def derived(folder: str = "dmu60p_runs") -> DerivedModel:
+    return derive_model(machine_at(DMU60P), patterns(folder))
+
+
+def moved(chain: ExactChain, run: RunPattern, pose: Mapping[str, float], values: Mapping[str, Any]) -> Any:
+    """Displacement of the target minus that of the reference since home, along the sensed direction."""
+    home = dict.fromkeys(chain.axes, 0.0)
+    still = {name: value for name, value in values.items() if name not in chain.components}
+
+    def since_home(end: tuple[str, Any]) -> Any:
+        body, point = end
+        if body == run.frame:
+            return DIGITS.matrix([0, 0, 0])
+        view = f"{body}_in_{run.frame}"
+        return chain.place(view, pose, values, point) - chain.place(view, home, still, point)
+
+    difference = since_home(run.target) - since_home(run.reference)
+    return sum(d * v for d, v in zip(run.direction, difference, strict=True))
+
+
+def first_order_readings(
+    chain: ExactChain, run: RunPattern, pose: Mapping[str, float], dimensions: Mapping[str, Any], errors: Any
+) -> list[float]:
+    """The run's reading per set of errors, linear in them: forward differences, step 1e-15 in forty digits."""
+    step, without = DIGITS.mpf("1e-15"), moved(chain, run, pose, dimensions)
+    found = []
+    for each in errors:
+        seen = {n: step * v for n, v in each.items() if n not in chain.components or n[2] in run.moves}
+        found.append(float((moved(chain, run, pose, {**dimensions, **seen}) - without) / step) if seen else 0.0)
+    return found
+
+
+def pose_of(run: RunPattern, fraction: float, travel: Mapping[str, tuple[float, float]]) -> dict[str, float]:
+    return {axis: fraction * span[1] if axis in run.moves else 0.0 for axis, span in travel.items()}
+
+
+def test_the_order_found_is_the_papers() -> None:
+    # Eqs. (18), (19), (20): one axis at a time; (26) after them; (32), (34), then (38) last.
+    found = derived().identification
+    assert found is not None
+    assert [("".join(m), system.unknowns) for system in found.systems for m in system.moves] == [
+        ("X", ("EXX", "EBX", "ECX")),
+        ("Y", ("EYY", "EAY", "ECY")),
+        ("Z", ("EZZ", "EAZ", "EBZ")),
+        ("XZ", ("EXZ", "ECZ")),
+        ("XZ", ("EZX", "EAX")),
+        ("XY", ("EXY", "EBY")),
+        ("XY", ("EYX",)),
+        ("YZ", ("EYZ",)),
+        ("YZ", ("EZY",)),
+    ]
+    assert found.unreached == found.unseen == ()
+
+
+def test_the_order_does_not_hang_on_the_order_of_the_runs() -> None:
+    backwards = identification(machine_at(DMU60P), tuple(reversed(patterns("dmu60p_runs"))))
+    known: set[str] = set()
+    for system in backwards.systems:
+        needs = {symbol.name for value in system.known for symbol in value.free_symbols} & set(CHAIN.components)
+        assert needs <= known
+        known |= set(system.unknowns)
+    assert known == set(CHAIN.components)
+
+
+def test_each_closed_form_inverse_is_the_inverse() -> None:
+    found = derived().identification
+    assert found is not None
+    for system in found.systems:
+        assert system.inverse is not None
+        assert sp.simplify(system.inverse * system.matrix) == sp.eye(len(system.unknowns))
+        assert sp.simplify(system.matrix.det() - system.determinant) == 0
+
+
+@pytest.mark.parametrize("fraction", [1.0, 0.37])
+def test_the_routines_recover_every_component_from_exact_first_order_readings(fraction: float) -> None:
+    model = derived("dmu60p_regular_runs")
+    assert model.identification is not None
+    runs = {run.name: run for run in patterns("dmu60p_regular_runs")}
+    rng = np.random.default_rng(1)
+    errors = {n: rng.uniform(-1, 1) * (1e-2 if n[1] in "XYZ" else 1e-4) for n in CHAIN.components}
+    errors |= {name: rng.uniform(-1, 1) * 1e-4 for name in CHAIN.location_errors}
+    location = {name: errors[name] for name in CHAIN.location_errors}
+    module = systems_module()
+    found: dict[str, float] = {}
+    for number, system in enumerate(model.identification.systems, 1):
+        first = runs[system.runs[0]]
+        pose = pose_of(first, fraction, model.machine.travel)
+        readings = [first_order_readings(CHAIN, runs[name], pose, DIMENSIONS, [errors]) for name in system.runs]
+        points = np.array([at for _, _, at in system.points])
+        known = {**DIMENSIONS, **location, **found}
+        # Only what was found before may be used: a component that is still unknown is given as nonsense.
+        known |= {name: 1e3 for name in CHAIN.components if name not in found}
+        positions = np.array([[pose[axis]] for axis in CHAIN.axes])
+        given = np.array([[known[name]] for name in CHAIN.components])
+        parameters = np.array([known[name] for name in model.machine.parameters])
+        unknowns = getattr(module, f"system_{number}")(np.array(readings), positions, given, parameters, points)
+        found |= dict(zip(system.unknowns, unknowns[:, 0], strict=True))
+    assert found.keys() == set(CHAIN.components)
+    for name, value in found.items():
+        assert value == pytest.approx(errors[name], rel=1e-9, abs=1e-13), name
+
+
+@cache
+def systems_module() -> Any:
+    model = derived("dmu60p_regular_runs")
+    module = ModuleType("systems")
+    exec(numpy_source(model.machine, model.routines, "test.toml"), module.__dict__)
+    return module
+
+
+def test_the_published_points_of_z_are_singular_and_no_others() -> None:
+    # P_k8 and P_k9 differ in z alone, which the z reading of a Z motion does not feel.
+    found = derived().identification
+    assert found is not None
+    ranks = {}
+    for system in found.systems:
+        matrix = np.array(system.numeric_matrix().subs({sp.Symbol(n, real=True): v for n, v in DIMENSIONS.items()}))
+        ranks[system.runs[0]] = np.linalg.matrix_rank(matrix.astype(float)) - len(system.unknowns)
+    assert ranks.pop("Z-7") == -1
+    assert set(ranks.values()) == {0}
+
+
+def stacked(
+    chain: ExactChain, runs: Sequence[RunPattern], fraction: float, travel: Mapping[str, tuple[float, float]]
+) -> tuple[list[str], np.ndarray]:
+    """Rows d(reading)/d(error) of all runs at a fraction of the travels, the dimensions zero."""
+    names = chain.components + chain.location_errors
+    each = [{name: 1} for name in names]
+    rows = [first_order_readings(chain, run, pose_of(run, fraction, travel), {}, each) for run in runs]
+    return names, np.array(rows)
+
+
+@pytest.mark.parametrize("folder", ["dmu60p_runs", "dmu60p_regular_runs"])
+def test_undetermined_combinations_change_no_reading_and_are_all_there_are(folder: str) -> None:
+    machine = machine_at(DMU60P)
+    combinations = undetermined(machine, patterns(folder))
+    for fraction in (1.0, 0.21):
+        names, rows = stacked(CHAIN, patterns(folder), fraction, machine.travel)
+        scale = np.abs(rows).max(axis=0)
+        # Every component moves in some run of the plan, so each position has as many free directions as the rank lacks.
+        assert len(names) - np.linalg.matrix_rank(rows / scale) == len(combinations)
+        for combination in combinations:
+            if not set(combination) & set(CHAIN.location_errors) and fraction != 1.0:
+                continue  # these hold position by position, with factors of their own
+            vector = np.array(
+                [
+                    float(combination.get(name, 0)) * (fraction * machine.travel[name[2]][1] if name[2] in "XYZ" else 1)
+                    if name in CHAIN.components
+                    else float(combination.get(name, 0))
+                    for name in names
+                ]
+            )
+            assert np.abs(rows * vector).max() > 0
+            assert np.abs(rows @ vector).max() < 1e-9 * np.abs(rows * vector).max()
+
+
+def test_what_the_papers_runs_cannot_determine() -> None:
+    found = undetermined(machine_at(DMU60P), patterns("dmu60p_regular_runs"))
+    assert [set(combination) for combination in found] == [{"EYX", "eps_xy"}, {"EYZ", "eps_yz"}, {"EXZ", "eps_xz"}]
+
+
+def test_a_component_without_a_run_is_said_to_be_unseen() -> None:
+    only_x = tuple(run for run in patterns("dmu60p_runs") if run.moves == ("X",))
+    found = identification(machine_at(DMU60P), only_x)
+    assert found.systems[0].unknowns == ("EXX", "EBX", "ECX")
+    assert set(found.unseen) == set(CHAIN.components) - {"EXX", "EBX", "ECX"}
+
+
+def test_too_few_runs_leave_components_unreached() -> None:
+    found = identification(machine_at(DMU60P), patterns("dmu60p_runs")[:2])
+    assert found.systems == ()
+    assert found.unreached == ("EXX", "EBX", "ECX")
+
+
+def test_more_runs_than_unknowns_make_a_system_without_closed_form() -> None:
+    x = patterns("dmu60p_regular_runs")[:3]
+    again = RunPattern("X-again", x[0].moves, x[0].direction, x[0].frame, ("tool", (5.0, 6.0, 7.0)), x[0].reference)
+    (system,) = identification(machine_at(DMU60P), (*x, again)).systems
+    assert system.matrix.shape == (4, 3)
+    assert system.inverse is None
