@@ -15,7 +15,6 @@ from trueaxis.derive.views import view
 from trueaxis.emit.latex import Latex, broken
 from trueaxis.emit.templates import environment
 from trueaxis.emit.undetermined import combination_text
-from trueaxis.spec.machine import Machine
 from trueaxis.topology import lower_body_array
 
 _ROWS = ("x", "y", "z")
