@@ -1,5 +1,6 @@
 """Output files are written whole or not at all."""
 
+import errno
 import os
 import tempfile
 from collections.abc import Mapping
@@ -11,6 +12,9 @@ def write_files(contents: Mapping[Path, bytes | str]) -> None:
 
     Raises OSError when a file cannot be written; no target has then been touched.
     """
+    for target in contents:
+        if target.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
     staged: list[tuple[str, Path]] = []
     try:
         for target, content in contents.items():
@@ -26,4 +30,4 @@ def write_files(contents: Mapping[Path, bytes | str]) -> None:
         staged.clear()
     finally:
         for name, _ in staged:
-            Path(name).unlink()
+            Path(name).unlink(missing_ok=True)

@@ -1,0 +1,357 @@
+/* Generated from machines/dmu60p.toml, do not edit; regenerate with: trueaxis derive machines/dmu60p.toml
+ * Kernels of DECKEL MAHO DMU60P, translational axes: geometric error model in C17.
+ * Spec: sha256 93adab9a6fd357764f96e0308c68ca7bd984ab5129ca1c2e666f7ab21d9fc948
+ *
+ * Every function computes n points; row k of an array that has a value per point holds point i at [k * stride + i],
+ * n <= stride. Arrays must not overlap. Lengths mm, angles rad, rotary axes deg. Rows and units: kernels.c.
+ */
+#ifndef DMU60P_KERNELS_H
+#define DMU60P_KERNELS_H
+
+#include <stddef.h>
+
+#define TRUEAXIS_KERNEL_ABI 1
+
+/* The ABI that these kernels were compiled with. */
+int dmu60p_kernel_abi(void);
+
+/* SHA-256 of the parsed spec that they were derived from. */
+const char *dmu60p_spec_hash(void);
+
+/* Ideal position of a tool point in the workpiece frame. */
+void dmu60p_tool_in_workpiece_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict ideal);
+
+/* Deviation of a tool point in the workpiece frame, exact. */
+void dmu60p_tool_in_workpiece_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of a tool point in the workpiece frame, to first order in the errors. */
+void dmu60p_tool_in_workpiece_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Sensitivity of a tool point in the workpiece frame to every error, at the error-free machine. */
+void dmu60p_tool_in_workpiece_sensitivity(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict sensitivity);
+
+/* Ideal position of a tool point in the bed frame. */
+void dmu60p_tool_in_bed_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict ideal);
+
+/* Deviation of a tool point in the bed frame, exact. */
+void dmu60p_tool_in_bed_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of a tool point in the bed frame, to first order in the errors. */
+void dmu60p_tool_in_bed_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Sensitivity of a tool point in the bed frame to every error, at the error-free machine. */
+void dmu60p_tool_in_bed_sensitivity(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict sensitivity);
+
+/* Ideal position of a workpiece point in the bed frame. */
+void dmu60p_workpiece_in_bed_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict ideal);
+
+/* Deviation of a workpiece point in the bed frame, exact. */
+void dmu60p_workpiece_in_bed_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of a workpiece point in the bed frame, to first order in the errors. */
+void dmu60p_workpiece_in_bed_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Sensitivity of a workpiece point in the bed frame to every error, at the error-free machine. */
+void dmu60p_workpiece_in_bed_sensitivity(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict sensitivity);
+
+/* Ideal position of a bed point in the workpiece frame. */
+void dmu60p_bed_in_workpiece_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict ideal);
+
+/* Deviation of a bed point in the workpiece frame, exact. */
+void dmu60p_bed_in_workpiece_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of a bed point in the workpiece frame, to first order in the errors. */
+void dmu60p_bed_in_workpiece_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Sensitivity of a bed point in the workpiece frame to every error, at the error-free machine. */
+void dmu60p_bed_in_workpiece_sensitivity(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict sensitivity);
+
+/* Actual position of the tool point in the workpiece frame, exact. */
+void dmu60p_tool_in_workpiece_position(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict position);
+
+/* Actual position of the tool point in the workpiece frame, to first order. */
+void dmu60p_tool_in_workpiece_position_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict position);
+
+/* Deviation of the tool point under polynomial error curves, exact. */
+void dmu60p_tool_in_workpiece_deviation_curves(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict curves,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of the tool point under polynomial error curves, to first order, constants folded once per call. */
+void dmu60p_tool_in_workpiece_deviation_first_order_curves(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict curves,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Positioning error of a ball bar between a tool ball and a workpiece ball, exact. */
+void dmu60p_ballbar_error(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    const double *restrict ball,
+    const double *restrict length,
+    double *restrict error);
+
+/* Moves of the linear axes that displace the ideal tool point by the given vector. */
+void dmu60p_correction(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict deviation,
+    double *restrict moves);
+
+/* Motion equation of X: displacement of the tool point since home, to first order. */
+void dmu60p_motion_X(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* Motion equation of Y: displacement of the workpiece point since home, to first order. */
+void dmu60p_motion_Y(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict workpiece_point,
+    double *restrict displacement);
+
+/* Motion equation of Z: displacement of the tool point since home, to first order. */
+void dmu60p_motion_Z(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* Motion equation of X and Y: displacement of the workpiece point minus tool point since home, to first order. */
+void dmu60p_motion_XY(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict workpiece_point,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* Motion equation of X and Z: displacement of the tool point since home, to first order. */
+void dmu60p_motion_XZ(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* Motion equation of Y and Z: displacement of the workpiece point minus tool point since home, to first order. */
+void dmu60p_motion_YZ(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict workpiece_point,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* EXX, EBX, ECX from the readings. */
+void dmu60p_system_1(
+    size_t n, size_t stride,
+    const double *restrict readings,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict points,
+    double *restrict unknowns);
+
+/* EYY, EAY, ECY from the readings Y-4, Y-5, Y-6. */
+void dmu60p_system_2(
+    size_t n, size_t stride,
+    const double *restrict readings,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict points,
+    double *restrict unknowns);
+
+/* EZZ, EAZ, EBZ from the readings Z-7, Z-8, Z-9. */
+void dmu60p_system_3(
+    size_t n, size_t stride,
+    const double *restrict readings,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict points,
+    double *restrict unknowns);
+
+/* EXZ, ECZ from the readings XZ-1x, XZ-2x. */
+void dmu60p_system_4(
+    size_t n, size_t stride,
+    const double *restrict readings,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict points,
+    double *restrict unknowns);
+
+/* EZX, EAX from the readings XZ-1z, XZ-2z. */
+void dmu60p_system_5(
+    size_t n, size_t stride,
+    const double *restrict readings,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict points,
+    double *restrict unknowns);
+
+/* EXY, EBY from the readings XY-1x, XY-2x. */
+void dmu60p_system_6(
+    size_t n, size_t stride,
+    const double *restrict readings,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict points,
+    double *restrict unknowns);
+
+/* EYX from the readings XY-1y. */
+void dmu60p_system_7(
+    size_t n, size_t stride,
+    const double *restrict readings,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict points,
+    double *restrict unknowns);
+
+/* EYZ from the readings YZ-1y. */
+void dmu60p_system_8(
+    size_t n, size_t stride,
+    const double *restrict readings,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict points,
+    double *restrict unknowns);
+
+/* EZY from the readings YZ-1z. */
+void dmu60p_system_9(
+    size_t n, size_t stride,
+    const double *restrict readings,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict points,
+    double *restrict unknowns);
+
+#endif
