@@ -1,11 +1,11 @@
 """The C kernels: one function per routine, whose loop over the points a compiler vectorises."""
 
-import re
 import textwrap
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from trueaxis.c_prefix import c_prefix
 from trueaxis.derive.routine import Argument, Assignment, Routine
 from trueaxis.emit.c_printer import CPrinter
 from trueaxis.emit.meta import ABI
@@ -51,12 +51,6 @@ class FunctionText:
     stores: tuple[str, ...]
 
 
-def c_identifier(name: str) -> str:
-    """The prefix of a machine's functions: its name with what C does not allow replaced."""
-    identifier = re.sub(r"[^A-Za-z0-9_]", "_", name)
-    return f"machine_{identifier}" if identifier[:1].isdigit() else identifier
-
-
 def c_source(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> str:
     """The text of kernels.c. `spec`: the spec's file as shown in the header. Same input, same bytes."""
     return environment().get_template("kernels.c.j2").render(source_context(machine, routines, spec))
@@ -74,7 +68,7 @@ def source_context(machine: Machine, routines: tuple[Routine, ...], spec: str | 
 
 def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> dict[str, Any]:
     """The variables of kernels.h.j2."""
-    prefix = c_identifier(machine.name)
+    prefix = c_prefix(machine.name)
     return {
         "abi": ABI,
         "digest": machine.digest,
