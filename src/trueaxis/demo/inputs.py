@@ -34,7 +34,7 @@ def copy_machine(out: Path) -> None:
 
 
 def s_path() -> str:
-    """An S of two three-quarter circles as a CL file, one GOTO per millimetre."""
+    """An S (as the workpiece sees it, whose Y is minus the axis's) of two arcs as a CL file, a GOTO per millimetre."""
     steps = round(1.5 * math.pi * S_RADIUS / S_STEP)
     upper = [1.5 * math.pi * k / steps for k in range(steps + 1)]
     points = [(S_RADIUS * math.cos(a), S_RADIUS * (1.0 + math.sin(a))) for a in upper]
@@ -44,7 +44,7 @@ def s_path() -> str:
 
 
 def _goto(point: tuple[float, float]) -> str:
-    return f"GOTO/{CENTRE[0] + point[0]:.6f},{CENTRE[1] + point[1]:.6f},{HEIGHT:.6f}"
+    return f"GOTO/{CENTRE[0] + point[0]:.6f},{CENTRE[1] - point[1]:.6f},{HEIGHT:.6f}"
 
 
 def reach() -> float:
@@ -68,6 +68,11 @@ def circle(clockwise: bool) -> str:
             f"{'G2' if clockwise else 'G3'} X{to_x:.6f} Y{to_y:.6f} I{i:.6f} J{j:.6f} F1000",
         ]
     return "\n".join([*lines, "M30", "%"]) + "\n"
+
+
+def circle_ball() -> str:
+    """The options that choose words along the bar of the circle."""
+    return f"--ball {CENTRE[0]},{-CENTRE[1]},{CIRCLE_HEIGHT} --words ends"
 
 
 def circle_angles(clockwise: bool, count: int = 400) -> list[float]:

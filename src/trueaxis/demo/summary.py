@@ -62,7 +62,7 @@ def _identification(figures: Figures) -> Iterator[str]:
     off_um, off_urad = worst["um"], worst["urad"]
     yield f"  largest departure from the simulated curves, a straight line apart: {off_um:.3f} um, {off_urad:.3f} urad"
     for entry in figures.found.errors.undetermined:
-        yield f"  not determined: {entry.combination}"
+        yield f"  these runs cannot tell apart: {entry.combination.split(':')[0]}"
     yield "  with the points as published the Z system is singular: P_k8 and P_k9 (Table 4) have the same x and y;"
     yield "  P_k9 is taken at y = +72 here (identification_as_published.json says what the published points leave open)"
 

@@ -49,9 +49,9 @@ def _along(panel: Axes, way: FloatArray, errors: PathErrors, name: str, colour: 
     panel.set_title(f"{name}\n|E| mean {e.mean():.4f}, max {e.max():.4f} \N{MICRO SIGN}m", fontsize=9, loc="left")
     panel.set_xlabel("way along the path (mm)", fontsize=8)
     panel.set_ylabel("error (\N{MICRO SIGN}m)", fontsize=8)
-    panel.set_ylim(0.0, None)
     panel.tick_params(labelsize=8)
-    panel.legend(fontsize=7, frameon=False, loc="upper right")
+    panel.set_ylim(0.0, 1.25 * vector.max())
+    panel.legend(fontsize=7, frameon=False, loc="upper right", ncols=2)
     panel.spines[["top", "right"]].set_visible(False)
 
 

@@ -32,23 +32,32 @@ def polar_plot(panels: Sequence[tuple[str, Sequence[Trace]]], title: str) -> byt
 
 
 def _figure(panels: Sequence[tuple[str, Sequence[Trace]]], title: str) -> Figure:
-    figure = Figure(figsize=(4.8 * len(panels), 5.6), dpi=110, layout="constrained")
-    figure.suptitle(title, fontsize=11)
-    reach = 1.25e3 * max(float(np.abs(trace.radial).max()) for _, traces in panels for trace in traces)
+    figure = Figure(figsize=(4.8 * len(panels), 5.4), dpi=110)
+    figure.suptitle(title, fontsize=11, y=0.98)
+    figure.subplots_adjust(left=0.06, right=0.94, bottom=0.1, top=0.82, wspace=0.3)
+    largest = 1e3 * max(float(np.abs(trace.radial).max()) for _, traces in panels for trace in traces)
+    tick = _round_up(largest)
     for column, (name, traces) in enumerate(panels):
         panel = cast(PolarAxes, figure.add_subplot(1, len(panels), column + 1, projection="polar"))
         circle = np.linspace(0.0, 2.0 * np.pi, 361)
         panel.plot(circle, np.zeros_like(circle), color="#B0B0B0", linewidth=0.8)
         for trace, colour, line in zip(traces, (BLUE, ORANGE), ("-", "--"), strict=False):
             angles, radial = _broken(trace.angles, 1e3 * trace.radial)
-            panel.plot(angles, radial, line, color=colour, linewidth=1.3, label=trace.name)
-        panel.set_ylim(-2.0 * reach, reach)
-        panel.set_yticks(np.array([-1.0, 0.0, 1.0]) * reach / 1.25)
-        panel.set_yticklabels([f"{tick:+.2g}" for tick in np.array([-1.0, 0.0, 1.0]) * reach / 1.25], fontsize=7)
+            panel.plot(angles, radial, line, color=colour, linewidth=1.2, label=trace.name)
+        panel.set_ylim(-2.2 * tick, 1.1 * tick)
+        panel.set_yticks([-tick, 0.0, tick])
+        panel.set_yticklabels([f"-{tick:g}", "0", f"+{tick:g} \N{MICRO SIGN}m"], fontsize=7)
         panel.tick_params(labelsize=8)
-        panel.set_title(f"{name}\n(radial scale \N{MICRO SIGN}m)", fontsize=9)
-        panel.legend(fontsize=7, frameon=False, loc="lower center", bbox_to_anchor=(0.5, -0.2), ncols=2)
+        panel.set_title(name, fontsize=9)
+    handles, labels = panel.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", ncols=2, fontsize=8, frameon=False)
     return figure
+
+
+def _round_up(value: float) -> float:
+    """1, 2 or 5 times a power of ten, not less than the value."""
+    power = 10.0 ** np.floor(np.log10(max(value, 1e-6)))
+    return float(next(step * power for step in (1.0, 2.0, 5.0, 10.0) if step * power >= value))
 
 
 def _broken(angles: FloatArray, radial: FloatArray) -> tuple[FloatArray, FloatArray]:
