@@ -40,7 +40,7 @@ class XyzMachine:
 
     def ideal(self, positions: FloatArray, point: FloatArray) -> FloatArray:
         x, y, z = positions
-        return np.stack([x, -y, z]) + point
+        return np.asarray(np.stack([x, -y, z]) + point)
 
     def actual(self, positions: FloatArray, point: FloatArray) -> FloatArray:
         at = dict(zip("XYZ", positions, strict=True))
@@ -54,17 +54,17 @@ class XyzMachine:
         return np.linalg.solve(workpiece, tool @ p)[:, :3, 0].T
 
     def deviation(self, positions: FloatArray, point: FloatArray) -> FloatArray:
-        return self.actual(positions, point) - self.ideal(positions, point)
+        return np.asarray(self.actual(positions, point) - self.ideal(positions, point))
 
-    def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:  # noqa: ARG002  # the model's interface
-        return deviation * np.array([[1.0], [-1.0], [1.0]])
+    def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:  # noqa: ARG002
+        return np.asarray(deviation * np.array([[1.0], [-1.0], [1.0]]))
 
 
 def polynomial(*coefficients: float) -> Callable[[FloatArray], FloatArray]:
     """c1 u + c2 u^2 + ... in u = position / 500."""
 
     def value(position: FloatArray) -> FloatArray:
-        return np.polynomial.polynomial.polyval(position / 500.0, (0.0, *coefficients))
+        return np.asarray(np.polynomial.polynomial.polyval(position / 500.0, (0.0, *coefficients)))
 
     return value
 

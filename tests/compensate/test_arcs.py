@@ -93,9 +93,7 @@ def test_arcs_are_compensated_on_their_way(bench: Bench) -> None:
     st.floats(1e-4, 0.1),
     st.floats(-50.0, 50.0),
 )
-def test_any_arc(
-    radius: float, begin: float, sweep: float, sense: float, tolerance: float, rise: float
-) -> None:
+def test_any_arc(radius: float, begin: float, sweep: float, sense: float, tolerance: float, rise: float) -> None:
     centre = (3.0, -4.0, 5.0)
 
     def at(angle: float, z: float) -> tuple[float, float, float]:

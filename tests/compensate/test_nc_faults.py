@@ -8,13 +8,15 @@ from trueaxis.faults import InputError
 HEAD = "G21 G90 G17\nG0 X1. Y1. Z1.\n"
 
 FAULTY = [
-    "G41 D1", "G42 D2 X5.", "G43 H1 Z10.", "G44 H1", "G10 L2 P1 X0", "G52 X5.", "G53 X0.", "G54", "G54.1 P3", "G59",
+    "G41 D1", "G42 D2 X5.",
+    "G43 H1 Z10.", "G44 H1", "G10 L2 P1 X0", "G52 X5.", "G53 X0.", "G54", "G54.1 P3", "G59",
     "G68 X0. Y0. R30.", "G51 X2.", "G51.1 X0.", "G93", "#1=5", "X#1", "X[1+2]", "WHILE [#1 LT 5] DO1", "GOTO 10",
     "IF [1 EQ 1] GOTO 5", "M98 P100", "M99", "G65 P9000", "G28 Z0.", "G30", "G81 Z-5. R2. F50", "G89 Z-1.", "G16",
     "G5 P1", "G6.2", "G7.1 C10.", "G12.1", "G33 Z5. K1.", "G92 X0.", "G90.1", "G123", "G1.5", "G-1", "M1.5", "M128",
     "A90.", "G1 A5.", "U5.", "X1. X2.", "G0 G1 X5.", "G90 G91", "G20 G21", "G17 G18", "X", "XY5.", "X--1", "X1e400",
     "XNAN", "X1,5", "X1.2.3", "Xinf", "(open", "((nested))", "\x00\x01", "X5. \xa7", "G1 X5. *71", "X1e5", "P5.",
-    "G1 I5. J1.", "G2 X5. Y5.", "G2 X5. Y5. I1. J1. R5.", "G2 X9. Y1. R1.", "G2 R5.", "G2 X9. Y9. I1. J0.", "G2 I0. J0.",
+    "G1 I5. J1.", "G2 X5. Y5.", "G2 X5. Y5. I1. J1. R5.", "G2 X9. Y1. R1.", "G2 R5.", "G2 X9. Y9. I1. J0.",
+    "G2 I0. J0.",
     "G2 X5. Y1. I2. K1.", "G80 X5.", "G4 X1. Y1.", "H1", "D3", "X9999.", "G91 X-2000.", "/ X5.", "G68.2", "G96 S100",
     "X" + "9" * 400, "=", "$1", "G1 X5. E5.", "T1 Q5.", "G50 X1. G1", "G2 X3. Y1. I1. J0. P2",
 ]  # fmt: skip
@@ -34,8 +36,10 @@ def test_each_is_a_fault_of_its_line(bench: Bench, block: str) -> None:
 @pytest.mark.parametrize(
     "block",
     [
-        "G40", "G49", "G80", "G94", "G95", "G64", "G61", "G61.1", "G97 S100", "G69", "G50", "G50.1", "G15", "G98", "G91.1",
-        "D0", "H0", "G4 P1.5", "G4 X1.", "T5", "M6 T5", "S1000 M3", "M123", "M19 P5", "G64 P0.01", "(M98 G41)", ";G41",
+        "G40", "G49", "G80", "G94", "G95",
+        "G64", "G61", "G61.1", "G97 S100", "G69", "G50", "G50.1", "G15", "G98", "G91.1",
+        "D0", "H0", "G4 P1.5", "G4 X1.", "T5", "M6 T5", "S1000 M3", "M123", "M19 P5", "G64 P0.01",
+        "(M98 G41)", ";G41",
         "/ M8", "", "N5", "%", "G40 G49 G80 G17", "F100", "G9",
     ],
 )  # fmt: skip
@@ -85,6 +89,13 @@ def test_where_it_goes_is_not_known(bench: Bench, program: str, line: int, words
 def test_out_of_travel_says_which_axis_and_its_travel(bench: Bench) -> None:
     with pytest.raises(InputError, match=r"Y = 1000.5 is outside its travel; from -1000 to 1000"):
         bench.run(HEAD + "G1 Y1000.5\n")
+
+
+def test_an_arc_that_bulges_out_of_the_travel(bench: Bench) -> None:
+    with pytest.raises(InputError, match=r"line 3: X = 100\d.* is outside its travel"):
+        bench.run("G0 X995. Y0. Z0.\nG3 X985. I-5. F9\nG3 X985. Y1. I10. J0.5\n")
+    with pytest.raises(InputError, match=r"takes \d+ chords"):
+        bench.run("G0 X100. Y0. Z0.\nG3 I-100. F9\n", chord_tolerance=1e-11)
 
 
 def test_an_axis_that_the_start_names_must_exist(bench: Bench) -> None:

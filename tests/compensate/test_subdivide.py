@@ -10,7 +10,7 @@ ORIGIN = np.zeros((3, 1))
 
 
 def along(machine: XyzMachine, commands: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    """Error vectors along executed lines, sampled 41 times a block; the line is wanted straight in the machine's axes."""
+    """Error vectors along executed lines, 41 samples a block; the line is wanted straight in the axes."""
     shares = np.linspace(0.0, 1.0, 41)
     found = []
     for a, b in zip(commands.T[:-1], commands.T[1:], strict=True):

@@ -177,9 +177,11 @@ class NcReader:
         due = set(meaning.miscellaneous)
         if due - codes.M_BEFORE - codes.M_AFTER:
             self._notes.add(number, "an M code of unknown timing stays with the first part of a block that is cut")
+        kind = Kind.ARC if arc else _STRAIGHT[motion]
+        written = tuple(axis in meaning.axes for axis in self._axes)
         return Move(
-            number, Kind.ARC if arc else _STRAIGHT[motion], known_end, tuple(axis in meaning.axes for axis in self._axes),
-            state.absolute, state.inch, text.lead, text.tail, self._gap, line[len(body) :],
+            number, kind, known_end, written, state.absolute, state.inch, text.lead, text.tail, self._gap,
+            line[len(body) :],
             "" if arc or insert else line, again, text.split, arc, not due and not meaning.exact_stop,
         )  # fmt: skip
 

@@ -1,5 +1,6 @@
 """Compensates a whole program, batch by batch, so that its length does not matter to memory."""
 
+import math
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -7,11 +8,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensate.arcs import MOST_CHORDS, chord_counts
+from trueaxis.compensate.arcs import MOST_CHORDS, Arc, chord_counts
 from trueaxis.compensate.executed import Executed, execute, joined
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.lattice import stretches
-from trueaxis.compensate.machine import ErrorModel, FloatArray
+from trueaxis.compensate.machine import LINEAR, ErrorModel, FloatArray
 from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
 from trueaxis.compensate.path import Path, path_of
 from trueaxis.compensate.report import BallBar, CompensationReport
@@ -68,54 +69,61 @@ class Compensator:
                 self._programmed = self._written = np.array(item.position)
                 self._settled = False
                 continue
+            if not isinstance(item, str) and item.arc is not None:
+                chords = self._chords(item, item.arc)
+                if chords > MOST_CHORDS:
+                    self._faults.add(item.line, f"the arc takes {chords} chords", "say a larger --chord-tolerance")
+                    item = item._replace(arc=None, kind=Kind.LINE)  # noqa: PLW2901  # only to read on
+                load += chords
             batch.append(item)
-            load += 1 if isinstance(item, str) or item.arc is None else self._chords(item)
+            load += 1
             if load >= self._settings.batch_points:
                 yield self._batch(batch)
                 batch, load = [], 0
         yield self._batch(batch)
 
-    def _chords(self, move: Move) -> int:
-        if move.arc is None:
-            return 1
-        radius = float(np.linalg.norm(np.array(move.end[:3]) - np.array(move.arc.centre[: len(move.end[:3])])))
-        count = int(chord_counts(np.array(radius), np.array(move.arc.sweep), self._settings.chord_tolerance))
-        if count > MOST_CHORDS:
-            self._faults.add(move.line, f"the arc takes {count} chords", "a larger --chord-tolerance")
-        return count
+    def _chords(self, move: Move, arc: Arc) -> int:
+        at = dict(zip(self._model.axes, move.end, strict=True))
+        radius = math.dist([at.get(axis, 0.0) for axis in LINEAR], arc.centre)  # with its rise; a bound
+        count = chord_counts(np.array(radius), np.array(arc.sweep), self._settings.chord_tolerance)
+        return int(count)
 
     def _batch(self, batch: list[str | Move]) -> str:
         moves = [item for item in batch if not isinstance(item, str)]
         if not moves:
             return "".join(item for item in batch if isinstance(item, str))
-        self._inside(moves)
         start, self._programmed = self._programmed, np.array(moves[-1].end)
+        if self._faults.count:  # moves may be missing: where arcs would start is not known
+            moves = [move._replace(arc=None) for move in moves]
+        path = path_of(moves, start, self._model.axes, self._settings.chord_tolerance)
+        self._inside(moves, path)
         if self._faults.count:
             return ""
-        texts = self._compensated(moves, start, _follows(batch))
+        texts = self._compensated(moves, start, path, _follows(batch))
         if len(texts) == len(batch):
             return "".join(texts)
         of_moves = iter(texts)
         return "".join(item if isinstance(item, str) else next(of_moves) for item in batch)
 
-    def _inside(self, moves: list[Move]) -> None:
-        ends = np.array([move.end for move in moves]).T
-        outside = (ends < self._low) | (ends > self._high)
-        for index in np.flatnonzero(outside.any(axis=0)):
-            axis = self._model.axes[int(np.argmax(outside[:, index]))]
+    def _inside(self, moves: list[Move], path: Path) -> None:
+        """Note programmed positions, those along arcs too, that are outside the travel; once a block."""
+        outside = (path.points < self._low) | (path.points > self._high)
+        points = np.flatnonzero(outside.any(axis=0))
+        for point in points[np.unique(path.owner[points], return_index=True)[1]]:
+            row = int(np.argmax(outside[:, point]))
+            axis = self._model.axes[row]
             low, high = self._model.travel[axis]
             self._faults.add(
-                moves[index].line,
-                f"{axis} = {moves[index].end[self._model.axes.index(axis)]:g} is outside its travel",
+                moves[path.owner[point]].line,
+                f"{axis} = {path.points[row, point]:g} is outside its travel",
                 f"from {low:g} to {high:g}",
             )
 
-    def _compensated(self, moves: list[Move], start: FloatArray, follows: NDArray[np.bool_]) -> list[str]:
+    def _compensated(self, moves: list[Move], start: FloatArray, path: Path, follows: NDArray[np.bool_]) -> list[str]:
         settings, model, tool_point = self._settings, self._model, self._tool_point
         axes = model.axes
         if np.isnan(start).any() and moves[0].kind != Kind.RAPID:
             self._notes.add(moves[0].line, "a feed motion from an unknown position: only its end is compensated")
-        path = path_of(moves, start, axes, settings.chord_tolerance)
         path = subdivide(path, model, tool_point, settings.tolerance)
         absolute = np.array([move.absolute for move in moves])[path.owner]
         inch = np.array([move.inch for move in moves])[path.owner]
@@ -137,8 +145,10 @@ class Compensator:
         owner = path.owner[done.point]
         before = np.concatenate([self._written[:, None], done.positions[:, :-1]], axis=1)
         self._written, self._settled = previous, True
-        ends = np.array([move.end for move in moves]).T[:, owner]
-        return self._writer.texts(moves, owner, done.positions, before, steps[:, done.point], ends)
+        ends = np.array([move.end for move in moves]).T
+        starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
+        programmed = (ends[:, owner], starts[:, owner])
+        return self._writer.texts(moves, owner, done.positions, before, steps[:, done.point], programmed)
 
     def _solved(self, path: Path, steps: FloatArray) -> Solution:
         """Solve with the rotary positions that their words can name."""

@@ -29,12 +29,13 @@ class BlockWriter:
         positions: FloatArray,
         previous: FloatArray,
         steps: FloatArray,
-        programmed_end: FloatArray,
+        programmed: tuple[FloatArray, FloatArray],
     ) -> list[str]:
         """One text for each move: its block, or the blocks it has become.
 
         owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
-        before them (NaN: not known); steps: (n_axes, n), mm or deg per step of a word; programmed_end: (n_axes, n).
+        before them (NaN: not known); steps: (n_axes, n), mm or deg per step of a word; programmed: end and start of the
+        move that each belongs to, (n_axes, n).
         """
         absolute = np.array([move.absolute for move in moves])[owner]
         with np.errstate(invalid="ignore"):
@@ -42,12 +43,12 @@ class BlockWriter:
         origin = np.where(absolute, 0.0, previous)
         counts = np.rint((positions - origin) / steps).astype(np.int64).T.tolist()
         stay = stays.T.tolist()
-        as_programmed = (np.abs(positions - programmed_end) < _HOLDS).all(axis=0)
-        moved_as_written = as_programmed & (
-            absolute
-            | (np.abs(self._programmed_step(programmed_end, previous) - (positions - previous)) < _HOLDS).all(axis=0)
-        )
-        unchanged = moved_as_written.tolist()
+        # a word may stay as it is where it names the position to be reached, and an increment where it starts as it did
+        ends, starts = programmed
+        with np.errstate(invalid="ignore"):
+            held_end = (np.abs(positions - ends) < _HOLDS).all(axis=0)
+            held_start = (np.abs(previous - starts) < _HOLDS).all(axis=0)
+        unchanged = (held_end & (absolute | held_start)).tolist()
         pieces = np.bincount(owner, minlength=len(moves)).tolist()
         out = []
         place = 0
@@ -58,10 +59,6 @@ class BlockWriter:
                 out.append(self._several(move, counts[place : place + number], stay[place : place + number]))
             place += number
         return out
-
-    @staticmethod
-    def _programmed_step(end: FloatArray, previous: FloatArray) -> FloatArray:
-        return np.asarray(end - previous)
 
     def _single(self, move: Move, counts: list[int], stay: list[bool], unchanged: bool) -> str:
         if unchanged and move.source and all(held or written for held, written in zip(stay, move.written, strict=True)):
