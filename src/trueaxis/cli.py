@@ -2,6 +2,7 @@
 
 import argparse
 import importlib
+import logging
 import sys
 from collections.abc import Sequence
 
@@ -31,6 +32,7 @@ def build_parser() -> argparse.ArgumentParser:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command. Returns the exit code."""
     args = build_parser().parse_args(arguments)
+    logging.basicConfig(format="trueaxis: %(message)s", level=logging.WARNING)
     try:
         return int(args.run(args))
     except InputError as error:

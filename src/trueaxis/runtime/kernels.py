@@ -1,6 +1,8 @@
 """Load the generated kernels of a machine: NumPy always, C where it has been or can be compiled."""
 
 import importlib.util
+import logging
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,10 +13,13 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.faults import Fault, InputError
+from trueaxis.runtime.c_kernels import load_c_kernels
 from trueaxis.spec.machine import Machine
 
 FloatArray = npt.NDArray[np.float64]
-Kernel = Callable[..., FloatArray]
+Kernel = Callable[..., Any]
+
+_LOG = logging.getLogger(__name__)
 
 ABI = 1  # of the kernels that this runtime calls
 
@@ -23,7 +28,8 @@ ABI = 1  # of the kernels that this runtime calls
 class Kernels:
     """The kernels of one machine: `kernels["tool_in_workpiece_deviation"](positions, errors, parameters, point)`.
 
-    meta: the META record of the generated module. backend: "numpy" or "c"; note: why it is not C, if it is not.
+    meta: META of the generated module. backend: "numpy" or "c"; note: why it is not C, empty if it is or if NumPy was asked for.
+    C kernels take `threads=k` besides.
     """
 
     meta: Mapping[str, Any]
@@ -39,10 +45,11 @@ class Kernels:
         return name in self.routines
 
 
-def load_kernels(machine: Machine, spec: Path, folder: Path, *, backend: str = "auto") -> Kernels:
+def load_kernels(machine: Machine, spec: Path, folder: Path, *, backend: str | None = None) -> Kernels:
     """The kernels in `folder`/NAME, checked to be those of this machine and of this runtime.
 
-    backend: "auto" (C if it can be had, else NumPy), "c" or "numpy".
+    backend: "auto" (C if it can be had, else NumPy, which is said once), "c" or "numpy"; by default what the
+    environment variable TRUEAXIS_BACKEND says, else "auto".
     Raises InputError when they are missing, of another ABI or made from another spec, with the command to run.
     """
     path = folder / machine.name / "kernels.py"
@@ -55,13 +62,17 @@ def load_kernels(machine: Machine, spec: Path, folder: Path, *, backend: str = "
     if getattr(module, "SPEC_HASH", None) != machine.digest:
         raise InputError([Fault(str(path), "SPEC_HASH", f"is not that of {spec} as it is now", remedy)])
     routines = {name: getattr(module, name) for name in module.META["routines"]}
-    note = "NumPy as asked"
-    if backend != "numpy":
-        compiled, note = _compiled(path.with_name("kernels.c"), machine, module)
-        if compiled:
-            return Kernels(module.META, module, compiled, "c", "")
-        if backend == "c":
-            raise InputError([Fault(str(path.with_name("kernels.c")), "", note, "a C compiler, or --backend numpy")])
+    backend = backend or os.environ.get("TRUEAXIS_BACKEND", "auto")
+    if backend == "numpy":
+        return Kernels(module.META, module, routines, "numpy", "")
+    source = path.with_name("kernels.c")
+    compiled, reason = load_c_kernels(source, machine.name, machine.digest, ABI, module.META["routines"])
+    if compiled:
+        return Kernels(module.META, module, compiled, "c", "")
+    if backend == "c":
+        raise InputError([Fault(str(source), "", reason, "a C compiler, or TRUEAXIS_BACKEND=numpy")])
+    note = f"running on NumPy, several times slower than C: {reason}"
+    _LOG.warning(note)
     return Kernels(module.META, module, routines, "numpy", note)
 
 
@@ -75,7 +86,3 @@ def _module(path: Path) -> ModuleType:
     except (SyntaxError, ValueError, NameError, OSError) as error:
         raise InputError([Fault(str(path), "", f"cannot be loaded: {error}")]) from error
     return module
-
-
-def _compiled(source: Path, machine: Machine, module: ModuleType) -> tuple[Mapping[str, Kernel], str]:
-    return {}, "no C kernels"

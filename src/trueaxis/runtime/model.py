@@ -81,26 +81,30 @@ class MachineModel:
         axes = [self.axes.index(name[2]) for name in self.components]
         return evaluate_components(self.errors.motion_errors, self.components, axes, positions)
 
+    def _call(self, name: str, *arrays: FloatArray) -> FloatArray:
+        result: FloatArray = self.kernels[name](*arrays)
+        return result
+
     def view_ideal(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
         """Coordinates of the point on the error-free machine."""
-        return self.kernels[f"{view}_ideal"](positions, self.parameter_values, point)
+        return self._call(f"{view}_ideal", positions, self.parameter_values, point)
 
     def view_deviation(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
         """Actual minus ideal coordinates, on the exact model."""
         if view == "tool_in_workpiece" and self._curves is not None and point.shape[1] == 1:
-            kernel = self.kernels["tool_in_workpiece_deviation_curves"]
-            return kernel(positions, self._curves, self.parameter_values, np.ascontiguousarray(point[:, 0]))
+            name = "tool_in_workpiece_deviation_curves"
+            return self._call(name, positions, self._curves, self.parameter_values, point[:, 0])
         return self.view_deviation_of(view, positions, self.component_errors(positions), self.parameter_values, point)
 
     def view_deviation_of(
         self, view: str, positions: FloatArray, errors: FloatArray, parameters: FloatArray, point: FloatArray
     ) -> FloatArray:
         """Actual minus ideal coordinates with component errors (n_components, n) and parameters given."""
-        return self.kernels[f"{view}_deviation"](positions, errors, parameters, point)
+        return self._call(f"{view}_deviation", positions, errors, parameters, point)
 
     def view_sensitivity(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
         """(3, n_components + n_location_errors, n): derivative of the deviation by each error, error-free."""
-        return self.kernels[f"{view}_sensitivity"](positions, self.parameter_values, point)
+        return self._call(f"{view}_sensitivity", positions, self.parameter_values, point)
 
     def ideal(self, positions: FloatArray, point: FloatArray) -> FloatArray:
         """Tool point in the workpiece frame without errors."""
@@ -112,7 +116,7 @@ class MachineModel:
 
     def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:
         """(n_axes, n): moves of the linear axes that displace the ideal tool point by `deviation`; rotary rows 0."""
-        moves = self.kernels["correction"](positions, deviation)
+        moves = self._call("correction", positions, deviation)
         rows = [index for index, axis in enumerate(self.axes) if axis in LINEAR]
         result = np.zeros((len(self.axes), moves.shape[1]))
         result[rows] = moves
@@ -120,7 +124,7 @@ class MachineModel:
 
 
 def load_model(
-    machine_path: Path, errors_path: Path | None, kernels_dir: Path, *, backend: str = "auto"
+    machine_path: Path, errors_path: Path | None, kernels_dir: Path, *, backend: str | None = None
 ) -> MachineModel:
     """Read a machine, its kernels and (if given) its error values.
 
