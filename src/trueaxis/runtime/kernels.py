@@ -28,8 +28,8 @@ ABI = 1  # of the kernels that this runtime calls
 class Kernels:
     """The kernels of one machine: `kernels["tool_in_workpiece_deviation"](positions, errors, parameters, point)`.
 
-    meta: META of the generated module. backend: "numpy" or "c"; note: why it is not C, empty if it is or if NumPy was asked for.
-    C kernels take `threads=k` besides.
+    meta: META of the generated module. backend: "numpy" or "c"; note: why it is not C, empty if it
+    is or if NumPy was asked for. C kernels take `threads=k` besides.
     """
 
     meta: Mapping[str, Any]
