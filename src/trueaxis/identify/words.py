@@ -32,6 +32,15 @@ def enumerated(words: Sequence[str]) -> str:
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}" if words else ""
 
 
+def split_apart(names: Sequence[str], partners: Sequence[str], shares: Sequence[Share]) -> str:
+    """That location errors and slopes can take each other's place: `eps_xy and the slope of EYX: only their sum ...`."""
+    last = shares[-1].value
+    alone = len(shares) == 2 and abs(abs(last) - 1.0) < 1e-6
+    kind = "combination" if not alone else "sum" if last < 0.0 else "difference"
+    what = f"{enumerated(names)} and the slope of {enumerated(partners)}"
+    return f"{what}: only their {kind} is determined ({together(shares)} changes no reading)"
+
+
 def slope_unit(component: str) -> str:
     """`mm/mm`, `rad/deg` and the like."""
     return f"{'mm' if component[1] in LINEAR else 'rad'}/{'mm' if component[2] in LINEAR else 'deg'}"

@@ -7,7 +7,7 @@ import numpy as np
 from trueaxis.identify.global_fit.result import GlobalResult
 from trueaxis.identify.machine import units
 from trueaxis.identify.report import ComponentReport, Known, LocationReport
-from trueaxis.identify.words import Share, enumerated, slope_unit, together, unit_of
+from trueaxis.identify.words import Share, enumerated, slope_unit, split_apart, together, unit_of
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import Undetermined
@@ -131,10 +131,7 @@ def _settled(result: GlobalResult, vector: FloatArray) -> Undetermined:
     others = _component_shares(result, vector)
     partners = [part.component for part in _parts(result, vector)]
     names = [share.what for share in shares]
-    text = (
-        f"{enumerated(names)} and the slope of {enumerated(partners)}: only their sum is determined "
-        f"({together([*shares, *others])} changes no reading); {names[0]}: {RULES['convention']}"
-    )
+    text = f"{split_apart(names, partners, [*shares, *others])}; {names[0]}: {RULES['convention']}"
     return Undetermined(text, (*names, *partners))
 
 

@@ -12,6 +12,7 @@ from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE, Factors, 
 from trueaxis.identify.global_fit.result import GlobalOptions, GlobalResult
 from trueaxis.identify.machine import IdentifiedMachine, lever
 from trueaxis.identify.noise import noise
+from trueaxis.identify.notes import dimension_notes, weak_notes
 from trueaxis.identify.observations import Observations
 from trueaxis.identify.report import BlockReport, Identification, IdentificationReport
 from trueaxis.measure.machine import FloatArray
@@ -84,6 +85,7 @@ def _identification(result: GlobalResult) -> Identification:
     plan = result.layout
     curves, u = describe.curves(result), describe.location_u(result)
     undetermined = describe.undetermined(result)
+    found = describe.components(result)
     fitted = plan.values(result.unknowns, result.given)
     values = replace(
         fitted,
@@ -115,7 +117,8 @@ def _identification(result: GlobalResult) -> Identification:
         noise_um=result.noise.um,
         noise_origin=result.noise.origin,
         locations=describe.locations(result),
-        components=describe.components(result),
+        components=found,
         undetermined=undetermined,
+        notes=(*dimension_notes(plan.machine, result.given), *weak_notes(found)),
     )
     return Identification(values, report)

@@ -10,7 +10,7 @@ from trueaxis.identify.paper.result import PaperResult
 from trueaxis.identify.paper.squareness import covered
 from trueaxis.identify.paper.steps import SolvedStep
 from trueaxis.identify.report import BlockReport, ComponentReport, Known, LocationReport
-from trueaxis.identify.words import Share, enumerated, only_slope, slope_unit, together, unit_of
+from trueaxis.identify.words import Share, enumerated, only_slope, slope_unit, split_apart, together, unit_of
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import Undetermined
 
@@ -167,10 +167,7 @@ def _gone_along(result: PaperResult, index: int) -> Undetermined:
             shares.append(Share(f"the curve of {component}", float(along[nodes][far]), unit_of(component)))
         else:
             shares.append(Share(component, slope, slope_unit(component)))
-    text = (
-        f"{name} and the slope of {enumerated(partners)}: only their sum is determined ({together(shares)} changes no "
-        f"reading); {name}: {origin}"
-    )
+    text = f"{split_apart([name], partners, shares)}; {name}: {origin}"
     return Undetermined(text, (name, *partners))
 
 

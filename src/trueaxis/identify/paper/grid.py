@@ -64,7 +64,8 @@ class Cells:
     """Readings of one run at one position, averaged: the least-squares solution is the same, and memory is bounded.
 
     run: (n,); knot: (n_axes, n); positions: (n_axes, n), mm or deg; mean: (n,), mm; repeats: (n,), how many readings;
-    scatter: sum of squares about the means, mm^2; readings: how many there are in all.
+    scatter:
+    (n,), sums of squares about the means, mm^2; readings: how many there are in all.
     """
 
     run: IntArray
@@ -72,7 +73,7 @@ class Cells:
     positions: FloatArray
     mean: FloatArray
     repeats: FloatArray
-    scatter: float
+    scatter: FloatArray
     readings: int
 
 
@@ -102,6 +103,6 @@ def _cells(observed: Observations, knot: IntArray, grid: Grid) -> Cells:
     keys, inverse = np.unique(np.vstack([observed.run, knot]), axis=1, return_inverse=True)
     repeats = np.bincount(inverse).astype(np.float64)
     mean = np.bincount(inverse, weights=observed.reading) / repeats
-    scatter = float(np.sum((observed.reading - mean[inverse]) ** 2))
+    scatter = np.bincount(inverse, weights=(observed.reading - mean[inverse]) ** 2)
     positions = np.array([of_axis[at] for of_axis, at in zip(grid.knots, keys[1:], strict=True)])
     return Cells(keys[0], keys[1:], positions, mean, repeats, scatter, observed.reading.size)

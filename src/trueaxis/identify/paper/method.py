@@ -8,6 +8,7 @@ from scipy.sparse import csr_array
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise, noise
+from trueaxis.identify.notes import dimension_notes, weak_notes
 from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper import describe
 from trueaxis.identify.paper.equations import equations
@@ -75,7 +76,7 @@ def _of_free(along: csr_array, free: BoolArray) -> FloatArray:
 def _noise(steps: Steps, cells: Cells, solution: Solution, given_um: float | None) -> tuple[Noise, float]:
     """The noise, and the rms of the residuals (mm) of the readings that stand in steps."""
     used = np.unique(np.concatenate([step.cells for step in steps.steps])) if steps.steps else np.zeros(0, dtype=int)
-    squares = float(cells.repeats[used] @ solution.residual[used] ** 2) + cells.scatter
+    squares = float(cells.repeats[used] @ solution.residual[used] ** 2 + cells.scatter[used].sum())
     readings = int(cells.repeats[used].sum())
     rank = sum(step.inverse.rank for step in steps.steps)
     return noise(squares, readings, rank, given_um), float(np.sqrt(squares / max(readings, 1)))
@@ -94,11 +95,13 @@ def _uncertainty(
 def _identification(result: PaperResult) -> Identification:
     grid, machine = result.grid, result.machine
     curves = tables(grid, result.solution.nodes, result.steps.reached, result.u_nodes)
-    notes: tuple[str, ...] = ()
+    found = describe.components(result)
+    notes = (*dimension_notes(machine, result.given), *weak_notes(found))
     if result.options.curves == "polynomial":
         from trueaxis.identify.curve_fit import polynomial_curves  # noqa: PLC0415  statsmodels takes long to import
 
-        curves, notes = polynomial_curves(curves)
+        curves, more = polynomial_curves(curves)
+        notes += more
     undetermined = describe.undetermined(result)
     located = dict(zip(machine.location_errors, result.solution.locations.tolist(), strict=True))
     u = {}
@@ -128,7 +131,7 @@ def _identification(result: PaperResult) -> Identification:
         noise_um=result.noise.um,
         noise_origin=result.noise.origin,
         locations=describe.locations(result),
-        components=describe.components(result),
+        components=found,
         undetermined=undetermined,
         notes=notes,
     )

@@ -1,0 +1,20 @@
+"""What a reader of identified values must know besides."""
+
+from collections.abc import Sequence
+
+from trueaxis.identify.machine import IdentifiedMachine
+from trueaxis.identify.report import ComponentReport
+from trueaxis.identify.words import enumerated
+from trueaxis.runtime.errors import ErrorValues
+
+
+def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str, ...]:
+    """Dimensions that nobody gave."""
+    silent = [n for n in machine.parameters if n not in machine.location_errors and n not in given.parameters]
+    return (f"{enumerated(silent)}: not given (--known), taken as zero",) if silent else ()
+
+
+def weak_notes(components: Sequence[ComponentReport]) -> tuple[str, ...]:
+    """Components that are hardly larger than their uncertainty."""
+    weak = [c.name for c in components if c.u is not None and 2.0 * c.u > c.largest]
+    return (f"{enumerated(weak)}: less than twice the standard uncertainty everywhere",) if weak else ()
