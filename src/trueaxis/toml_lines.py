@@ -1,20 +1,23 @@
 """Where a key of a TOML file stands: the standard parser reports values without positions."""
 
+import re
 import tomllib
 from collections.abc import Iterator
 from typing import Any
 
 KeyPath = tuple[str | int, ...]
 
+_DEEPEST = 8  # keys of files that people write; dotted keys nest as deep as they are long
+
 
 def key_lines(text: str) -> dict[KeyPath, int]:
-    """First line (from 1) of every key path in a valid TOML text.
+    """First line (from 1) of every key path in a valid TOML text, down to eight steps from the top.
 
     The text is parsed anew after each line: a key belongs to the stretch of lines after whose end it is first
     seen, and that stretch begins on the line after the previous valid prefix. Costs O(lines^2), so it is called
     only when a fault is to be reported.
     """
-    lines = text.splitlines(keepends=True)
+    lines = [f"{line}\n" for line in text.split("\n")]  # TOML knows no other end of a line
     found: dict[KeyPath, int] = {}
     start = 1
     for count in range(1, len(lines) + 1):
@@ -28,15 +31,24 @@ def key_lines(text: str) -> dict[KeyPath, int]:
     return found
 
 
-def _paths(node: Any, prefix: KeyPath = ()) -> Iterator[KeyPath]:
-    if prefix:
-        yield prefix
-    if isinstance(node, dict):
-        for key, value in node.items():
-            yield from _paths(value, (*prefix, key))
-    elif isinstance(node, list):
-        for index, value in enumerate(node):
-            yield from _paths(value, (*prefix, index))
+def error_line(error: ValueError) -> str:
+    """`line 12` out of what the TOML parser says of an error, empty where it does not say."""
+    found = re.search(r"\(at (line \d+), column \d+\)", str(error))
+    return found[1] if found else ""
+
+
+def _paths(tree: Any) -> Iterator[KeyPath]:
+    waiting: list[tuple[KeyPath, Any]] = [((), tree)]
+    while waiting:
+        prefix, node = waiting.pop()
+        if prefix:
+            yield prefix
+        if len(prefix) == _DEEPEST:
+            continue
+        if isinstance(node, dict):
+            waiting += [((*prefix, key), value) for key, value in node.items()]
+        elif isinstance(node, list):
+            waiting += [((*prefix, index), value) for index, value in enumerate(node)]
 
 
 def place(path: KeyPath, lines: dict[KeyPath, int]) -> str:

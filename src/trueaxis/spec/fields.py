@@ -2,6 +2,7 @@
 
 import math
 import re
+import reprlib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
@@ -9,6 +10,18 @@ from typing import Any
 from trueaxis.toml_lines import KeyPath
 
 Complain = Callable[[KeyPath, str, str], None]
+
+_LARGEST = 2**63 - 1  # TOML's whole numbers
+_SHORT = reprlib.Repr()
+_SHORT.maxstring = _SHORT.maxother = 60
+
+
+def shown(value: Any) -> str:
+    """A value as a message shows it: short, however long or deep it is."""
+    try:
+        return _SHORT.repr(value)
+    except ValueError:  # Python writes no number of thousands of digits
+        return "a number of thousands of digits"
 
 
 @dataclass
@@ -36,27 +49,33 @@ class Fields:
         if value is None:
             return default
         if isinstance(value, bool) or not isinstance(value, int):
-            self.fault(key, f"is {value!r}", "a whole number")
+            self.fault(key, f"is {shown(value)}", "a whole number")
+            return default
+        if abs(value) > _LARGEST:
+            self.fault(key, "is larger than any number of TOML", "a whole number")
             return default
         return value
 
     def text(self, key: str, default: str | None = None, pattern: str = "", meaning: str = "") -> str | None:
-        """A text, not empty; required unless there is a default."""
+        """A text of one line, not empty; required unless there is a default."""
         value = self._take(key, default is None, "a text in quotes")
         if value is None:
             return default
         if not isinstance(value, str) or not value.strip():
-            self.fault(key, f"is {value!r}", "a text in quotes")
+            self.fault(key, f"is {shown(value)}", "a text in quotes")
+            return default
+        if not value.isprintable():
+            self.fault(key, f"is {shown(value)}", "a text of one line without control characters")
             return default
         if pattern and not re.fullmatch(pattern, value):
-            self.fault(key, f"is {value!r}", meaning)
+            self.fault(key, f"is {shown(value)}", meaning)
         return value
 
     def choice(self, key: str, among: tuple[str, ...]) -> str | None:
         """One of a few texts, or absent."""
         value = self._take(key, False, "")
         if value is not None and value not in among:
-            self.fault(key, f"is {value!r}", f"one of {' '.join(among)}, or left out")
+            self.fault(key, f"is {shown(value)}", f"one of {' '.join(among)}, or left out")
             return None
         return value if isinstance(value, str) else None
 
@@ -79,7 +98,7 @@ class Fields:
             return None
         read = [self.finite(part) for part in value] if isinstance(value, list) else []
         if len(read) != count or None in read:
-            self.fault(key, f"is {value!r}", right)
+            self.fault(key, f"is {shown(value)}", right)
             return None
         return tuple(number for number in read if number is not None)
 
@@ -87,7 +106,7 @@ class Fields:
         """The sub-table of that key; an empty one where it is absent or no table."""
         value = self._take(key, required, f"a table [{key}]")
         if value is not None and not isinstance(value, dict):
-            self.fault(key, f"is {value!r}", f"a table [{key}]")
+            self.fault(key, f"is {shown(value)}", f"a table [{key}]")
         return Fields(value if isinstance(value, dict) else {}, (*self.path, key), self.complain)
 
     def tables(self, key: str, required: bool = False) -> Iterator["Fields"]:

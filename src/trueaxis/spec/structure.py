@@ -16,31 +16,41 @@ _C_WORDS = frozenset(
     "auto bool case char const default do double enum extern false float goto inline int long register restrict "
     "return short signed sizeof static struct switch true typedef union unsigned void volatile while".split()
 )
-# Names that generated code and its readers use for other things.
+# Names that generated code and its readers use for other things: axes, component errors and their coefficients, rows
+# of arguments (a point is rx or rT1x, a deviation dx, a sensitivity dx_EXX, a reading L1), arrays, words of NumPy, C.
 _RESERVED = re.compile(
-    r"[xyzabc]|[XYZABC]|(sin|cos)_[abc]|[wnip]\d*|E[XYZABC][XYZABC](_\d+)?|r[xyz]|np|numpy|NaN|inf|pi"
+    r"[xyzabc]|[XYZABC]|(sin|cos)_[abc]|[wnipej]\d*|E[XYZABC][XYZABC](_\d+)?|[bep][xyz]|r([TWB]\d*)?[xyz]|d[xyz](_.*)?"
+    r"|L\d+|(found|move)_.*|at|start|count|stride|block|length|positions?|errors?|parameters|points?|(tool|workpiece)_point"
+    r"|ball|curves|deviation|ideal|sensitivity|moves|displacement|readings|unknowns|np|numpy|slice|range|sin|cos|sqrt"
+    r"|NaN|NAN|NULL|INFINITY|inf|pi|ABI|SPEC_HASH|META|BLOCK"
 )
 
 
-def check_structure(bodies: Sequence[IndexedBody], workpiece: int, tool: int, complain: Complain) -> None:
-    """Complain of duplicates, missing lower bodies, loops, ends not reached, axes moved twice, clashing names."""
-    numbers = Counter(body.number for _, body in bodies)
+def check_structure(
+    bodies: Sequence[IndexedBody], workpiece: int | None, tool: int | None, complete: bool, complain: Complain
+) -> None:
+    """Complain of duplicates, missing lower bodies, loops, ends not reached, axes moved twice, clashing names.
+
+    workpiece, tool: numbers of the ends' bodies, None where the spec does not tell. complete: whether these are all
+    bodies; else one that is missed may be one whose own table is wrong, and nothing is said of it here.
+    """
+    numbers = {body.number for _, body in bodies if body.number > BED}
     first = {body.number: index for index, body in reversed(bodies)}
     for index, body in bodies:
         if body.number <= BED:
             complain(("body", index, "number"), f"{body.number} is taken by the bed or no body", "numbers from 2")
         elif first[body.number] != index:
             complain(("body", index, "number"), f"two bodies have the number {body.number}", "a number of its own")
-        if body.lower != BED and body.lower not in numbers:
+        if complete and body.lower != BED and body.lower not in numbers:
             right = f"the bed (1) or one of {', '.join(str(n) for n in sorted(numbers)) or 'the bodies'}"
             complain(("body", index, "lower"), f"there is no body {body.lower}", right)
-    _check_ends(bodies, workpiece, tool, complain)
+    _check_ends(bodies, workpiece if complete else None, tool if complete else None, complain)
     _check_axes(bodies, complain)
     _check_names(bodies, complain)
 
 
-def _check_ends(bodies: Sequence[IndexedBody], workpiece: int, tool: int, complain: Complain) -> None:
-    lower = {body.number: body.lower for _, body in bodies}
+def _check_ends(bodies: Sequence[IndexedBody], workpiece: int | None, tool: int | None, complain: Complain) -> None:
+    lower = {body.number: body.lower for _, body in reversed(bodies) if body.number > BED}  # the first of a number
     in_loop = {number for number in lower if _branch(number, lower) is None}
     for index, body in bodies:
         if body.number in in_loop and body.number in _loop(body.number, lower):
@@ -51,8 +61,12 @@ def _check_ends(bodies: Sequence[IndexedBody], workpiece: int, tool: int, compla
             )
     on_branch: set[int] = set()
     for key, end in (("workpiece", workpiece), ("tool", tool)):
+        if end is None:
+            on_branch.update(lower)  # no telling what stands below it
+            continue
         if end != BED and end not in lower:
             complain(("ends", key), f"there is no body {end}", "the number of a body")
+            on_branch.update(lower)
             continue
         branch = _branch(end, lower)
         if branch is None or branch[-1] != BED:
@@ -61,11 +75,14 @@ def _check_ends(bodies: Sequence[IndexedBody], workpiece: int, tool: int, compla
                 f"body {end} is not reached from the bed",
                 "a chain of lower bodies down to the bed (1)",
             )
-        on_branch.update(branch or lower)
-    if workpiece == tool:
+            on_branch.update(lower)
+        else:
+            on_branch.update(branch)
+    if workpiece is not None and workpiece == tool:
         complain(("ends",), f"workpiece and tool are both body {tool}", "two different bodies")
+        on_branch.update(lower)
     for index, body in bodies:
-        if body.number not in on_branch and body.number not in in_loop:
+        if body.number > BED and body.number not in on_branch | in_loop:
             complain(
                 ("body", index),
                 f"body {body.number} carries neither the workpiece nor the tool",
