@@ -92,6 +92,12 @@ def test_wrong_input_leaves_everything_alone(tmp_path: Path) -> None:
     assert (tmp_path / "out.nc").read_text() == "before"
 
 
+def test_faults_of_options_and_errors_come_together(tmp_path: Path) -> None:
+    with pytest.raises(InputError) as error:
+        command(tmp_path, PROGRAM, "--tolerance", "-1", "--errors", str(tmp_path / "none.json"))
+    assert {fault.file for fault in error.value.faults} == {"options", str(tmp_path / "none.json")}
+
+
 def test_a_program_that_is_not_there(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="No such file"):
         command(tmp_path, None)

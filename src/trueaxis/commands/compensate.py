@@ -10,6 +10,8 @@ from trueaxis.compensate.files import compensate_file
 from trueaxis.compensate.settings import Settings
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
+from trueaxis.runtime.input_files import gathering
+from trueaxis.runtime.model import load_model
 
 _DESCRIPTION = """\
 Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
@@ -24,6 +26,8 @@ An axis has no known position until the program gives it one; --start states whe
 """
 
 _EPILOG = """\
+Write negative coordinates with an equals sign: --ball=-10,0,5.
+
 words: `nearest` rounds. With --ball, `ends` chooses among the words within one step of the wanted position those whose
 error lies across the ball bar, and `middles` passes points in the middle of short blocks (0.04 mm), where half
 steps can be reached: the smallest error, at the price of up to twice the blocks.
@@ -97,21 +101,28 @@ def _start(text: str) -> dict[str, float]:
     return {axis: float(value) for axis, value in found}
 
 
-def run(args: argparse.Namespace) -> int:
-    """Compensate; returns the exit code.
-
-    Raises InputError when the input is wrong.
-    """
-    from trueaxis.runtime.model import load_model  # noqa: PLC0415  # loads kernels; not needed for --help
-
+def _settings(args: argparse.Namespace) -> Settings:
     try:
-        settings = Settings(
+        return Settings(
             args.tolerance, args.resolution, args.inch_resolution, args.rotary_resolution, args.chord_tolerance,
             args.method, args.words, args.ball, args.tool_point, args.start, args.block_delete,
         )  # fmt: skip
     except ValueError as problem:
         raise InputError([Fault("options", "", str(problem))]) from None
-    model = load_model(args.machine, args.errors, args.kernels)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Compensate; returns the exit code.
+
+    Raises InputError when the input is wrong.
+    """
+    found: list[Fault] = []
+    with gathering(found):
+        settings = _settings(args)
+    with gathering(found):
+        model = load_model(args.machine, args.errors, args.kernels)
+    if found:
+        raise InputError(found)
     try:
         report = compensate_file(args.program, args.out, model, settings, language=args.format, progress=_progress())
         if args.report is not None:
@@ -128,7 +139,7 @@ def _progress() -> Callable[[int], None] | None:
         return None
 
     def show(lines: int) -> None:
-        sys.stderr.write(f"\r{lines} blocks read\x1b[K")
+        sys.stderr.write(f"\r{lines} blocks read\x1b[K\r")
         sys.stderr.flush()
 
     return show

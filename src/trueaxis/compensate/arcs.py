@@ -13,7 +13,7 @@ Vector = tuple[float, float, float]
 
 RADIUS_MISMATCH = 0.01  # mm; more than rounding of the words of an arc can cause
 SAME_POINT = 1e-7  # mm; far below any word, far above the accumulated rounding of incremental positions
-MOST_CHORDS = 1_000_000
+MOST_CHORDS = 200_000
 
 
 class ArcError(ValueError):

@@ -133,13 +133,21 @@ def _ends_of_short_block(
         ],
         axis=2,
     )
+    # sums over three terms written out: several times faster than einsum on arrays of this shape
+    along_bar = np.einsum("in,ijn->jn", bar, jacobian)
+    bar_residual = (bar * residual).sum(axis=0)[:, None]
     worst = np.zeros(shift.shape[1:])
     for sign, end in ((-1.0, shift), (1.0, twice[:, :, None] - shift)):
         off, way = across((end - wanted[:, :, None]) * step[:, :, None], direction[:, :, None])
-        error = residual[:, :, None] + np.einsum("ijn,jnc->inc", jacobian, off)
-        value = np.abs(np.einsum("in,inc->nc", bar, error))
-        value[((error**2).sum(axis=0) > limit * limit) | (sign * way <= 0.0)] = np.inf
-        worst = np.maximum(worst, value)
+        value = np.abs(bar_residual + _product(along_bar, off))
+        square = sum((residual[i, :, None] + _product(jacobian[i], off)) ** 2 for i in range(3))
+        value[(square > limit * limit) | (sign * way <= 0.0)] = np.inf
+        np.maximum(worst, value, out=worst)
     best = np.argmin(worst, axis=1)
     found = np.take_along_axis(shift, best[None, :, None], axis=2)[:, :, 0]
     return found, np.take_along_axis(worst, best[:, None], axis=1)[:, 0]
+
+
+def _product(row: FloatArray, vectors: FloatArray) -> FloatArray:
+    """Product of row vectors (3, n) with vectors (3, n, c), (n, c)."""
+    return np.asarray(row[0, :, None] * vectors[0] + row[1, :, None] * vectors[1] + row[2, :, None] * vectors[2])

@@ -19,7 +19,7 @@ from trueaxis.compensate.report import BallBar, CompensationReport
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.solve import Solution, solve
 from trueaxis.compensate.statistics import LineLog, Running
-from trueaxis.compensate.subdivide import subdivide
+from trueaxis.compensate.subdivide import PROBE_SPACING, subdivide
 from trueaxis.compensate.word_choice import bar_error
 from trueaxis.compensate.writer import BlockWriter
 
@@ -62,6 +62,7 @@ class Compensator:
         """The compensated program in pieces; none once a fault has been found, but all faults are."""
         batch: list[str | Move] = []
         load = 0
+        last: tuple[float, ...] | None = None
         for item in items:
             if isinstance(item, Start):
                 yield self._batch(batch)
@@ -77,6 +78,10 @@ class Compensator:
                 load += chords
             batch.append(item)
             load += 1
+            if not isinstance(item, str):
+                if item.kind and last is not None:
+                    load += int(math.dist(last, item.end) / PROBE_SPACING)  # it may be cut as finely as it is probed
+                last = item.end
             if load >= self._settings.batch_points:
                 yield self._batch(batch)
                 batch, load = [], 0
