@@ -79,7 +79,7 @@ def test_the_base_is_right_and_read_as_it_says() -> None:
 # What is changed, then line, key, a part of the problem, a part of the remedy.
 ONE_FAULT = {
     # keys that no table has, at every level
-    "unknown top key": ("schema = 1", "schema = 1\nspeed = 3", 2, "speed", "not a key", "allowed: body, curves, effect, ends"),
+    "unknown top key": ("schema = 1", "schema = 1\nspeed = 3", 2, "speed", "not a key", "allowed: body, curves"),
     "unknown body key": ("sense = -1", "sence = -1", 24, "body[2].sence", "not a key", "lower, motion_errors, moves"),
     "unknown end": ("tool = 9", "tool = 9\nprobe = 3", 36, "ends.probe", "not a key", "tool, workpiece"),
     "unknown curve key": ("degree = 5", "degree = 5\nbasis = 1", 39, "curves.basis", "not a key", "degree"),
@@ -92,16 +92,16 @@ ONE_FAULT = {
     "ends the same": ("tool = 9", "tool = 4", 33, "ends", "are both body 4", "two different"),
     "idle body": ("lower = 5", "lower = 1", 19, "body[2]", "carries neither", "leave it out"),
     # travel
-    "travel the wrong way round": ("[0.0, 700.0]", "[700.0, 0.0]", 10, "body[0].travel", "from 700 to 0", "lower end first"),
-    "travel of nothing": ("[0.0, 700.0]", "[1.0, 1.0]", 10, "body[0].travel", "from 1 to 1", "lower end first"),
+    "travel the wrong way round": ("[0.0, 700.0]", "[700.0, 0.0]", 10, "body[0].travel", "from 700 to 0", "lower end"),
+    "travel of nothing": ("[0.0, 700.0]", "[1.0, 1.0]", 10, "body[0].travel", "from 1 to 1", "lower end"),
     "no travel": ("travel = [-10, 10]\n", "", 19, "body[2].travel", "is missing", "2 finite numbers"),
     "travel of three": ("[0.0, 700.0]", "[0, 1, 2]", 10, "body[0].travel", "[0, 1, 2]", "2 finite numbers"),
     "travel is not finite": ("[0.0, 700.0]", "[0.0, inf]", 10, "body[0].travel", "inf", "2 finite numbers"),
     "travel is no number": ("[0.0, 700.0]", "[nan, 700.0]", 10, "body[0].travel", "nan", "2 finite numbers"),
     "travel is beyond doubles": ("[0.0, 700.0]", f"[0, 1{'0' * 400}]", 10, "body[0].travel", "[0, 1000", "finite"),
-    "travel of a body at rest": ("lower = 5", "lower = 5\ntravel = [0, 1]", 32, "body[3].travel", "does not move", "moves"),
+    "travel of a body at rest": ("lower = 5", "lower = 5\ntravel = [0, 1]", 32, "body[3].travel", "not move", "moves"),
     # names
-    "clash of parameters": ('"eps_c"', '"q_wx"', 26, "body[2].position_errors", "'q_wx' clashes with position of body 4", "own"),
+    "clash of parameters": ('"eps_c"', '"q_wx"', 26, "body[2].position_errors", "with position of body 4", "own"),
     "a word of Python": ('"q_wx"', '"lambda"', 17, "body[1].position", "'lambda' clashes", "another name"),
     "a word of C": ('"q_wx"', '"double"', 17, "body[1].position", "'double' clashes", "another name"),
     "a component's name": ('"q_wx"', '"EXY"', 17, "body[1].position", "'EXY' clashes", "another name"),
@@ -128,10 +128,10 @@ ONE_FAULT = {
     "position of inf": ('["q_wx", 2, 3.5]', "[-inf, 2, 3]", 17, "body[1].position", "entry 1 is -inf", "finite"),
     "position of true": ('["q_wx", 2, 3.5]', "[1, true, 3]", 17, "body[1].position", "entry 2 is True", "finite"),
     "errors are no list": ('["EXY", "ECY"]', '"some"', 11, "body[0].motion_errors", "'some'", '"all"'),
-    "another axis's error": ('"ECY"]', '"ECX"]', 11, "body[0].motion_errors", "'ECX' is no motion error", "EXY EYY EZY EAY"),
+    "another axis's error": ('"ECY"]', '"ECX"]', 11, "body[0].motion_errors", "'ECX' is no motion error", "EXY EYY"),
     "errors that are no text": ('"ECY"]', "{ a = 1 }]", 11, "body[0].motion_errors", "{'a': 1}", "EXY EYY"),
     "an error twice": ('"ECY"]', '"EXY"]', 11, "body[0].motion_errors", "'EXY' stands there already", "once"),
-    "errors at rest": ("lower = 5", 'lower = 5\nmotion_errors = ["EXY"]', 32, "body[3].motion_errors", "'EXY'", "does not move"),
+    "errors at rest": ("lower = 5", 'lower = 5\nmotion_errors = ["E"]', 32, "body[3].motion_errors", "'E'", "not move"),
     "no table": ("position_errors = { EC", "position_errors = 3 # { EC", 26, "body[2].position_errors", "3", "a table"),
     "degree": ("degree = 5", "degree = 16", 38, "curves.degree", "16 is out of range", "from 1 to 15"),
     "degree zero": ("degree = 5", "degree = 0", 38, "curves.degree", "0 is out of range", "from 1 to 15"),

@@ -50,11 +50,10 @@ def read(text: str) -> Machine | None:
     try:
         return machine_of(text)
     except InputError as error:
-        assert error.faults
-        for fault in error.faults:
-            assert fault.problem
-            assert "\n" not in str(fault)
-        return None
+        faults = error.faults
+    assert faults
+    assert all(fault.problem and "\n" not in str(fault) for fault in faults)
+    return None
 
 
 # A loop that is followed for ever must fail here: a spec is read in milliseconds.
