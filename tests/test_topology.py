@@ -1,0 +1,65 @@
+"""The lower-body array and the branches: the paper's machine by hand, and any tree against repeated application."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.machines import DMU60P, machine_at
+from trueaxis.spec import Body, Machine
+from trueaxis.topology import branch, branches, format_lower_body_array, lower_body_array
+
+
+def test_the_papers_machine() -> None:
+    # Fig. 2 with C, B and spindle one with what they stand on: 1 - 2 - 4 and 1 - 5 - 6 - 9. By hand:
+    assert lower_body_array(machine_at(DMU60P)) == (
+        (1, 2, 4, 5, 6, 9),
+        (0, 1, 2, 1, 5, 6),
+        (0, 0, 1, 0, 1, 5),
+        (0, 0, 0, 0, 0, 1),
+        (0, 0, 0, 0, 0, 0),
+    )
+    workpiece, tool = branches(machine_at(DMU60P))
+    assert [body.number for body in workpiece] == [2, 4]
+    assert [body.number for body in tool] == [5, 6, 9]
+
+
+def test_the_array_is_shown_aligned() -> None:
+    assert format_lower_body_array(machine_at(DMU60P)).splitlines()[:2] == [
+        "L^0  1  2  4  5  6  9",
+        "L^1  0  1  2  1  5  6",
+    ]
+
+
+@st.composite
+def trees(draw: st.DrawFn) -> Machine:
+    """Bodies with gaps in their numbers, in any order in the spec, each on one drawn before it or on the bed."""
+    numbers = draw(st.lists(st.integers(2, 99), min_size=1, max_size=12, unique=True))
+    bodies = [
+        Body(number, f"b{number}", draw(st.sampled_from([1, *numbers[:index]]))) for index, number in enumerate(numbers)
+    ]
+    ends = draw(st.sampled_from(numbers)), draw(st.sampled_from(numbers))
+    return Machine("tree", "tree", tuple(draw(st.permutations(bodies))), *ends)
+
+
+@given(trees())
+def test_each_order_is_the_first_applied_so_many_times(machine: Machine) -> None:
+    rows = lower_body_array(machine)
+    lower = {body.number: body.lower for body in machine.bodies} | {1: 0, 0: 0}
+    for order, row in enumerate(rows):
+        for column, body in enumerate(rows[0]):
+            at = body
+            for _ in range(order):
+                at = lower[at]
+            assert row[column] == at
+    assert not any(rows[-1])
+    assert any(rows[-2])
+
+
+@given(trees())
+def test_a_branch_runs_from_the_bed_to_its_end_by_the_array(machine: Machine) -> None:
+    rows = lower_body_array(machine)
+    for end in (machine.workpiece, machine.tool):
+        column = rows[0].index(end)
+        downwards = [row[column] for row in rows if row[column] > 1]
+        found = branch(machine, end)
+        assert [body.number for body in found] == downwards[::-1]
+        assert found[0].lower == 1
