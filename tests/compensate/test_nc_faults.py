@@ -55,6 +55,12 @@ def test_all_faults_at_once_with_their_lines(bench: Bench) -> None:
     assert places == ["line 2", "line 4", "line 4", "line 4", "line 5", "line 6"]
 
 
+def test_faults_come_in_the_order_of_lines(bench: Bench) -> None:
+    with pytest.raises(InputError) as error:
+        bench.run("G0 X1. Y1. Z1.\nX5000.\nG54\nY-5000.\nG43\n")
+    assert [fault.place for fault in error.value.faults] == [f"line {line}" for line in (2, 3, 4, 5)]
+
+
 def test_a_garbage_file_of_any_length_gives_few_messages_and_the_count(bench: Bench) -> None:
     with pytest.raises(InputError) as error:
         bench.run("@@@@\n" * 5000)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 # possessive quantifiers: no backtracking, so a hostile block costs linear time
 NUMBER = r"[-+]?+(?:\d++\.?+\d*+|\.\d++)"
 _TOKEN = re.compile(rf"([ \t]++)|([A-Za-z])[ \t]*+({NUMBER})|(\([^()]*+\)|;.*+)")
-_MACRO = re.compile(r"[#\[\]=<>&|{}!?]|(?i:\b(?:WHILE|GOTO|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
+_MACRO = re.compile(r"[#\[\]=<>&|]|(?i:\b(?:WHILE|GOTO|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
 
 
 class Word(NamedTuple):
