@@ -21,6 +21,7 @@ class ExactChain:
         tree = tomllib.loads(text)
         self.bodies: dict[int, dict[str, Any]] = {body["number"]: body for body in tree["body"]}
         self.ends: dict[str, int] = tree["ends"] | {"bed": 1}
+        self.error = rotated if tree.get("rotations") == "true" else small
 
     @property
     def axes(self) -> list[str]:
@@ -63,6 +64,13 @@ class ExactChain:
         ideal = {name: value for name, value in values.items() if name not in errors}
         return self.place(view, pose, values, point) - self.place(view, pose, ideal, point)
 
+    def direction_deviation(self, pose: Values, values: Values, vector: Sequence[Any]) -> Any:
+        """A vector of the tool frame, such as the tool axis, in the workpiece frame: actual minus ideal."""
+        nowhere = [0, 0, 0]
+        view = "tool_in_workpiece"
+        moved, still = self.deviation(view, pose, values, vector), self.deviation(view, pose, values, nowhere)
+        return moved - still
+
     def to_bed(self, number: int, pose: Values, values: Values) -> Any:
         result = DIGITS.eye(4)
         while number != 1:
@@ -75,7 +83,7 @@ class ExactChain:
         home = [values.get(p, 0) if isinstance(p, str) else p for p in body.get("position", [0, 0, 0])]
         pairs = body.get("position_errors", {})
         located = [values.get(pairs.get(f"E{letter}", ""), 0) for letter in _LETTERS]
-        result = translation(home) * small(located)
+        result = translation(home) * self.error(located)
         axis = body.get("moves")
         if axis is None:
             return result
@@ -86,7 +94,7 @@ class ExactChain:
             motion = turn(axis, way * DIGITS.pi / 180)
         listed = body.get("motion_errors", "all")
         names = [f"E{letter}{axis}" for letter in _LETTERS]
-        return result * motion * small([values.get(n, 0) if listed == "all" or n in listed else 0 for n in names])
+        return result * motion * self.error([values.get(n, 0) if listed == "all" or n in listed else 0 for n in names])
 
 
 def translation(by: Sequence[Any]) -> Any:
@@ -100,6 +108,15 @@ def small(errors: Sequence[Any]) -> Any:
     """The contract's small rotation (EA, EB, EC) with the displacement (EX, EY, EZ)."""
     x, y, z, a, b, c = (DIGITS.mpf(value) for value in errors)
     return DIGITS.matrix([[1, -c, b, x], [c, 1, -a, y], [-b, a, 1, z], [0, 0, 0, 1]])
+
+
+def rotated(errors: Sequence[Any]) -> Any:
+    """A true rotation by the vector (EA, EB, EC), as the exponential of its matrix, with the displacement."""
+    x, y, z, a, b, c = (DIGITS.mpf(value) for value in errors)
+    result = DIGITS.eye(4)
+    result[:3, :3] = DIGITS.expm(DIGITS.matrix([[0, -c, b], [c, 0, -a], [-b, a, 0]]), method="taylor")
+    result[0, 3], result[1, 3], result[2, 3] = x, y, z
+    return result
 
 
 def turn(axis: str, angle: Any) -> Any:

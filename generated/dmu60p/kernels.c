@@ -1,6 +1,6 @@
 /* Generated from machines/dmu60p.toml, do not edit; regenerate with: trueaxis derive machines/dmu60p.toml
  * Kernels of DECKEL MAHO DMU60P, translational axes: geometric error model in C17.
- * Spec: sha256 93adab9a6fd357764f96e0308c68ca7bd984ab5129ca1c2e666f7ab21d9fc948
+ * Spec: sha256 78cce105df5b7d05007e664943a7aacd2fba4e44aa3d814c0f03d7be6f8741d4
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
  * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
@@ -28,7 +28,7 @@ int dmu60p_kernel_abi(void)
 
 const char *dmu60p_spec_hash(void)
 {
-    return "93adab9a6fd357764f96e0308c68ca7bd984ab5129ca1c2e666f7ab21d9fc948";
+    return "78cce105df5b7d05007e664943a7aacd2fba4e44aa3d814c0f03d7be6f8741d4";
 }
 
 /*
@@ -1222,6 +1222,154 @@ void dmu60p_tool_in_workpiece_position_first_order(
         position[0 * stride + i] = w11 + w8;
         position[1 * stride + i] = w16 + w17;
         position[2 * stride + i] = w21 + w22;
+    }
+}
+
+/*
+ * Ideal direction of a vector of the tool frame in the workpiece frame.
+ * Source: Eqs. (1)-(4) without errors, rotations alone. Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in direction: 3 rows of stride, 1; unit vector in the tool frame, (0, 0, 1) for the tool axis (tx ty tz)
+ * out ideal: 3 rows of stride, 1; the vector in the workpiece frame, without errors (ix iy iz)
+ */
+void dmu60p_tool_orientation_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict direction,
+    double *restrict ideal)
+{
+    (void)positions;
+    /* per point */
+    POINTS_ARE_INDEPENDENT
+    for (size_t i = 0; i < n; ++i) {
+        const double tx = direction[0 * stride + i];
+        const double ty = direction[1 * stride + i];
+        const double tz = direction[2 * stride + i];
+        ideal[0 * stride + i] = tx;
+        ideal[1 * stride + i] = ty;
+        ideal[2 * stride + i] = tz;
+    }
+}
+
+/*
+ * Deviation of a direction of the tool frame in the workpiece frame, exact.
+ * Source: Eqs. (1)-(4), rotations alone. Operations: 83 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
+ *     eps_xz)
+ * in direction: 3 rows of stride, 1; unit vector in the tool frame, (0, 0, 1) for the tool axis (tx ty tz)
+ * out deviation: 3 rows of stride, 1; the vector in the workpiece frame, actual minus ideal (dx dy dz)
+ */
+void dmu60p_tool_orientation_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict direction,
+    double *restrict deviation)
+{
+    (void)positions;
+    /* once per call */
+    const double eps_xy = parameters[6];
+    const double eps_yz = parameters[7];
+    const double eps_xz = parameters[8];
+    /* per point */
+    POINTS_ARE_INDEPENDENT
+    for (size_t i = 0; i < n; ++i) {
+        const double EAX = errors[3 * stride + i];
+        const double EBX = errors[4 * stride + i];
+        const double ECX = errors[5 * stride + i];
+        const double EAY = errors[9 * stride + i];
+        const double EBY = errors[10 * stride + i];
+        const double ECY = errors[11 * stride + i];
+        const double EAZ = errors[15 * stride + i];
+        const double EBZ = errors[16 * stride + i];
+        const double ECZ = errors[17 * stride + i];
+        const double tx = direction[0 * stride + i];
+        const double ty = direction[1 * stride + i];
+        const double tz = direction[2 * stride + i];
+        const double w0 = EBZ*tz - ECZ*ty;
+        const double w1 = -EAZ*tz + ECZ*tx;
+        const double w2 = EAZ*ty - EBZ*tx;
+        const double w3 = -eps_xz*(tx + w0) + eps_yz*(ty + w1) + w2;
+        const double w4 = tz + w3;
+        const double w5 = tz + w2;
+        const double w6 = -eps_yz*w5 + w1;
+        const double w7 = ty + w6;
+        const double w8 = eps_xz*w5 + w0;
+        const double w9 = EBX*w4 - ECX*w7 + w8;
+        const double w10 = tx + w8;
+        const double w11 = -EAX*w4 + ECX*w10 + w6;
+        const double w12 = -eps_xy*(ty + w11) + w9;
+        const double w13 = eps_xy*(tx + w9) + w11;
+        const double w14 = ty + w13;
+        const double w15 = EAX*w7 - EBX*w10 + w3;
+        const double w16 = tz + w15;
+        const double w17 = tx + w12;
+        const double w18 = EAY*w17 + EBY*w14 + ECY*w16;
+        const double w19 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY);
+        const double w20 = (1.0/(w19 + 1.0));
+        deviation[0 * stride + i] = w20*(EAY*w18 - EBY*w16 + ECY*w14 - tx*w19 + w12);
+        deviation[1 * stride + i] = w20*(EAY*w16 + EBY*w18 - ECY*w17 - ty*w19 + w13);
+        deviation[2 * stride + i] = w20*(-EAY*w14 + EBY*w17 + ECY*w18 - tz*w19 + w15);
+    }
+}
+
+/*
+ * Deviation of a direction of the tool frame in the workpiece frame, to first order.
+ * Source: Eqs. (1)-(4), rotations alone. Operations: 45 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
+ *     eps_xz)
+ * in direction: 3 rows of stride, 1; unit vector in the tool frame, (0, 0, 1) for the tool axis (tx ty tz)
+ * out deviation: 3 rows of stride, 1; the vector in the workpiece frame, actual minus ideal (dx dy dz)
+ */
+void dmu60p_tool_orientation_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict direction,
+    double *restrict deviation)
+{
+    (void)positions;
+    /* once per call */
+    const double eps_xy = parameters[6];
+    const double eps_yz = parameters[7];
+    const double eps_xz = parameters[8];
+    /* per point */
+    POINTS_ARE_INDEPENDENT
+    for (size_t i = 0; i < n; ++i) {
+        const double EAX = errors[3 * stride + i];
+        const double EBX = errors[4 * stride + i];
+        const double ECX = errors[5 * stride + i];
+        const double EAY = errors[9 * stride + i];
+        const double EBY = errors[10 * stride + i];
+        const double ECY = errors[11 * stride + i];
+        const double EAZ = errors[15 * stride + i];
+        const double EBZ = errors[16 * stride + i];
+        const double ECZ = errors[17 * stride + i];
+        const double tx = direction[0 * stride + i];
+        const double ty = direction[1 * stride + i];
+        const double tz = direction[2 * stride + i];
+        const double w0 = EBZ*tz - ECZ*ty;
+        const double w1 = eps_xz*tz + w0;
+        const double w2 = EBX*tz - ECX*ty + w1;
+        const double w3 = -eps_xy*ty + w2;
+        const double w4 = -EAZ*tz + ECZ*tx;
+        const double w5 = -eps_yz*tz + w4;
+        const double w6 = -EAX*tz + ECX*tx + w5;
+        const double w7 = eps_xy*tx + w6;
+        const double w8 = EAZ*ty - EBZ*tx;
+        const double w9 = -eps_xz*tx + eps_yz*ty + w8;
+        const double w10 = EAX*ty - EBX*tx + w9;
+        deviation[0 * stride + i] = -EBY*tz + ECY*ty + w3;
+        deviation[1 * stride + i] = EAY*tz - ECY*tx + w7;
+        deviation[2 * stride + i] = -EAY*ty + EBY*tx + w10;
     }
 }
 

@@ -1,6 +1,6 @@
 /* Generated from machines/dmu60p.toml, do not edit; regenerate with: trueaxis derive machines/dmu60p.toml
  * Kernels of DECKEL MAHO DMU60P, translational axes: geometric error model in C17.
- * Spec: sha256 93adab9a6fd357764f96e0308c68ca7bd984ab5129ca1c2e666f7ab21d9fc948
+ * Spec: sha256 78cce105df5b7d05007e664943a7aacd2fba4e44aa3d814c0f03d7be6f8741d4
  *
  * Every function computes n points; row k of an array that has a value per point holds point i at [k * stride + i],
  * n <= stride. Arrays must not overlap. Lengths mm, angles rad, rotary axes deg. Rows and units: kernels.c.
@@ -171,6 +171,31 @@ void dmu60p_tool_in_workpiece_position_first_order(
     const double *restrict parameters,
     const double *restrict point,
     double *restrict position);
+
+/* Ideal direction of a vector of the tool frame in the workpiece frame. */
+void dmu60p_tool_orientation_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict direction,
+    double *restrict ideal);
+
+/* Deviation of a direction of the tool frame in the workpiece frame, exact. */
+void dmu60p_tool_orientation_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict direction,
+    double *restrict deviation);
+
+/* Deviation of a direction of the tool frame in the workpiece frame, to first order. */
+void dmu60p_tool_orientation_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict direction,
+    double *restrict deviation);
 
 /* Deviation of the tool point under polynomial error curves, exact. */
 void dmu60p_tool_in_workpiece_deviation_curves(

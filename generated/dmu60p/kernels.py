@@ -8,7 +8,7 @@ deviation (3, n). An array that is the same at all points may have n = 1. Length
 import numpy as np
 
 ABI = 1
-SPEC_HASH = "93adab9a6fd357764f96e0308c68ca7bd984ab5129ca1c2e666f7ab21d9fc948"
+SPEC_HASH = "78cce105df5b7d05007e664943a7aacd2fba4e44aa3d814c0f03d7be6f8741d4"
 
 META = {'machine': 'dmu60p',
  'title': 'DECKEL MAHO DMU60P, translational axes',
@@ -432,6 +432,61 @@ META = {'machine': 'dmu60p',
                                                                       'unit': 'mm'}],
                                                          'operations': 66,
                                                          'operations_per_call': 0},
+              'tool_orientation_ideal': {'inputs': [{'name': 'positions',
+                                                     'shape': [3],
+                                                     'per_point': True,
+                                                     'unit': 'mm'},
+                                                    {'name': 'direction',
+                                                     'shape': [3],
+                                                     'per_point': True,
+                                                     'unit': '1'}],
+                                         'outputs': [{'name': 'ideal', 'shape': [3], 'per_point': True, 'unit': '1'}],
+                                         'operations': 0,
+                                         'operations_per_call': 0},
+              'tool_orientation_deviation': {'inputs': [{'name': 'positions',
+                                                         'shape': [3],
+                                                         'per_point': True,
+                                                         'unit': 'mm'},
+                                                        {'name': 'errors',
+                                                         'shape': [18],
+                                                         'per_point': True,
+                                                         'unit': 'mm, rad'},
+                                                        {'name': 'parameters',
+                                                         'shape': [9],
+                                                         'per_point': False,
+                                                         'unit': 'mm, rad'},
+                                                        {'name': 'direction',
+                                                         'shape': [3],
+                                                         'per_point': True,
+                                                         'unit': '1'}],
+                                             'outputs': [{'name': 'deviation',
+                                                          'shape': [3],
+                                                          'per_point': True,
+                                                          'unit': '1'}],
+                                             'operations': 83,
+                                             'operations_per_call': 0},
+              'tool_orientation_deviation_first_order': {'inputs': [{'name': 'positions',
+                                                                     'shape': [3],
+                                                                     'per_point': True,
+                                                                     'unit': 'mm'},
+                                                                    {'name': 'errors',
+                                                                     'shape': [18],
+                                                                     'per_point': True,
+                                                                     'unit': 'mm, rad'},
+                                                                    {'name': 'parameters',
+                                                                     'shape': [9],
+                                                                     'per_point': False,
+                                                                     'unit': 'mm, rad'},
+                                                                    {'name': 'direction',
+                                                                     'shape': [3],
+                                                                     'per_point': True,
+                                                                     'unit': '1'}],
+                                                         'outputs': [{'name': 'deviation',
+                                                                      'shape': [3],
+                                                                      'per_point': True,
+                                                                      'unit': '1'}],
+                                                         'operations': 45,
+                                                         'operations_per_call': 0},
               'tool_in_workpiece_deviation_curves': {'inputs': [{'name': 'positions',
                                                                  'shape': [3],
                                                                  'per_point': True,
@@ -611,14 +666,23 @@ META = {'machine': 'dmu60p',
                            'operations': 15,
                            'operations_per_call': 0}}}
 
-# Points per block: the intermediate rows of a block stay in the processor's cache.
-BLOCK = 4096
+# Points per block: the intermediate rows of a block stay in the processor's second-level cache.
+BLOCK = 8192
 
 
 def _points(*arrays):
     """The arrays broadcast to one number of points, and that number."""
     n = np.broadcast_shapes(*(np.shape(array)[-1:] for array in arrays))[0]
     return n, *(np.broadcast_to(array, (*np.shape(array)[:-1], n)) for array in arrays)
+
+
+def _polynomial(s, *coefficients):
+    """c1 s + c2 s^2 + ..: Horner's form, in place, so that one row of memory is gone over again and again."""
+    value = coefficients[-1] * s
+    for c in coefficients[-2::-1]:
+        value += c
+        value *= s
+    return value
 
 
 def tool_in_workpiece_ideal(positions, parameters, point):
@@ -637,12 +701,12 @@ def tool_in_workpiece_ideal(positions, parameters, point):
     n, positions, point = _points(positions, point)
     ideal = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -675,12 +739,12 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -761,12 +825,12 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -833,9 +897,9 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
     n, positions, point = _points(positions, point)
     sensitivity = np.zeros((63, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -897,9 +961,9 @@ def tool_in_bed_ideal(positions, parameters, point):
     n, positions, point = _points(positions, point)
     ideal = np.zeros((3, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -931,12 +995,12 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -997,12 +1061,12 @@ def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1058,9 +1122,9 @@ def tool_in_bed_sensitivity(positions, parameters, point):
     n, positions, point = _points(positions, point)
     sensitivity = np.zeros((63, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1112,9 +1176,9 @@ def workpiece_in_bed_ideal(positions, parameters, point):
     n, positions, point = _points(positions, point)
     ideal = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -1145,9 +1209,9 @@ def workpiece_in_bed_deviation(positions, errors, parameters, point):
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         EXY = errors[6, at]
@@ -1186,9 +1250,9 @@ def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point)
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         EXY = errors[6, at]
@@ -1226,9 +1290,9 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
     n, positions, point = _points(positions, point)
     sensitivity = np.zeros((63, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         rx = point[0, at]
@@ -1263,9 +1327,9 @@ def bed_in_workpiece_ideal(positions, parameters, point):
     n, positions, point = _points(positions, point)
     ideal = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -1410,15 +1474,15 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
     n, positions, errors, point = _points(positions, errors, point)
     position = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1505,15 +1569,15 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
     n, positions, errors, point = _points(positions, errors, point)
     position = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1570,6 +1634,146 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
     return position
 
 
+def tool_orientation_ideal(positions, direction):
+    """Ideal direction of a vector of the tool frame in the workpiece frame.
+
+    Source: Eqs. (1)-(4) without errors, rotations alone. Operations: 0 per point.
+
+    Arguments (float64):
+        positions (3, n): commanded positions of X Y Z [mm]
+        direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
+
+    Returns:
+        ideal (3, n): the vector in the workpiece frame, without errors [1]
+    """
+    n, positions, direction = _points(positions, direction)
+    ideal = np.zeros((3, n))
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        tx = direction[0, at]
+        ty = direction[1, at]
+        tz = direction[2, at]
+        # per point
+        ideal[0, at] = tx
+        ideal[1, at] = ty
+        ideal[2, at] = tz
+    return ideal
+
+
+def tool_orientation_deviation(positions, errors, parameters, direction):
+    """Deviation of a direction of the tool frame in the workpiece frame, exact.
+
+    Source: Eqs. (1)-(4), rotations alone. Operations: 83 per point.
+
+    Arguments (float64):
+        positions (3, n): commanded positions of X Y Z [mm]
+        errors (18, n): component errors at the point [mm, rad]
+        parameters (9,): home positions and location errors [mm, rad]
+        direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
+
+    Returns:
+        deviation (3, n): the vector in the workpiece frame, actual minus ideal [1]
+    """
+    n, positions, errors, direction = _points(positions, errors, direction)
+    deviation = np.zeros((3, n))
+    # constants
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        EAX = errors[3, at]
+        EBX = errors[4, at]
+        ECX = errors[5, at]
+        EAY = errors[9, at]
+        EBY = errors[10, at]
+        ECY = errors[11, at]
+        EAZ = errors[15, at]
+        EBZ = errors[16, at]
+        ECZ = errors[17, at]
+        tx = direction[0, at]
+        ty = direction[1, at]
+        tz = direction[2, at]
+        # per point
+        w0 = EBZ*tz - ECZ*ty
+        w1 = -EAZ*tz + ECZ*tx
+        w2 = EAZ*ty - EBZ*tx
+        w3 = -eps_xz*(tx + w0) + eps_yz*(ty + w1) + w2
+        w4 = tz + w3
+        w5 = tz + w2
+        w6 = -eps_yz*w5 + w1
+        w7 = ty + w6
+        w8 = eps_xz*w5 + w0
+        w9 = EBX*w4 - ECX*w7 + w8
+        w10 = tx + w8
+        w11 = -EAX*w4 + ECX*w10 + w6
+        w12 = -eps_xy*(ty + w11) + w9
+        w13 = eps_xy*(tx + w9) + w11
+        w14 = ty + w13
+        w15 = EAX*w7 - EBX*w10 + w3
+        w16 = tz + w15
+        w17 = tx + w12
+        w18 = EAY*w17 + EBY*w14 + ECY*w16
+        w19 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
+        w20 = 1.0/(w19 + 1)
+        deviation[0, at] = w20*(EAY*w18 - EBY*w16 + ECY*w14 - tx*w19 + w12)
+        deviation[1, at] = w20*(EAY*w16 + EBY*w18 - ECY*w17 - ty*w19 + w13)
+        deviation[2, at] = w20*(-EAY*w14 + EBY*w17 + ECY*w18 - tz*w19 + w15)
+    return deviation
+
+
+def tool_orientation_deviation_first_order(positions, errors, parameters, direction):
+    """Deviation of a direction of the tool frame in the workpiece frame, to first order.
+
+    Source: Eqs. (1)-(4), rotations alone. Operations: 45 per point.
+
+    Arguments (float64):
+        positions (3, n): commanded positions of X Y Z [mm]
+        errors (18, n): component errors at the point [mm, rad]
+        parameters (9,): home positions and location errors [mm, rad]
+        direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
+
+    Returns:
+        deviation (3, n): the vector in the workpiece frame, actual minus ideal [1]
+    """
+    n, positions, errors, direction = _points(positions, errors, direction)
+    deviation = np.zeros((3, n))
+    # constants
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        EAX = errors[3, at]
+        EBX = errors[4, at]
+        ECX = errors[5, at]
+        EAY = errors[9, at]
+        EBY = errors[10, at]
+        ECY = errors[11, at]
+        EAZ = errors[15, at]
+        EBZ = errors[16, at]
+        ECZ = errors[17, at]
+        tx = direction[0, at]
+        ty = direction[1, at]
+        tz = direction[2, at]
+        # per point
+        w0 = EBZ*tz - ECZ*ty
+        w1 = eps_xz*tz + w0
+        w2 = EBX*tz - ECX*ty + w1
+        w3 = -eps_xy*ty + w2
+        deviation[0, at] = -EBY*tz + ECY*ty + w3
+        w4 = -EAZ*tz + ECZ*tx
+        w5 = -eps_yz*tz + w4
+        w6 = -EAX*tz + ECX*tx + w5
+        w7 = eps_xy*tx + w6
+        deviation[1, at] = EAY*tz - ECY*tx + w7
+        w8 = EAZ*ty - EBZ*tx
+        w9 = -eps_xz*tx + eps_yz*ty + w8
+        w10 = EAX*ty - EBX*tx + w9
+        deviation[2, at] = -EAY*ty + EBY*tx + w10
+    return deviation
+
+
 def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, exact.
 
@@ -1587,141 +1791,141 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     n, positions = _points(positions)
     deviation = np.zeros((3, n))
     # constants
-    EXX_1 = curves[0, 0]
-    EXX_2 = curves[0, 1]
-    EXX_3 = curves[0, 2]
-    EXX_4 = curves[0, 3]
-    EXX_5 = curves[0, 4]
-    EXX_6 = curves[0, 5]
-    EXX_7 = curves[0, 6]
-    EYX_1 = curves[1, 0]
-    EYX_2 = curves[1, 1]
-    EYX_3 = curves[1, 2]
-    EYX_4 = curves[1, 3]
-    EYX_5 = curves[1, 4]
-    EYX_6 = curves[1, 5]
-    EYX_7 = curves[1, 6]
-    EZX_1 = curves[2, 0]
-    EZX_2 = curves[2, 1]
-    EZX_3 = curves[2, 2]
-    EZX_4 = curves[2, 3]
-    EZX_5 = curves[2, 4]
-    EZX_6 = curves[2, 5]
-    EZX_7 = curves[2, 6]
-    EAX_1 = curves[3, 0]
-    EAX_2 = curves[3, 1]
-    EAX_3 = curves[3, 2]
-    EAX_4 = curves[3, 3]
-    EAX_5 = curves[3, 4]
-    EAX_6 = curves[3, 5]
-    EAX_7 = curves[3, 6]
-    EBX_1 = curves[4, 0]
-    EBX_2 = curves[4, 1]
-    EBX_3 = curves[4, 2]
-    EBX_4 = curves[4, 3]
-    EBX_5 = curves[4, 4]
-    EBX_6 = curves[4, 5]
-    EBX_7 = curves[4, 6]
-    ECX_1 = curves[5, 0]
-    ECX_2 = curves[5, 1]
-    ECX_3 = curves[5, 2]
-    ECX_4 = curves[5, 3]
-    ECX_5 = curves[5, 4]
-    ECX_6 = curves[5, 5]
-    ECX_7 = curves[5, 6]
-    EXY_1 = curves[6, 0]
-    EXY_2 = curves[6, 1]
-    EXY_3 = curves[6, 2]
-    EXY_4 = curves[6, 3]
-    EXY_5 = curves[6, 4]
-    EXY_6 = curves[6, 5]
-    EXY_7 = curves[6, 6]
-    EYY_1 = curves[7, 0]
-    EYY_2 = curves[7, 1]
-    EYY_3 = curves[7, 2]
-    EYY_4 = curves[7, 3]
-    EYY_5 = curves[7, 4]
-    EYY_6 = curves[7, 5]
-    EYY_7 = curves[7, 6]
-    EZY_1 = curves[8, 0]
-    EZY_2 = curves[8, 1]
-    EZY_3 = curves[8, 2]
-    EZY_4 = curves[8, 3]
-    EZY_5 = curves[8, 4]
-    EZY_6 = curves[8, 5]
-    EZY_7 = curves[8, 6]
-    EAY_1 = curves[9, 0]
-    EAY_2 = curves[9, 1]
-    EAY_3 = curves[9, 2]
-    EAY_4 = curves[9, 3]
-    EAY_5 = curves[9, 4]
-    EAY_6 = curves[9, 5]
-    EAY_7 = curves[9, 6]
-    EBY_1 = curves[10, 0]
-    EBY_2 = curves[10, 1]
-    EBY_3 = curves[10, 2]
-    EBY_4 = curves[10, 3]
-    EBY_5 = curves[10, 4]
-    EBY_6 = curves[10, 5]
-    EBY_7 = curves[10, 6]
-    ECY_1 = curves[11, 0]
-    ECY_2 = curves[11, 1]
-    ECY_3 = curves[11, 2]
-    ECY_4 = curves[11, 3]
-    ECY_5 = curves[11, 4]
-    ECY_6 = curves[11, 5]
-    ECY_7 = curves[11, 6]
-    EXZ_1 = curves[12, 0]
-    EXZ_2 = curves[12, 1]
-    EXZ_3 = curves[12, 2]
-    EXZ_4 = curves[12, 3]
-    EXZ_5 = curves[12, 4]
-    EXZ_6 = curves[12, 5]
-    EXZ_7 = curves[12, 6]
-    EYZ_1 = curves[13, 0]
-    EYZ_2 = curves[13, 1]
-    EYZ_3 = curves[13, 2]
-    EYZ_4 = curves[13, 3]
-    EYZ_5 = curves[13, 4]
-    EYZ_6 = curves[13, 5]
-    EYZ_7 = curves[13, 6]
-    EZZ_1 = curves[14, 0]
-    EZZ_2 = curves[14, 1]
-    EZZ_3 = curves[14, 2]
-    EZZ_4 = curves[14, 3]
-    EZZ_5 = curves[14, 4]
-    EZZ_6 = curves[14, 5]
-    EZZ_7 = curves[14, 6]
-    EAZ_1 = curves[15, 0]
-    EAZ_2 = curves[15, 1]
-    EAZ_3 = curves[15, 2]
-    EAZ_4 = curves[15, 3]
-    EAZ_5 = curves[15, 4]
-    EAZ_6 = curves[15, 5]
-    EAZ_7 = curves[15, 6]
-    EBZ_1 = curves[16, 0]
-    EBZ_2 = curves[16, 1]
-    EBZ_3 = curves[16, 2]
-    EBZ_4 = curves[16, 3]
-    EBZ_5 = curves[16, 4]
-    EBZ_6 = curves[16, 5]
-    EBZ_7 = curves[16, 6]
-    ECZ_1 = curves[17, 0]
-    ECZ_2 = curves[17, 1]
-    ECZ_3 = curves[17, 2]
-    ECZ_4 = curves[17, 3]
-    ECZ_5 = curves[17, 4]
-    ECZ_6 = curves[17, 5]
-    ECZ_7 = curves[17, 6]
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
-    rx = point[0]
-    ry = point[1]
-    rz = point[2]
+    EXX_1 = float(curves[0, 0])
+    EXX_2 = float(curves[0, 1])
+    EXX_3 = float(curves[0, 2])
+    EXX_4 = float(curves[0, 3])
+    EXX_5 = float(curves[0, 4])
+    EXX_6 = float(curves[0, 5])
+    EXX_7 = float(curves[0, 6])
+    EYX_1 = float(curves[1, 0])
+    EYX_2 = float(curves[1, 1])
+    EYX_3 = float(curves[1, 2])
+    EYX_4 = float(curves[1, 3])
+    EYX_5 = float(curves[1, 4])
+    EYX_6 = float(curves[1, 5])
+    EYX_7 = float(curves[1, 6])
+    EZX_1 = float(curves[2, 0])
+    EZX_2 = float(curves[2, 1])
+    EZX_3 = float(curves[2, 2])
+    EZX_4 = float(curves[2, 3])
+    EZX_5 = float(curves[2, 4])
+    EZX_6 = float(curves[2, 5])
+    EZX_7 = float(curves[2, 6])
+    EAX_1 = float(curves[3, 0])
+    EAX_2 = float(curves[3, 1])
+    EAX_3 = float(curves[3, 2])
+    EAX_4 = float(curves[3, 3])
+    EAX_5 = float(curves[3, 4])
+    EAX_6 = float(curves[3, 5])
+    EAX_7 = float(curves[3, 6])
+    EBX_1 = float(curves[4, 0])
+    EBX_2 = float(curves[4, 1])
+    EBX_3 = float(curves[4, 2])
+    EBX_4 = float(curves[4, 3])
+    EBX_5 = float(curves[4, 4])
+    EBX_6 = float(curves[4, 5])
+    EBX_7 = float(curves[4, 6])
+    ECX_1 = float(curves[5, 0])
+    ECX_2 = float(curves[5, 1])
+    ECX_3 = float(curves[5, 2])
+    ECX_4 = float(curves[5, 3])
+    ECX_5 = float(curves[5, 4])
+    ECX_6 = float(curves[5, 5])
+    ECX_7 = float(curves[5, 6])
+    EXY_1 = float(curves[6, 0])
+    EXY_2 = float(curves[6, 1])
+    EXY_3 = float(curves[6, 2])
+    EXY_4 = float(curves[6, 3])
+    EXY_5 = float(curves[6, 4])
+    EXY_6 = float(curves[6, 5])
+    EXY_7 = float(curves[6, 6])
+    EYY_1 = float(curves[7, 0])
+    EYY_2 = float(curves[7, 1])
+    EYY_3 = float(curves[7, 2])
+    EYY_4 = float(curves[7, 3])
+    EYY_5 = float(curves[7, 4])
+    EYY_6 = float(curves[7, 5])
+    EYY_7 = float(curves[7, 6])
+    EZY_1 = float(curves[8, 0])
+    EZY_2 = float(curves[8, 1])
+    EZY_3 = float(curves[8, 2])
+    EZY_4 = float(curves[8, 3])
+    EZY_5 = float(curves[8, 4])
+    EZY_6 = float(curves[8, 5])
+    EZY_7 = float(curves[8, 6])
+    EAY_1 = float(curves[9, 0])
+    EAY_2 = float(curves[9, 1])
+    EAY_3 = float(curves[9, 2])
+    EAY_4 = float(curves[9, 3])
+    EAY_5 = float(curves[9, 4])
+    EAY_6 = float(curves[9, 5])
+    EAY_7 = float(curves[9, 6])
+    EBY_1 = float(curves[10, 0])
+    EBY_2 = float(curves[10, 1])
+    EBY_3 = float(curves[10, 2])
+    EBY_4 = float(curves[10, 3])
+    EBY_5 = float(curves[10, 4])
+    EBY_6 = float(curves[10, 5])
+    EBY_7 = float(curves[10, 6])
+    ECY_1 = float(curves[11, 0])
+    ECY_2 = float(curves[11, 1])
+    ECY_3 = float(curves[11, 2])
+    ECY_4 = float(curves[11, 3])
+    ECY_5 = float(curves[11, 4])
+    ECY_6 = float(curves[11, 5])
+    ECY_7 = float(curves[11, 6])
+    EXZ_1 = float(curves[12, 0])
+    EXZ_2 = float(curves[12, 1])
+    EXZ_3 = float(curves[12, 2])
+    EXZ_4 = float(curves[12, 3])
+    EXZ_5 = float(curves[12, 4])
+    EXZ_6 = float(curves[12, 5])
+    EXZ_7 = float(curves[12, 6])
+    EYZ_1 = float(curves[13, 0])
+    EYZ_2 = float(curves[13, 1])
+    EYZ_3 = float(curves[13, 2])
+    EYZ_4 = float(curves[13, 3])
+    EYZ_5 = float(curves[13, 4])
+    EYZ_6 = float(curves[13, 5])
+    EYZ_7 = float(curves[13, 6])
+    EZZ_1 = float(curves[14, 0])
+    EZZ_2 = float(curves[14, 1])
+    EZZ_3 = float(curves[14, 2])
+    EZZ_4 = float(curves[14, 3])
+    EZZ_5 = float(curves[14, 4])
+    EZZ_6 = float(curves[14, 5])
+    EZZ_7 = float(curves[14, 6])
+    EAZ_1 = float(curves[15, 0])
+    EAZ_2 = float(curves[15, 1])
+    EAZ_3 = float(curves[15, 2])
+    EAZ_4 = float(curves[15, 3])
+    EAZ_5 = float(curves[15, 4])
+    EAZ_6 = float(curves[15, 5])
+    EAZ_7 = float(curves[15, 6])
+    EBZ_1 = float(curves[16, 0])
+    EBZ_2 = float(curves[16, 1])
+    EBZ_3 = float(curves[16, 2])
+    EBZ_4 = float(curves[16, 3])
+    EBZ_5 = float(curves[16, 4])
+    EBZ_6 = float(curves[16, 5])
+    EBZ_7 = float(curves[16, 6])
+    ECZ_1 = float(curves[17, 0])
+    ECZ_2 = float(curves[17, 1])
+    ECZ_3 = float(curves[17, 2])
+    ECZ_4 = float(curves[17, 3])
+    ECZ_5 = float(curves[17, 4])
+    ECZ_6 = float(curves[17, 5])
+    ECZ_7 = float(curves[17, 6])
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
+    rx = float(point[0])
+    ry = float(point[1])
+    rz = float(point[2])
     # once per call
     w3 = q_Tx + rx
     w6 = q_Ty + ry
@@ -1732,44 +1936,44 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
         y = positions[1, at]
         z = positions[2, at]
         # per point
-        w0 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))))
-        w1 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + y*(EBY_6 + EBY_7*y))))))
-        w2 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))))
+        w0 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
+        w1 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, EBY_6, EBY_7)
+        w2 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
         w4 = w3 + x
-        w5 = y*(EXY_1 + y*(EXY_2 + y*(EXY_3 + y*(EXY_4 + y*(EXY_5 + y*(EXY_6 + EXY_7*y))))))
+        w5 = _polynomial(y, EXY_1, EXY_2, EXY_3, EXY_4, EXY_5, EXY_6, EXY_7)
         w8 = w7 + z
-        w9 = z*(EXZ_1 + z*(EXZ_2 + z*(EXZ_3 + z*(EXZ_4 + z*(EXZ_5 + z*(EXZ_6 + EXZ_7*z))))))
-        w10 = z*(EBZ_1 + z*(EBZ_2 + z*(EBZ_3 + z*(EBZ_4 + z*(EBZ_5 + z*(EBZ_6 + EBZ_7*z))))))
-        w11 = z*(ECZ_1 + z*(ECZ_2 + z*(ECZ_3 + z*(ECZ_4 + z*(ECZ_5 + z*(ECZ_6 + ECZ_7*z))))))
+        w9 = _polynomial(z, EXZ_1, EXZ_2, EXZ_3, EXZ_4, EXZ_5, EXZ_6, EXZ_7)
+        w10 = _polynomial(z, EBZ_1, EBZ_2, EBZ_3, EBZ_4, EBZ_5, EBZ_6, EBZ_7)
+        w11 = _polynomial(z, ECZ_1, ECZ_2, ECZ_3, ECZ_4, ECZ_5, ECZ_6, ECZ_7)
         w12 = w10*w7 - w11*w6 + w9
-        w13 = z*(EYZ_1 + z*(EYZ_2 + z*(EYZ_3 + z*(EYZ_4 + z*(EYZ_5 + z*(EYZ_6 + EYZ_7*z))))))
-        w14 = z*(EAZ_1 + z*(EAZ_2 + z*(EAZ_3 + z*(EAZ_4 + z*(EAZ_5 + z*(EAZ_6 + EAZ_7*z))))))
+        w13 = _polynomial(z, EYZ_1, EYZ_2, EYZ_3, EYZ_4, EYZ_5, EYZ_6, EYZ_7)
+        w14 = _polynomial(z, EAZ_1, EAZ_2, EAZ_3, EAZ_4, EAZ_5, EAZ_6, EAZ_7)
         w15 = w11*w3 + w13 - w14*w7
-        w16 = z*(EZZ_1 + z*(EZZ_2 + z*(EZZ_3 + z*(EZZ_4 + z*(EZZ_5 + z*(EZZ_6 + EZZ_7*z))))))
+        w16 = _polynomial(z, EZZ_1, EZZ_2, EZZ_3, EZZ_4, EZZ_5, EZZ_6, EZZ_7)
         w17 = -w10*w3 + w14*w6 + w16
         w18 = -eps_xz*(w12 + w3) + eps_yz*(w15 + w6) + w17
         w19 = w18 + w8
         w20 = w17 + w8
         w21 = -eps_yz*w20 + w15
         w22 = w21 + w6
-        w23 = x*(EXX_1 + x*(EXX_2 + x*(EXX_3 + x*(EXX_4 + x*(EXX_5 + x*(EXX_6 + EXX_7*x))))))
-        w24 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))))
-        w25 = x*(ECX_1 + x*(ECX_2 + x*(ECX_3 + x*(ECX_4 + x*(ECX_5 + x*(ECX_6 + ECX_7*x))))))
+        w23 = _polynomial(x, EXX_1, EXX_2, EXX_3, EXX_4, EXX_5, EXX_6, EXX_7)
+        w24 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
+        w25 = _polynomial(x, ECX_1, ECX_2, ECX_3, ECX_4, ECX_5, ECX_6, ECX_7)
         w26 = eps_xz*w20 + w12
         w27 = w19*w24 - w22*w25 + w23 + w26
         w28 = w26 + w3
-        w29 = x*(EYX_1 + x*(EYX_2 + x*(EYX_3 + x*(EYX_4 + x*(EYX_5 + x*(EYX_6 + EYX_7*x))))))
-        w30 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + x*(EAX_6 + EAX_7*x))))))
+        w29 = _polynomial(x, EYX_1, EYX_2, EYX_3, EYX_4, EYX_5, EYX_6, EYX_7)
+        w30 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, EAX_6, EAX_7)
         w31 = -w19*w30 + w21 + w25*w28 + w29
         w32 = -eps_xy*(w31 + w6) + w27
         w33 = w32 - w5
         w34 = w6 - y
-        w35 = y*(EYY_1 + y*(EYY_2 + y*(EYY_3 + y*(EYY_4 + y*(EYY_5 + y*(EYY_6 + EYY_7*y))))))
+        w35 = _polynomial(y, EYY_1, EYY_2, EYY_3, EYY_4, EYY_5, EYY_6, EYY_7)
         w36 = eps_xy*(w27 + w4) + w31
         w37 = -w35 + w36
         w38 = w34 + w37
-        w39 = y*(EZY_1 + y*(EZY_2 + y*(EZY_3 + y*(EZY_4 + y*(EZY_5 + y*(EZY_6 + EZY_7*y))))))
-        w40 = x*(EZX_1 + x*(EZX_2 + x*(EZX_3 + x*(EZX_4 + x*(EZX_5 + x*(EZX_6 + EZX_7*x))))))
+        w39 = _polynomial(y, EZY_1, EZY_2, EZY_3, EZY_4, EZY_5, EZY_6, EZY_7)
+        w40 = _polynomial(x, EZX_1, EZX_2, EZX_3, EZX_4, EZX_5, EZX_6, EZX_7)
         w41 = w18 + w22*w30 - w24*w28 + w40
         w42 = -w39 + w41
         w43 = w42 + w8
@@ -1800,141 +2004,141 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
     n, positions = _points(positions)
     deviation = np.zeros((3, n))
     # constants
-    EXX_1 = curves[0, 0]
-    EXX_2 = curves[0, 1]
-    EXX_3 = curves[0, 2]
-    EXX_4 = curves[0, 3]
-    EXX_5 = curves[0, 4]
-    EXX_6 = curves[0, 5]
-    EXX_7 = curves[0, 6]
-    EYX_1 = curves[1, 0]
-    EYX_2 = curves[1, 1]
-    EYX_3 = curves[1, 2]
-    EYX_4 = curves[1, 3]
-    EYX_5 = curves[1, 4]
-    EYX_6 = curves[1, 5]
-    EYX_7 = curves[1, 6]
-    EZX_1 = curves[2, 0]
-    EZX_2 = curves[2, 1]
-    EZX_3 = curves[2, 2]
-    EZX_4 = curves[2, 3]
-    EZX_5 = curves[2, 4]
-    EZX_6 = curves[2, 5]
-    EZX_7 = curves[2, 6]
-    EAX_1 = curves[3, 0]
-    EAX_2 = curves[3, 1]
-    EAX_3 = curves[3, 2]
-    EAX_4 = curves[3, 3]
-    EAX_5 = curves[3, 4]
-    EAX_6 = curves[3, 5]
-    EAX_7 = curves[3, 6]
-    EBX_1 = curves[4, 0]
-    EBX_2 = curves[4, 1]
-    EBX_3 = curves[4, 2]
-    EBX_4 = curves[4, 3]
-    EBX_5 = curves[4, 4]
-    EBX_6 = curves[4, 5]
-    EBX_7 = curves[4, 6]
-    ECX_1 = curves[5, 0]
-    ECX_2 = curves[5, 1]
-    ECX_3 = curves[5, 2]
-    ECX_4 = curves[5, 3]
-    ECX_5 = curves[5, 4]
-    ECX_6 = curves[5, 5]
-    ECX_7 = curves[5, 6]
-    EXY_1 = curves[6, 0]
-    EXY_2 = curves[6, 1]
-    EXY_3 = curves[6, 2]
-    EXY_4 = curves[6, 3]
-    EXY_5 = curves[6, 4]
-    EXY_6 = curves[6, 5]
-    EXY_7 = curves[6, 6]
-    EYY_1 = curves[7, 0]
-    EYY_2 = curves[7, 1]
-    EYY_3 = curves[7, 2]
-    EYY_4 = curves[7, 3]
-    EYY_5 = curves[7, 4]
-    EYY_6 = curves[7, 5]
-    EYY_7 = curves[7, 6]
-    EZY_1 = curves[8, 0]
-    EZY_2 = curves[8, 1]
-    EZY_3 = curves[8, 2]
-    EZY_4 = curves[8, 3]
-    EZY_5 = curves[8, 4]
-    EZY_6 = curves[8, 5]
-    EZY_7 = curves[8, 6]
-    EAY_1 = curves[9, 0]
-    EAY_2 = curves[9, 1]
-    EAY_3 = curves[9, 2]
-    EAY_4 = curves[9, 3]
-    EAY_5 = curves[9, 4]
-    EAY_6 = curves[9, 5]
-    EAY_7 = curves[9, 6]
-    EBY_1 = curves[10, 0]
-    EBY_2 = curves[10, 1]
-    EBY_3 = curves[10, 2]
-    EBY_4 = curves[10, 3]
-    EBY_5 = curves[10, 4]
-    EBY_6 = curves[10, 5]
-    EBY_7 = curves[10, 6]
-    ECY_1 = curves[11, 0]
-    ECY_2 = curves[11, 1]
-    ECY_3 = curves[11, 2]
-    ECY_4 = curves[11, 3]
-    ECY_5 = curves[11, 4]
-    ECY_6 = curves[11, 5]
-    ECY_7 = curves[11, 6]
-    EXZ_1 = curves[12, 0]
-    EXZ_2 = curves[12, 1]
-    EXZ_3 = curves[12, 2]
-    EXZ_4 = curves[12, 3]
-    EXZ_5 = curves[12, 4]
-    EXZ_6 = curves[12, 5]
-    EXZ_7 = curves[12, 6]
-    EYZ_1 = curves[13, 0]
-    EYZ_2 = curves[13, 1]
-    EYZ_3 = curves[13, 2]
-    EYZ_4 = curves[13, 3]
-    EYZ_5 = curves[13, 4]
-    EYZ_6 = curves[13, 5]
-    EYZ_7 = curves[13, 6]
-    EZZ_1 = curves[14, 0]
-    EZZ_2 = curves[14, 1]
-    EZZ_3 = curves[14, 2]
-    EZZ_4 = curves[14, 3]
-    EZZ_5 = curves[14, 4]
-    EZZ_6 = curves[14, 5]
-    EZZ_7 = curves[14, 6]
-    EAZ_1 = curves[15, 0]
-    EAZ_2 = curves[15, 1]
-    EAZ_3 = curves[15, 2]
-    EAZ_4 = curves[15, 3]
-    EAZ_5 = curves[15, 4]
-    EAZ_6 = curves[15, 5]
-    EAZ_7 = curves[15, 6]
-    EBZ_1 = curves[16, 0]
-    EBZ_2 = curves[16, 1]
-    EBZ_3 = curves[16, 2]
-    EBZ_4 = curves[16, 3]
-    EBZ_5 = curves[16, 4]
-    EBZ_6 = curves[16, 5]
-    EBZ_7 = curves[16, 6]
-    ECZ_1 = curves[17, 0]
-    ECZ_2 = curves[17, 1]
-    ECZ_3 = curves[17, 2]
-    ECZ_4 = curves[17, 3]
-    ECZ_5 = curves[17, 4]
-    ECZ_6 = curves[17, 5]
-    ECZ_7 = curves[17, 6]
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
-    rx = point[0]
-    ry = point[1]
-    rz = point[2]
+    EXX_1 = float(curves[0, 0])
+    EXX_2 = float(curves[0, 1])
+    EXX_3 = float(curves[0, 2])
+    EXX_4 = float(curves[0, 3])
+    EXX_5 = float(curves[0, 4])
+    EXX_6 = float(curves[0, 5])
+    EXX_7 = float(curves[0, 6])
+    EYX_1 = float(curves[1, 0])
+    EYX_2 = float(curves[1, 1])
+    EYX_3 = float(curves[1, 2])
+    EYX_4 = float(curves[1, 3])
+    EYX_5 = float(curves[1, 4])
+    EYX_6 = float(curves[1, 5])
+    EYX_7 = float(curves[1, 6])
+    EZX_1 = float(curves[2, 0])
+    EZX_2 = float(curves[2, 1])
+    EZX_3 = float(curves[2, 2])
+    EZX_4 = float(curves[2, 3])
+    EZX_5 = float(curves[2, 4])
+    EZX_6 = float(curves[2, 5])
+    EZX_7 = float(curves[2, 6])
+    EAX_1 = float(curves[3, 0])
+    EAX_2 = float(curves[3, 1])
+    EAX_3 = float(curves[3, 2])
+    EAX_4 = float(curves[3, 3])
+    EAX_5 = float(curves[3, 4])
+    EAX_6 = float(curves[3, 5])
+    EAX_7 = float(curves[3, 6])
+    EBX_1 = float(curves[4, 0])
+    EBX_2 = float(curves[4, 1])
+    EBX_3 = float(curves[4, 2])
+    EBX_4 = float(curves[4, 3])
+    EBX_5 = float(curves[4, 4])
+    EBX_6 = float(curves[4, 5])
+    EBX_7 = float(curves[4, 6])
+    ECX_1 = float(curves[5, 0])
+    ECX_2 = float(curves[5, 1])
+    ECX_3 = float(curves[5, 2])
+    ECX_4 = float(curves[5, 3])
+    ECX_5 = float(curves[5, 4])
+    ECX_6 = float(curves[5, 5])
+    ECX_7 = float(curves[5, 6])
+    EXY_1 = float(curves[6, 0])
+    EXY_2 = float(curves[6, 1])
+    EXY_3 = float(curves[6, 2])
+    EXY_4 = float(curves[6, 3])
+    EXY_5 = float(curves[6, 4])
+    EXY_6 = float(curves[6, 5])
+    EXY_7 = float(curves[6, 6])
+    EYY_1 = float(curves[7, 0])
+    EYY_2 = float(curves[7, 1])
+    EYY_3 = float(curves[7, 2])
+    EYY_4 = float(curves[7, 3])
+    EYY_5 = float(curves[7, 4])
+    EYY_6 = float(curves[7, 5])
+    EYY_7 = float(curves[7, 6])
+    EZY_1 = float(curves[8, 0])
+    EZY_2 = float(curves[8, 1])
+    EZY_3 = float(curves[8, 2])
+    EZY_4 = float(curves[8, 3])
+    EZY_5 = float(curves[8, 4])
+    EZY_6 = float(curves[8, 5])
+    EZY_7 = float(curves[8, 6])
+    EAY_1 = float(curves[9, 0])
+    EAY_2 = float(curves[9, 1])
+    EAY_3 = float(curves[9, 2])
+    EAY_4 = float(curves[9, 3])
+    EAY_5 = float(curves[9, 4])
+    EAY_6 = float(curves[9, 5])
+    EAY_7 = float(curves[9, 6])
+    EBY_1 = float(curves[10, 0])
+    EBY_2 = float(curves[10, 1])
+    EBY_3 = float(curves[10, 2])
+    EBY_4 = float(curves[10, 3])
+    EBY_5 = float(curves[10, 4])
+    EBY_6 = float(curves[10, 5])
+    EBY_7 = float(curves[10, 6])
+    ECY_1 = float(curves[11, 0])
+    ECY_2 = float(curves[11, 1])
+    ECY_3 = float(curves[11, 2])
+    ECY_4 = float(curves[11, 3])
+    ECY_5 = float(curves[11, 4])
+    ECY_6 = float(curves[11, 5])
+    ECY_7 = float(curves[11, 6])
+    EXZ_1 = float(curves[12, 0])
+    EXZ_2 = float(curves[12, 1])
+    EXZ_3 = float(curves[12, 2])
+    EXZ_4 = float(curves[12, 3])
+    EXZ_5 = float(curves[12, 4])
+    EXZ_6 = float(curves[12, 5])
+    EXZ_7 = float(curves[12, 6])
+    EYZ_1 = float(curves[13, 0])
+    EYZ_2 = float(curves[13, 1])
+    EYZ_3 = float(curves[13, 2])
+    EYZ_4 = float(curves[13, 3])
+    EYZ_5 = float(curves[13, 4])
+    EYZ_6 = float(curves[13, 5])
+    EYZ_7 = float(curves[13, 6])
+    EZZ_1 = float(curves[14, 0])
+    EZZ_2 = float(curves[14, 1])
+    EZZ_3 = float(curves[14, 2])
+    EZZ_4 = float(curves[14, 3])
+    EZZ_5 = float(curves[14, 4])
+    EZZ_6 = float(curves[14, 5])
+    EZZ_7 = float(curves[14, 6])
+    EAZ_1 = float(curves[15, 0])
+    EAZ_2 = float(curves[15, 1])
+    EAZ_3 = float(curves[15, 2])
+    EAZ_4 = float(curves[15, 3])
+    EAZ_5 = float(curves[15, 4])
+    EAZ_6 = float(curves[15, 5])
+    EAZ_7 = float(curves[15, 6])
+    EBZ_1 = float(curves[16, 0])
+    EBZ_2 = float(curves[16, 1])
+    EBZ_3 = float(curves[16, 2])
+    EBZ_4 = float(curves[16, 3])
+    EBZ_5 = float(curves[16, 4])
+    EBZ_6 = float(curves[16, 5])
+    EBZ_7 = float(curves[16, 6])
+    ECZ_1 = float(curves[17, 0])
+    ECZ_2 = float(curves[17, 1])
+    ECZ_3 = float(curves[17, 2])
+    ECZ_4 = float(curves[17, 3])
+    ECZ_5 = float(curves[17, 4])
+    ECZ_6 = float(curves[17, 5])
+    ECZ_7 = float(curves[17, 6])
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
+    rx = float(point[0])
+    ry = float(point[1])
+    rz = float(point[2])
     # once per call
     w0 = q_Tz + rz
     w1 = q_Ty + ry
@@ -2014,25 +2218,25 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         y = positions[1, at]
         z = positions[2, at]
         # per point
-        w10 = z*(w3 + z*(w4 + z*(w5 + z*(w6 + z*(w7 + z*(w8 + w9*z))))))
-        w19 = x*(w12 + x*(w13 + x*(w14 + x*(w15 + x*(w16 + x*(w17 + w18*x))))))
-        w28 = y*(w21 + y*(w22 + y*(w23 + y*(w24 + y*(w25 + y*(w26 + w27*y))))))
+        w10 = _polynomial(z, w3, w4, w5, w6, w7, w8, w9)
+        w19 = _polynomial(x, w12, w13, w14, w15, w16, w17, w18)
+        w28 = _polynomial(y, w21, w22, w23, w24, w25, w26, w27)
         w29 = w10 + w11 + w19 + w28
-        w30 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))))
+        w30 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
         w31 = EBY_6 + EBY_7*y
-        w32 = y*(-EBY_1 + y*(-EBY_2 + y*(-EBY_3 + y*(-EBY_4 + y*(-EBY_5 - w31*y)))))
+        w32 = _polynomial(y, -EBY_1, -EBY_2, -EBY_3, -EBY_4, -EBY_5, -w31)
         w33 = eps_xz + w30 + w32
         w34 = w33*z
-        w35 = y*(-ECY_1 + y*(-ECY_2 + y*(-ECY_3 + y*(-ECY_4 + y*(-ECY_5 + y*(-ECY_6 - ECY_7*y))))))
+        w35 = _polynomial(y, -ECY_1, -ECY_2, -ECY_3, -ECY_4, -ECY_5, -ECY_6, -ECY_7)
         w36 = w35
         w37 = w36*y
         deviation[0, at] = w29 + w34 + w37
-        w46 = z*(w39 + z*(w40 + z*(w41 + z*(w42 + z*(w43 + z*(w44 + w45*z))))))
-        w55 = x*(w48 + x*(w49 + x*(w50 + x*(w51 + x*(w52 + x*(w53 + w54*x))))))
-        w64 = y*(w57 + y*(w58 + y*(w59 + y*(w60 + y*(w61 + y*(w62 + w63*y))))))
+        w46 = _polynomial(z, w39, w40, w41, w42, w43, w44, w45)
+        w55 = _polynomial(x, w48, w49, w50, w51, w52, w53, w54)
+        w64 = _polynomial(y, w57, w58, w59, w60, w61, w62, w63)
         w65 = w46 + w47 + w55 + w64
-        w66 = x*(-EAX_1 + x*(-EAX_2 + x*(-EAX_3 + x*(-EAX_4 + x*(-EAX_5 + x*(-EAX_6 - EAX_7*x))))))
-        w67 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))))
+        w66 = _polynomial(x, -EAX_1, -EAX_2, -EAX_3, -EAX_4, -EAX_5, -EAX_6, -EAX_7)
+        w67 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
         w68 = w67
         w69 = -eps_yz + w66 + w68
         w70 = w69*z
@@ -2040,13 +2244,13 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w72 = eps_xy + w71
         w73 = w72*x
         deviation[1, at] = w65 + w70 + w73
-        w81 = z*(w74 + z*(w75 + z*(w76 + z*(w77 + z*(w78 + z*(w79 + w80*z))))))
-        w90 = x*(w83 + x*(w84 + x*(w85 + x*(w86 + x*(w87 + x*(w88 + w89*x))))))
-        w98 = y*(w91 + y*(w92 + y*(w93 + y*(w94 + y*(w95 + y*(w96 + w97*y))))))
+        w81 = _polynomial(z, w74, w75, w76, w77, w78, w79, w80)
+        w90 = _polynomial(x, w83, w84, w85, w86, w87, w88, w89)
+        w98 = _polynomial(y, w91, w92, w93, w94, w95, w96, w97)
         w99 = w81 + w82 + w90 + w98
         w100 = w67
         w101 = w100*y
-        w102 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + w31*y)))))
+        w102 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, w31)
         w103 = w102*x
         deviation[2, at] = w101 + w103 + w99
     return deviation
@@ -2071,15 +2275,15 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
     n, positions, errors, point, ball, length = _points(positions, errors, point, ball, length)
     error = np.zeros((4, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2109,7 +2313,7 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
         bx = ball[0, at]
         by = ball[1, at]
         bz = ball[2, at]
-        length = length[0, at]
+        length_ = length[0, at]
         # per point
         w0 = q_Tx + rx
         w1 = w0 + x
@@ -2155,7 +2359,7 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
         w41 = w32 + w38
         w42 = np.sqrt((w34*w34) + (w36*w36) + (w38*w38))
         w43 = np.sqrt((w39*w39) + (w40*w40) + (w41*w41))
-        error[0, at] = e = -length + w42 + (w30*(w34 + w39) + w31*(w36 + w40) + w32*(w38 + w41))/(w42 + w43)
+        error[0, at] = e = -length_ + w42 + (w30*(w34 + w39) + w31*(w36 + w40) + w32*(w38 + w41))/(w42 + w43)
         w44 = e/w43
         error[1, at] = w39*w44
         error[2, at] = w40*w44
@@ -2206,10 +2410,10 @@ def motion_X(positions, errors, parameters, tool_point):
     n, positions, errors, tool_point = _points(positions, errors, tool_point)
     displacement = np.zeros((3, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2249,9 +2453,9 @@ def motion_Y(positions, errors, parameters, workpiece_point):
     n, positions, errors, workpiece_point = _points(positions, errors, workpiece_point)
     displacement = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -2291,11 +2495,11 @@ def motion_Z(positions, errors, parameters, tool_point):
     n, positions, errors, tool_point = _points(positions, errors, tool_point)
     displacement = np.zeros((3, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         z = positions[2, at]
@@ -2336,13 +2540,13 @@ def motion_XY(positions, errors, parameters, workpiece_point, tool_point):
     n, positions, errors, workpiece_point, tool_point = _points(positions, errors, workpiece_point, tool_point)
     displacement = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2395,12 +2599,12 @@ def motion_XZ(positions, errors, parameters, tool_point):
     n, positions, errors, tool_point = _points(positions, errors, tool_point)
     displacement = np.zeros((3, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2451,14 +2655,14 @@ def motion_YZ(positions, errors, parameters, workpiece_point, tool_point):
     n, positions, errors, workpiece_point, tool_point = _points(positions, errors, workpiece_point, tool_point)
     displacement = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_wz = parameters[2]
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_yz = parameters[7]
-    eps_xz = parameters[8]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_yz = float(parameters[7])
+    eps_xz = float(parameters[8])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -2512,14 +2716,14 @@ def system_1(readings, positions, errors, parameters, points):
     n, readings, positions, errors = _points(readings, positions, errors)
     unknowns = np.zeros((3, n))
     # constants
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    rT1y = points[0, 1]
-    rT1z = points[0, 2]
-    rT2y = points[1, 1]
-    rT2z = points[1, 2]
-    rT3y = points[2, 1]
-    rT3z = points[2, 2]
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    rT1y = float(points[0, 1])
+    rT1z = float(points[0, 2])
+    rT2y = float(points[1, 1])
+    rT2z = float(points[1, 2])
+    rT3y = float(points[2, 1])
+    rT3z = float(points[2, 2])
     # once per call
     w0 = q_Ty*rT2z
     w1 = rT2z*rT3y
@@ -2564,14 +2768,14 @@ def system_2(readings, positions, errors, parameters, points):
     n, readings, positions, errors = _points(readings, positions, errors)
     unknowns = np.zeros((3, n))
     # constants
-    q_wx = parameters[0]
-    q_wz = parameters[2]
-    rW1x = points[0, 0]
-    rW1z = points[0, 2]
-    rW2x = points[1, 0]
-    rW2z = points[1, 2]
-    rW3x = points[2, 0]
-    rW3z = points[2, 2]
+    q_wx = float(parameters[0])
+    q_wz = float(parameters[2])
+    rW1x = float(points[0, 0])
+    rW1z = float(points[0, 2])
+    rW2x = float(points[1, 0])
+    rW2z = float(points[1, 2])
+    rW3x = float(points[2, 0])
+    rW3z = float(points[2, 2])
     # once per call
     w0 = q_wx*rW2z
     w1 = rW2z*rW3x
@@ -2616,14 +2820,14 @@ def system_3(readings, positions, errors, parameters, points):
     n, readings, positions, errors = _points(readings, positions, errors)
     unknowns = np.zeros((3, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    rT1x = points[0, 0]
-    rT1y = points[0, 1]
-    rT2x = points[1, 0]
-    rT2y = points[1, 1]
-    rT3x = points[2, 0]
-    rT3y = points[2, 1]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    rT1x = float(points[0, 0])
+    rT1y = float(points[0, 1])
+    rT2x = float(points[1, 0])
+    rT2y = float(points[1, 1])
+    rT3x = float(points[2, 0])
+    rT3y = float(points[2, 1])
     # once per call
     w0 = q_Tx*rT2y
     w1 = rT2y*rT3x
@@ -2668,13 +2872,13 @@ def system_4(readings, positions, errors, parameters, points):
     n, readings, positions, errors = _points(readings, positions, errors)
     unknowns = np.zeros((2, n))
     # constants
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    eps_xz = parameters[8]
-    rT1y = points[0, 1]
-    rT1z = points[0, 2]
-    rT2y = points[1, 1]
-    rT2z = points[1, 2]
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    eps_xz = float(parameters[8])
+    rT1y = float(points[0, 1])
+    rT1z = float(points[0, 2])
+    rT2y = float(points[1, 1])
+    rT2z = float(points[1, 2])
     # once per call
     w0 = q_Ty + rT1y
     w1 = 1.0/(rT1y - rT2y)
@@ -2717,12 +2921,12 @@ def system_5(readings, positions, errors, parameters, points):
     n, readings, positions, errors = _points(readings, positions, errors)
     unknowns = np.zeros((2, n))
     # constants
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    rT1x = points[0, 0]
-    rT1y = points[0, 1]
-    rT2x = points[1, 0]
-    rT2y = points[1, 1]
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    rT1x = float(points[0, 0])
+    rT1y = float(points[0, 1])
+    rT2x = float(points[1, 0])
+    rT2y = float(points[1, 1])
     # once per call
     w0 = q_Ty + rT2y
     w1 = 1.0/(-rT1y + rT2y)
@@ -2763,18 +2967,18 @@ def system_6(readings, positions, errors, parameters, points):
     n, readings, positions, errors = _points(readings, positions, errors)
     unknowns = np.zeros((2, n))
     # constants
-    q_wy = parameters[1]
-    q_wz = parameters[2]
-    q_Ty = parameters[4]
-    q_Tz = parameters[5]
-    rW1y = points[0, 1]
-    rW1z = points[0, 2]
-    rT1y = points[1, 1]
-    rT1z = points[1, 2]
-    rW2y = points[2, 1]
-    rW2z = points[2, 2]
-    rT2y = points[3, 1]
-    rT2z = points[3, 2]
+    q_wy = float(parameters[1])
+    q_wz = float(parameters[2])
+    q_Ty = float(parameters[4])
+    q_Tz = float(parameters[5])
+    rW1y = float(points[0, 1])
+    rW1z = float(points[0, 2])
+    rT1y = float(points[1, 1])
+    rT1z = float(points[1, 2])
+    rW2y = float(points[2, 1])
+    rW2z = float(points[2, 2])
+    rT2y = float(points[3, 1])
+    rT2z = float(points[3, 2])
     # once per call
     w0 = 1.0/(-rW1z + rW2z)
     for start in range(0, n, BLOCK):
@@ -2812,15 +3016,15 @@ def system_7(readings, positions, errors, parameters, points):
     n, readings, positions, errors = _points(readings, positions, errors)
     unknowns = np.zeros((1, n))
     # constants
-    q_wx = parameters[0]
-    q_wz = parameters[2]
-    q_Tx = parameters[3]
-    q_Tz = parameters[5]
-    eps_xy = parameters[6]
-    rW1x = points[0, 0]
-    rW1z = points[0, 2]
-    rT1x = points[1, 0]
-    rT1z = points[1, 2]
+    q_wx = float(parameters[0])
+    q_wz = float(parameters[2])
+    q_Tx = float(parameters[3])
+    q_Tz = float(parameters[5])
+    eps_xy = float(parameters[6])
+    rW1x = float(points[0, 0])
+    rW1z = float(points[0, 2])
+    rT1x = float(points[1, 0])
+    rT1z = float(points[1, 2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2853,15 +3057,15 @@ def system_8(readings, positions, errors, parameters, points):
     n, readings, positions, errors = _points(readings, positions, errors)
     unknowns = np.zeros((1, n))
     # constants
-    q_wx = parameters[0]
-    q_wz = parameters[2]
-    q_Tx = parameters[3]
-    q_Tz = parameters[5]
-    eps_yz = parameters[7]
-    rW1x = points[0, 0]
-    rW1z = points[0, 2]
-    rT1x = points[1, 0]
-    rT1z = points[1, 2]
+    q_wx = float(parameters[0])
+    q_wz = float(parameters[2])
+    q_Tx = float(parameters[3])
+    q_Tz = float(parameters[5])
+    eps_yz = float(parameters[7])
+    rW1x = float(points[0, 0])
+    rW1z = float(points[0, 2])
+    rT1x = float(points[1, 0])
+    rT1z = float(points[1, 2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2894,14 +3098,14 @@ def system_9(readings, positions, errors, parameters, points):
     n, readings, positions, errors = _points(readings, positions, errors)
     unknowns = np.zeros((1, n))
     # constants
-    q_wx = parameters[0]
-    q_wy = parameters[1]
-    q_Tx = parameters[3]
-    q_Ty = parameters[4]
-    rW1x = points[0, 0]
-    rW1y = points[0, 1]
-    rT1x = points[1, 0]
-    rT1y = points[1, 1]
+    q_wx = float(parameters[0])
+    q_wy = float(parameters[1])
+    q_Tx = float(parameters[3])
+    q_Ty = float(parameters[4])
+    rW1x = float(points[0, 0])
+    rW1y = float(points[0, 1])
+    rT1x = float(points[1, 0])
+    rT1y = float(points[1, 1])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]

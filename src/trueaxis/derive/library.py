@@ -23,6 +23,7 @@ def derive_routines(machine: Machine) -> tuple[Routine, ...]:
         routines += _view_routines(machine, each)
     main = view(machine, "tool_in_workpiece")
     routines += _position_routines(machine, main)
+    routines += _orientation_routines(machine, main)
     routines += _curve_routines(machine, main)
     routines.append(_ballbar(machine, main))
     routines += _correction(machine, main)
@@ -82,7 +83,7 @@ def _view_routines(machine: Machine, seen: View) -> Iterator[Routine]:
     )
     for exact in (True, False):
         binder = Binder()
-        walked = walk(seen, symbols.point(), binder, exact=exact)
+        walked = walk(seen, symbols.point(), binder, exact=exact, true_rotation=machine.true_rotation)
         yield build(
             f"{seen.name}_deviation" + ("" if exact else "_first_order"),
             f"Deviation of a {text}, " + ("exact." if exact else "to first order in the errors."),
@@ -125,7 +126,7 @@ def _position_routines(machine: Machine, main: View) -> Iterator[Routine]:
     )
     for exact in (True, False):
         binder = Binder()
-        walked = walk(main, symbols.point(), binder, exact=exact)
+        walked = walk(main, symbols.point(), binder, exact=exact, true_rotation=machine.true_rotation)
         value = tuple(p + d for p, d in zip(walked.ideal, walked.deviation, strict=True))
         yield build(
             f"{main.name}_position" + ("" if exact else "_first_order"),
@@ -134,6 +135,42 @@ def _position_routines(machine: Machine, main: View) -> Iterator[Routine]:
             inputs,
             (actual,),
             dict(zip(actual.rows, value, strict=True)),
+            binder.assignments,
+        )
+
+
+def _orientation_routines(machine: Machine, main: View) -> Iterator[Routine]:
+    """Ideal direction of a vector of the tool frame, such as the tool axis, and its deviation (five-axis machines)."""
+    axis = Argument(
+        "direction", ("tx", "ty", "tz"), (3,), True, "1", "unit vector in the tool frame, (0, 0, 1) for the tool axis"
+    )
+    start = tuple(symbols.named(row) for row in axis.rows)
+    ideal = Argument("ideal", ("ix", "iy", "iz"), (3,), True, "1", "the vector in the workpiece frame, without errors")
+    deviation = Argument(
+        "deviation", ("dx", "dy", "dz"), (3,), True, "1", "the vector in the workpiece frame, actual minus ideal"
+    )
+    positions, errors, parameters = positions_argument(machine), errors_argument(machine), parameters_argument(machine)
+    for exact in (True, False):
+        binder = Binder()
+        walked = walk(main, start, binder, exact=exact, true_rotation=machine.true_rotation, direction=True)
+        if exact:
+            yield build(
+                "tool_orientation_ideal",
+                "Ideal direction of a vector of the tool frame in the workpiece frame.",
+                "Eqs. (1)-(4) without errors, rotations alone",
+                (positions, axis),
+                (ideal,),
+                _rows(ideal.rows, walked.ideal),
+                binder.assignments,
+            )
+        yield build(
+            "tool_orientation_deviation" + ("" if exact else "_first_order"),
+            "Deviation of a direction of the tool frame in the workpiece frame, "
+            + ("exact." if exact else "to first order."),
+            "Eqs. (1)-(4), rotations alone",
+            (positions, errors, parameters, axis),
+            (deviation,),
+            _rows(deviation.rows, walked.deviation),
             binder.assignments,
         )
 
@@ -193,7 +230,7 @@ def _walk_with_curves(
     """The walk with each component error replaced by its polynomial: results and what they refer to."""
     curves, steps = Binder(), Binder()
     values = {symbols.named(name): curves.bind(curve(name, machine.curve_degree)) for name in machine.components}
-    walked = walk(main, symbols.point(), steps, exact=exact)
+    walked = walk(main, symbols.point(), steps, exact=exact, true_rotation=machine.true_rotation)
     bound = [(_marked(target), _mark(value).xreplace(values)) for target, value in steps.assignments]
     results = dict(zip(rows, (_mark(d).xreplace(values) for d in walked.deviation), strict=True))
     return results, curves.assignments + bound
@@ -210,7 +247,7 @@ def _mark(value: sp.Expr) -> sp.Expr:
 
 def _ballbar(machine: Machine, main: View) -> Routine:
     binder = Binder()
-    walked = walk(main, symbols.point(), binder)
+    walked = walk(main, symbols.point(), binder, true_rotation=machine.true_rotation)
     ball = symbols.point("b")
     length = sp.Symbol("length", real=True)
     ideal = binder.bind_all(p - b for p, b in zip(walked.ideal, ball, strict=True))

@@ -36,6 +36,7 @@ class Machine:
     """A machine as its spec tells it; every property has the one order that all generated code uses.
 
     curve_degree: highest power of the motion-error polynomials that the polynomial kernels are emitted for.
+    true_rotation: whether error rotations are true rotations instead of the paper's matrix 1 + [epsilon x].
     runs: folder of the measuring plan whose identification systems are derived, relative to the spec; or None.
     references: pairs (equation label, where the literature has it), printed beside the equations.
     """
@@ -46,6 +47,7 @@ class Machine:
     workpiece: int
     tool: int
     curve_degree: int = 7
+    true_rotation: bool = False
     runs: str | None = None
     references: tuple[tuple[str, str], ...] = ()
 

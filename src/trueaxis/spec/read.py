@@ -2,19 +2,19 @@
 
 import re
 import tomllib
-from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from trueaxis.faults import Faults, InputError
-from trueaxis.spec.fields import Fields, shown
-from trueaxis.spec.machine import AXES, DIRECTIONS, Body, Machine
+from trueaxis.spec.body import PROSE, PROSE_MEANING, read_body, read_joint
+from trueaxis.spec.fields import Complain, Fields, shown
+from trueaxis.spec.machine import AXES, BED, LINEAR, Body, Machine
 from trueaxis.spec.structure import check_structure
+from trueaxis.spec.structure_code import AxisOrder, StructureCodeError, default_location_errors, parse_structure
 from trueaxis.toml_lines import KeyPath, error_line, key_lines, place
 
 _NAME = r"[A-Za-z][A-Za-z0-9_-]*"
-# Titles and names of bodies stand in docstrings, comments and tables of Markdown.
-_PROSE, _PROSE_MEANING = r"[\w .,:;()/&'+#-]+", "letters, digits, spaces and . , : ; ( ) / & ' + # - _"
+ROTATIONS = ("small-angle", "true")  # of errors: the paper's matrix 1 + [epsilon x], or a true rotation
 _LABEL = r"motion_[XYZABC]+|system_[1-9][0-9]*|squareness"
 
 
@@ -63,16 +63,12 @@ def parse_machine(text: str, faults: Faults) -> Machine:
     return machine
 
 
-def _machine(top: Fields, complain: Callable[[KeyPath, str, str], None]) -> Machine:
+def _machine(top: Fields, complain: Complain) -> Machine:
     if (schema := top.integer("schema")) not in (1, None):
         complain(("schema",), f"{schema} is not a schema that this version reads", "schema = 1")
     name = top.text("name", pattern=_NAME, meaning="a letter, then letters, digits, _ and -") or "unnamed"
-    title = top.text("title", default=name, pattern=_PROSE, meaning=_PROSE_MEANING) or name
-    indexed = [(index, _body(fields)) for index, fields in enumerate(top.tables("body", required=True))]
-    bodies = [(index, body) for index, body in indexed if body is not None]
-    ends = top.table("ends", required=True)
-    workpiece, tool = ends.integer("workpiece"), ends.integer("tool")
-    ends.refuse_others()
+    title = top.text("title", default=name, pattern=PROSE, meaning=PROSE_MEANING) or name
+    outline = _from_code(top, complain) if "structure" in top.raw else _from_bodies(top, complain)
     for index, effect in enumerate(top.tables("effect")):
         kind = shown(effect.raw.get("kind"))
         complain(("effect", index), f"no effect {kind} is known to this version", "a machine without [[effect]]")
@@ -89,100 +85,77 @@ def _machine(top: Fields, complain: Callable[[KeyPath, str, str], None]) -> Mach
         if re.fullmatch(_LABEL, key) and (text := references.text(key)) is not None
     )
     references.refuse_others("motion_X, motion_XY, ..., system_1, ..., squareness")
+    rotations = top.choice("rotations", ROTATIONS) or ROTATIONS[0]
     top.refuse_others()
-    check_structure(bodies, workpiece, tool, len(bodies) == len(indexed), complain)
     return Machine(
         name,
         title,
-        tuple(body for _, body in bodies),
-        workpiece or 0,
-        tool or 0,
+        outline.bodies,
+        outline.workpiece,
+        outline.tool,
         degree or 7,
+        rotations == "true",
         runs or None,
         said,
     )
 
 
-def _body(fields: Fields) -> Body | None:
-    number, lower = fields.integer("number"), fields.integer("lower")
-    name = fields.text("name", default=f"body {number}", pattern=_PROSE, meaning=_PROSE_MEANING)
-    moves = fields.choice("moves", AXES)
-    sense = fields.integer("sense", default=1)
-    travel = _travel(fields, moves)
-    position = _position(fields)
-    motion_errors = _motion_errors(fields, moves)
-    pairs = fields.table("position_errors")
-    position_errors = tuple(
-        (direction, parameter)
-        for direction in DIRECTIONS
-        if direction in pairs.raw and (parameter := pairs.text(direction)) is not None
-    )
-    pairs.refuse_others(f"the directions {' '.join(DIRECTIONS)}")
-    fields.refuse_others()
-    if sense not in (1, -1):
-        fields.fault("sense", f"{sense} is no sense", "1, or -1 where a positive command moves the body the other way")
-    if "moves" not in fields.raw and "sense" in fields.raw:
-        fields.fault("sense", "a body that does not move has no sense", "leave it out, or say what moves it")
-    if number is None or lower is None:
-        return None
-    return Body(number, name or "", lower, moves, sense or 1, travel, position, motion_errors, position_errors)
+@dataclass(frozen=True)
+class _Outline:
+    """The bodies and which of them are the ends (0: unknown, a fault has been told)."""
+
+    bodies: tuple[Body, ...]
+    workpiece: int
+    tool: int
 
 
-def _travel(fields: Fields, moves: str | None) -> tuple[float, float] | None:
-    if "moves" not in fields.raw:
-        if "travel" in fields.raw:
-            fields.fault("travel", "a body that does not move has no travel", 'leave it out, or add moves = "X"')
-        fields.known.add("travel")
-        return None
-    travel = fields.numbers("travel", 2, required=moves is not None)
-    if travel is None:
-        return None
-    if not travel[0] < travel[1]:
-        fields.fault(
-            "travel",
-            f"runs from {travel[0]:g} to {travel[1]:g}",
-            "the lower end first, the upper end after it",
-        )
-    return travel[0], travel[1]
+def _from_bodies(top: Fields, complain: Complain) -> _Outline:
+    """[[body]] tables and [ends]."""
+    indexed = [(index, read_body(fields)) for index, fields in enumerate(top.tables("body", required=True))]
+    bodies = [(index, body) for index, body in indexed if body is not None]
+    ends = top.table("ends", required=True)
+    workpiece, tool = ends.integer("workpiece"), ends.integer("tool")
+    ends.refuse_others()
+    check_structure(bodies, workpiece, tool, len(bodies) == len(indexed), complain)
+    return _Outline(tuple(body for _, body in bodies), workpiece or 0, tool or 0)
 
 
-def _position(fields: Fields) -> tuple[float | str, float | str, float | str]:
-    fields.known.add("position")
-    value = fields.raw.get("position", [0.0, 0.0, 0.0])
-    if not isinstance(value, list) or len(value) != 3:
-        fields.fault("position", "is not a position", "three numbers (mm) or names of parameters")
-        return (0.0, 0.0, 0.0)
-    read: list[float | str] = []
-    for index, part in enumerate(value):
-        if isinstance(part, str):
-            read.append(part)
-        elif (number := fields.finite(part)) is not None:
-            read.append(number)
-        else:
-            fields.fault(
-                "position",
-                f"entry {index + 1} is {shown(part)}",
-                "a finite number (mm) or the name of a parameter",
-            )
-            read.append(0.0)
-    return read[0], read[1], read[2]
+def _from_code(top: Fields, complain: Complain) -> _Outline:
+    """`structure` and the tables [axis.X], [workpiece], [tool]; all errors and default names where they are silent."""
+    for key in ("body", "ends"):
+        if key in top.raw:
+            top.fault(key, "stands beside structure", "one of the two: structure, or [[body]] and [ends]")
+        top.known.add(key)
+    code = top.text("structure") or ""
+    tables = top.table("axis")
+    try:
+        order = parse_structure(code)
+    except StructureCodeError as problem:
+        top.fault("structure", f"{code!r} cannot be read: {problem}", "such as [w C' Y' b X Z B t], YFXZ or XZB+YC")
+        order = AxisOrder((), ())
+        tables.known.update(AXES)
+    paths: list[KeyPath] = []
+    bodies: list[Body] = []
+    for end, axes in (("workpiece", order.workpiece), ("tool", order.tool)):
+        lower = BED
+        for axis in axes:
+            fields = tables.table(axis)
+            if axis in LINEAR or "travel" in fields.raw:
+                default = fields
+            else:
+                default = Fields({"travel": [-360.0, 360.0]} | fields.raw, fields.path, fields.complain)
+            kind = "slide" if axis in LINEAR else ("table" if end == "workpiece" else "head")
+            location = default_location_errors(axis, order)
+            bodies.append(read_joint(default, len(bodies) + 2, lower, axis, f"{axis} {kind}", location))
+            paths.append(fields.path)
+            lower = bodies[-1].number
+        bodies.append(read_joint(top.table(end), len(bodies) + 2, lower, None, end, ()))
+        paths.append((end,))
+    tables.refuse_others(f"the axes of the structure: {' '.join(order.workpiece + order.tool)}")
+    workpiece, tool = len(order.workpiece) + 2, len(bodies) + 1
 
+    def at_table(path: KeyPath, problem: str, remedy: str) -> None:
+        complain((*paths[int(path[1])], *path[2:]) if path[0] == "body" else path, problem, remedy)
 
-def _motion_errors(fields: Fields, moves: str | None) -> tuple[str, ...]:
-    fields.known.add("motion_errors")
-    value: Any = fields.raw.get("motion_errors", "all" if moves else [])
-    if moves is None and "moves" in fields.raw:
-        return ()  # which errors it may have is unknown until its axis is
-    allowed = tuple(direction + moves for direction in DIRECTIONS) if moves else ()
-    if value == "all" and moves:
-        return allowed
-    if not isinstance(value, list):
-        fields.fault("motion_errors", f"is {shown(value)}", '"all" for a moving body, or a list such as ["EXY", "ECY"]')
-        return ()
-    for index, entry in enumerate(value):
-        if entry not in allowed:
-            right = f"of {' '.join(allowed)}" if allowed else "no motion errors: the body does not move"
-            fields.fault("motion_errors", f"{shown(entry)} is no motion error of this body", right)
-        elif entry in value[:index]:
-            fields.fault("motion_errors", f"{entry!r} stands there already", "each name once")
-    return tuple(name for name in allowed if name in value)
+    check_structure(list(enumerate(bodies)), workpiece, tool, True, at_table)
+    return _Outline(tuple(bodies), workpiece, tool)
