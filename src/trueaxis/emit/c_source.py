@@ -9,6 +9,7 @@ from trueaxis.c_prefix import c_prefix
 from trueaxis.derive.routine import Argument, Assignment, Routine
 from trueaxis.emit.c_printer import CPrinter
 from trueaxis.emit.meta import ABI
+from trueaxis.emit.names import variable_names
 from trueaxis.emit.templates import environment
 from trueaxis.spec.machine import Machine
 
@@ -80,7 +81,7 @@ def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str | 
 
 
 def _function(prefix: str, routine: Routine) -> FunctionText:
-    names = _names(routine)
+    names = variable_names(routine, _TAKEN | {f"{target.name}_block" for target, _ in routine.preparation})
     printer = CPrinter(names)
     varying = [a for a in routine.inputs if a.per_point]
     body = _used(routine.body)
@@ -116,21 +117,6 @@ def _function(prefix: str, routine: Routine) -> FunctionText:
             for row, place in outputs
         ),
     )
-
-
-def _names(routine: Routine) -> Mapping[str, str]:
-    """Every symbol's name in C: its own, unless that is the name of something else there."""
-    taken = set(_TAKEN) | {a.name for a in routine.inputs + routine.outputs}
-    taken |= {f"{target.name}_block" for target, _ in routine.preparation}
-    symbols = [row for a in routine.inputs + routine.outputs for row in a.rows]
-    symbols += [target.name for stage in (routine.batch, routine.preparation, routine.body) for target, _ in stage]
-    names: dict[str, str] = {}
-    for symbol in symbols:
-        name = symbol
-        while name in taken or (name != symbol and name in symbols):
-            name += "_"
-        names[symbol] = name
-    return names
 
 
 def _used(assignments: Iterable[Assignment]) -> set[str]:

@@ -5,9 +5,15 @@ from dataclasses import dataclass
 
 from trueaxis.derive.routine import Argument, Assignment, Routine
 from trueaxis.emit.meta import ABI, meta
-from trueaxis.emit.python_printer import python_code
+from trueaxis.emit.names import variable_names
+from trueaxis.emit.python_printer import PythonPrinter
 from trueaxis.emit.templates import environment
 from trueaxis.spec.machine import Machine
+
+# Points per block: the intermediate rows of a block stay in the processor's second-level cache.
+BLOCK = 8192
+
+_TAKEN = frozenset(("np", "at", "start", "stop", "block", "n"))  # what the functions use beside their arguments
 
 
 @dataclass(frozen=True)
@@ -37,6 +43,7 @@ def numpy_source(machine: Machine, routines: tuple[Routine, ...], spec: str) -> 
         spec=spec,
         title=machine.title,
         meta=record,
+        block=BLOCK,
         functions=[_function(routine) for routine in routines],
     )
 
@@ -48,6 +55,8 @@ def shape_text(argument: Argument) -> str:
 
 
 def _function(routine: Routine) -> FunctionText:
+    names = variable_names(routine, _TAKEN)
+    printer = PythonPrinter(names)
     used = {s.name for _, value in routine.batch + routine.preparation + routine.body for s in value.free_symbols}
     constants = [a for a in routine.inputs if not a.per_point]
     varying = [a for a in routine.inputs if a.per_point]
@@ -60,16 +69,18 @@ def _function(routine: Routine) -> FunctionText:
         tuple((a.name, len(a.rows)) for a in routine.outputs),
         ", ".join(_returned(a) for a in routine.outputs),
         tuple(
-            f"{row} = {a.name}[{', '.join(str(i) for i in _unravel(a, k))}]"
+            f"{names[row]} = float({a.name}[{', '.join(str(i) for i in _unravel(a, k))}])"
             for a in constants
             for k, row in enumerate(a.rows)
             if row in used
         ),
-        tuple(_line(assignment) for assignment in routine.batch),
-        tuple(f"{row} = {a.name}[{k}, at]" for a in varying for k, row in enumerate(a.rows) if row in used),
-        tuple(_line(assignment) for assignment in routine.preparation),
+        tuple(_line(assignment, printer) for assignment in routine.batch),
+        tuple(f"{names[row]} = {a.name}[{k}, at]" for a in varying for k, row in enumerate(a.rows) if row in used),
+        tuple(_line(assignment, printer) for assignment in routine.preparation),
         tuple(
-            _stored(assignment, places, used) for assignment in routine.body if not _is_zero_output(assignment, places)
+            _stored(assignment, places, used, printer)
+            for assignment in routine.body
+            if not _is_zero_output(assignment, places)
         ),
     )
 
@@ -84,16 +95,17 @@ def _doc(routine: Routine) -> list[str]:
     return lines
 
 
-def _line(assignment: Assignment) -> str:
+def _line(assignment: Assignment, printer: PythonPrinter) -> str:
     target, value = assignment
-    return f"{target.name} = {python_code(value)}"
+    return f"{printer.code(target)} = {printer.code(value)}"
 
 
-def _stored(assignment: Assignment, places: dict[str, str], used: set[str]) -> str:
-    name = assignment[0].name
-    if name not in places:
-        return _line(assignment)
-    return f"{places[name]} = " + (f"{name} = " if name in used else "") + python_code(assignment[1])
+def _stored(assignment: Assignment, places: dict[str, str], used: set[str], printer: PythonPrinter) -> str:
+    target, value = assignment
+    if target.name not in places:
+        return _line(assignment, printer)
+    kept = f"{printer.code(target)} = " if target.name in used else ""
+    return f"{places[target.name]} = {kept}{printer.code(value)}"
 
 
 def _is_zero_output(assignment: Assignment, places: dict[str, str]) -> bool:

@@ -1,11 +1,22 @@
 """Expressions as NumPy code: every digit of a constant, powers as products."""
 
+from collections.abc import Mapping
+
 import sympy as sp
 from sympy.printing.pycode import PythonCodePrinter
+
+from trueaxis.emit.horner import horner_coefficients
 
 
 class PythonPrinter(PythonCodePrinter):  # type: ignore[misc]
     """SymPy's own NumPy printer rounds constants to 15 digits and writes powers as calls."""
+
+    def __init__(self, names: Mapping[str, str]) -> None:
+        super().__init__({"fully_qualified_modules": False})
+        self._names = names
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        return self._names.get(expr.name, expr.name)
 
     def _print_Float(self, expr: sp.Float) -> str:
         return repr(float(expr))
@@ -29,12 +40,11 @@ class PythonPrinter(PythonCodePrinter):  # type: ignore[misc]
             return f"1.0/{base}"
         raise ValueError(f"no kernel needs {expr}")
 
-
-_PRINTER = PythonPrinter({"fully_qualified_modules": False})
-
-
-def python_code(value: sp.Expr) -> str:
-    """The value as a Python expression; constants as doubles."""
-    if value.is_Integer:
-        return repr(float(value))
-    return str(_PRINTER.doprint(value))
+    def code(self, value: sp.Expr) -> str:
+        """The value as a Python expression; constants as doubles, polynomials as calls of `_polynomial`."""
+        if value.is_Integer:
+            return repr(float(value))
+        if polynomial := horner_coefficients(value):
+            at, coefficients = polynomial
+            return f"_polynomial({', '.join(self.doprint(part) for part in (at, *coefficients))})"
+        return str(self.doprint(value))
