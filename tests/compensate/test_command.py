@@ -111,6 +111,24 @@ def test_options_that_make_no_sense(tmp_path: Path, option: list[str]) -> None:
     assert status.value.code == 2
 
 
+def test_folders_are_made_and_taken_away_again(tmp_path: Path) -> None:
+    options = ["--out", str(tmp_path / "a" / "b" / "out.nc"), "--report", str(tmp_path / "c" / "report.json")]
+    with pytest.raises(InputError):
+        command(tmp_path, "G54\n", *options)
+    assert [path.name for path in tmp_path.iterdir()] == ["in.nc"]
+    assert command(tmp_path, PROGRAM, *options) == 0
+    assert (tmp_path / "a" / "b" / "out.nc").stat().st_mode & 0o777 == 0o644
+    assert json.loads((tmp_path / "c" / "report.json").read_text())["good"]
+
+
+def test_a_report_that_cannot_be_written_leaves_the_program_alone(tmp_path: Path) -> None:
+    (tmp_path / "out.nc").write_text("before")
+    with pytest.raises(InputError, match="irectory"):
+        command(tmp_path, PROGRAM, "--report", str(tmp_path))
+    assert (tmp_path / "out.nc").read_text() == "before"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["in.nc", "out.nc"]
+
+
 def test_in_place(tmp_path: Path) -> None:
     assert command(tmp_path, PROGRAM, "--out", str(tmp_path / "in.nc")) == 0
     assert b"G2 " not in (tmp_path / "in.nc").read_bytes()

@@ -9,7 +9,6 @@ from pathlib import Path
 from trueaxis.compensate.files import compensate_file
 from trueaxis.compensate.settings import Settings
 from trueaxis.faults import Fault, InputError
-from trueaxis.files import write_files
 from trueaxis.runtime.input_files import gathering
 from trueaxis.runtime.model import load_model
 
@@ -124,9 +123,10 @@ def run(args: argparse.Namespace) -> int:
     if found:
         raise InputError(found)
     try:
-        report = compensate_file(args.program, args.out, model, settings, language=args.format, progress=_progress())
-        if args.report is not None:
-            write_files({args.report: report.to_json()})
+        report = compensate_file(
+            args.program, args.out, model, settings,
+            language=args.format, report_file=args.report, progress=_progress(),
+        )  # fmt: skip
     except OSError as problem:
         name = problem.filename or args.program
         raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None

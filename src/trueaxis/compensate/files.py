@@ -1,9 +1,11 @@
 """A compensation from file to file."""
 
+import errno
 import os
 import re
 import tempfile
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from pathlib import Path
 from typing import BinaryIO, Literal
 
@@ -73,13 +75,15 @@ def compensate_file(
     *,
     language: Language | None = None,
     name: str | None = None,
+    report_file: Path | None = None,
     progress: Callable[[int], None] | None = None,
 ) -> CompensationReport:
     """Compensate `program` and write `out`, whole or not at all; they may be the same file.
 
-    name: the program's name in messages. progress: called now and then with the number of lines read.
+    report_file: where the report goes as JSON, if anywhere. name: the program's name in messages. progress: called
+    now and then with the number of lines read.
     Raises InputError with every fault of the program (the first 50 in full), OSError when a file cannot be read or
-    written; `out` is then as it was.
+    written; everything is then as it was.
     """
     name = name or str(program)
     language = language or language_of(program)
@@ -92,12 +96,11 @@ def compensate_file(
     faults, notes = FaultLog(name), Notes()
     compensator = Compensator(model, settings, faults, notes)
     reader = (AptReader if language == "apt" else NcReader)(model.axes, settings, faults, notes)
-    out.parent.mkdir(parents=True, exist_ok=True)
-    handle, staged = tempfile.mkstemp(dir=out.parent, prefix=f".{out.name}.")
-    try:
+    with ExitStack() as undo:
+        ready = [(_beside(out, undo), out)]
         blocks_out = 0
         ends_whole = True
-        with os.fdopen(handle, "wb") as target, program.open("rb") as source:
+        with ready[0][0].open("wb") as target, program.open("rb") as source:
             lines = _Lines(source, faults, progress)
             for text in compensator.texts(reader.items(lines)):
                 if text and not faults.count:
@@ -105,10 +108,28 @@ def compensate_file(
                     blocks_out += text.count("\n")
                     ends_whole = text.endswith("\n")
         faults.raise_if_any()
-        Path(staged).chmod(0o644)
-        Path(staged).replace(out)
-        staged = ""
-    finally:
-        if staged:
-            Path(staged).unlink()
-    return compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
+        report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
+        if report_file is not None:
+            ready.append((_beside(report_file, undo), report_file))
+            ready[-1][0].write_text(report.to_json())
+        for staged, place in ready:
+            staged.chmod(0o644)
+            staged.replace(place)
+        undo.pop_all()
+    return report
+
+
+def _beside(target: Path, undo: ExitStack) -> Path:
+    """A new file beside `target` to be moved there; it and the folders made for it go when `undo` closes.
+
+    Raises OSError when there can be none.
+    """
+    if target.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
+    for folder in [path for path in reversed([target.parent, *target.parent.parents]) if not path.exists()]:
+        folder.mkdir()
+        undo.callback(folder.rmdir)
+    handle, staged = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:100]}.")
+    os.close(handle)
+    undo.callback(Path(staged).unlink, missing_ok=True)
+    return Path(staged)
