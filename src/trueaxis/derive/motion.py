@@ -91,7 +91,7 @@ def _at(machine: Machine, moved: FirstOrder, moves: Collection[str]) -> FirstOrd
 
 
 def _substituted(values: Vector, by: dict[sp.Symbol, sp.Expr]) -> Vector:
-    x, y, z = (value.subs(by) for value in values)
+    x, y, z = (value.xreplace(by) for value in values)
     return x, y, z
 
 
