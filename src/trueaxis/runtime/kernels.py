@@ -1,6 +1,5 @@
 """Load the generated kernels of a machine: NumPy always, C where it has been or can be compiled."""
 
-import importlib.util
 import logging
 import os
 from collections.abc import Callable, Mapping
@@ -56,12 +55,15 @@ def load_kernels(machine: Machine, spec: Path, folder: Path, *, backend: str | N
     remedy = f"run: trueaxis derive {spec} --out {folder}"
     if not path.is_file():
         raise InputError([Fault(str(path), "", "there are no kernels of this machine", remedy)])
-    module = _module(path)
+    module = _module(path, remedy)
     if getattr(module, "ABI", None) != ABI:
         raise InputError([Fault(str(path), "ABI", f"is {getattr(module, 'ABI', None)!r}, not {ABI}", remedy)])
     if getattr(module, "SPEC_HASH", None) != machine.digest:
         raise InputError([Fault(str(path), "SPEC_HASH", f"is not that of {spec} as it is now", remedy)])
-    routines = {name: getattr(module, name) for name in module.META["routines"]}
+    try:
+        routines = {name: getattr(module, name) for name in module.META["routines"]}
+    except (AttributeError, KeyError, TypeError) as error:
+        raise InputError([Fault(str(path), "META", f"does not tell its routines: {error}", remedy)]) from None
     backend = backend or os.environ.get("TRUEAXIS_BACKEND", "auto")
     if backend == "numpy":
         return Kernels(module.META, module, routines, "numpy", "")
@@ -76,13 +78,14 @@ def load_kernels(machine: Machine, spec: Path, folder: Path, *, backend: str | N
     return Kernels(module.META, module, routines, "numpy", note)
 
 
-def _module(path: Path) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(f"trueaxis_kernels_{path.parent.name}", path)
-    if spec is None or spec.loader is None:
-        raise InputError([Fault(str(path), "", "is no Python module")])
-    module = importlib.util.module_from_spec(spec)
+def _module(path: Path, remedy: str) -> ModuleType:
+    # Not by the import system, whose cached bytecode is taken for current when a file of the same size is written
+    # again within the same second: kernels of two versions of a spec are such files.
+    module = ModuleType(f"trueaxis_kernels_{path.parent.name}")
+    module.__file__ = str(path)
     try:
-        spec.loader.exec_module(module)
-    except (SyntaxError, ValueError, NameError, OSError) as error:
-        raise InputError([Fault(str(path), "", f"cannot be loaded: {error}")]) from error
+        exec(compile(path.read_bytes(), str(path), "exec"), module.__dict__)
+    except Exception as error:  # a file that was damaged may fail in any way
+        problem = f"cannot be loaded: {type(error).__name__}: {error}"
+        raise InputError([Fault(str(path), "", " ".join(problem.split()), remedy)]) from None
     return module
