@@ -1,0 +1,290 @@
+/* Generated from machines/bridge_cmm.toml, do not edit; regenerate with: trueaxis derive machines/bridge_cmm.toml
+ * Kernels of Bridge coordinate measuring machine: geometric error model in C17.
+ * Spec: sha256 1f6362a120e392d01ea50639f218f76f0a93f119b98208bf0f674addf8bce3a7
+ *
+ * Every function computes n points; row k of an array that has a value per point holds point i at [k * stride + i],
+ * n <= stride. Arrays must not overlap. Lengths mm, angles rad, rotary axes deg. Rows and units: kernels.c.
+ */
+#ifndef BRIDGE_CMM_KERNELS_H
+#define BRIDGE_CMM_KERNELS_H
+
+#include <stddef.h>
+
+#define TRUEAXIS_KERNEL_ABI 1
+
+/* The ABI that these kernels were compiled with. */
+int bridge_cmm_kernel_abi(void);
+
+/* SHA-256 of the parsed spec that they were derived from. */
+const char *bridge_cmm_spec_hash(void);
+
+/* Ideal position of a tool point in the workpiece frame. */
+void bridge_cmm_tool_in_workpiece_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict ideal);
+
+/* Deviation of a tool point in the workpiece frame, exact. */
+void bridge_cmm_tool_in_workpiece_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of a tool point in the workpiece frame, to first order in the errors. */
+void bridge_cmm_tool_in_workpiece_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Sensitivity of a tool point in the workpiece frame to every error, at the error-free machine. */
+void bridge_cmm_tool_in_workpiece_sensitivity(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict sensitivity);
+
+/* Ideal position of a tool point in the bed frame. */
+void bridge_cmm_tool_in_bed_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict ideal);
+
+/* Deviation of a tool point in the bed frame, exact. */
+void bridge_cmm_tool_in_bed_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of a tool point in the bed frame, to first order in the errors. */
+void bridge_cmm_tool_in_bed_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Sensitivity of a tool point in the bed frame to every error, at the error-free machine. */
+void bridge_cmm_tool_in_bed_sensitivity(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict sensitivity);
+
+/* Ideal position of a workpiece point in the bed frame. */
+void bridge_cmm_workpiece_in_bed_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict ideal);
+
+/* Deviation of a workpiece point in the bed frame, exact. */
+void bridge_cmm_workpiece_in_bed_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of a workpiece point in the bed frame, to first order in the errors. */
+void bridge_cmm_workpiece_in_bed_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Sensitivity of a workpiece point in the bed frame to every error, at the error-free machine. */
+void bridge_cmm_workpiece_in_bed_sensitivity(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict sensitivity);
+
+/* Ideal position of a bed point in the workpiece frame. */
+void bridge_cmm_bed_in_workpiece_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict ideal);
+
+/* Deviation of a bed point in the workpiece frame, exact. */
+void bridge_cmm_bed_in_workpiece_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of a bed point in the workpiece frame, to first order in the errors. */
+void bridge_cmm_bed_in_workpiece_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Sensitivity of a bed point in the workpiece frame to every error, at the error-free machine. */
+void bridge_cmm_bed_in_workpiece_sensitivity(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict sensitivity);
+
+/* Actual position of the tool point in the workpiece frame, exact. */
+void bridge_cmm_tool_in_workpiece_position(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict position);
+
+/* Actual position of the tool point in the workpiece frame, to first order. */
+void bridge_cmm_tool_in_workpiece_position_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict position);
+
+/* Ideal direction of a vector of the tool frame in the workpiece frame. */
+void bridge_cmm_tool_orientation_ideal(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict direction,
+    double *restrict ideal);
+
+/* Deviation of a direction of the tool frame in the workpiece frame, exact. */
+void bridge_cmm_tool_orientation_deviation(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict direction,
+    double *restrict deviation);
+
+/* Deviation of a direction of the tool frame in the workpiece frame, to first order. */
+void bridge_cmm_tool_orientation_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict direction,
+    double *restrict deviation);
+
+/* Deviation of the tool point under polynomial error curves, exact. */
+void bridge_cmm_tool_in_workpiece_deviation_curves(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict curves,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Deviation of the tool point under polynomial error curves, to first order, constants folded once per call. */
+void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict curves,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation);
+
+/* Positioning error of a ball bar between a tool ball and a workpiece ball, exact. */
+void bridge_cmm_ballbar_error(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    const double *restrict ball,
+    const double *restrict length,
+    double *restrict error);
+
+/* Moves of the linear axes that displace the ideal tool point by the given vector. */
+void bridge_cmm_correction(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict deviation,
+    double *restrict moves);
+
+/* Motion equation of X: displacement of the tool point since home, to first order. */
+void bridge_cmm_motion_X(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* Motion equation of Y: displacement of the tool point since home, to first order. */
+void bridge_cmm_motion_Y(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* Motion equation of Z: displacement of the tool point since home, to first order. */
+void bridge_cmm_motion_Z(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* Motion equation of X and Y: displacement of the tool point since home, to first order. */
+void bridge_cmm_motion_XY(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* Motion equation of X and Z: displacement of the tool point since home, to first order. */
+void bridge_cmm_motion_XZ(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+/* Motion equation of Y and Z: displacement of the tool point since home, to first order. */
+void bridge_cmm_motion_YZ(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict tool_point,
+    double *restrict displacement);
+
+#endif
