@@ -47,13 +47,13 @@ class PlainMachine:
         return replace(self, values=errors)
 
     def view_ideal(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
-        return self._seen_ideal(view, positions, point).astype(np.float64)
+        return np.asarray(self._seen_ideal(view, positions, point), dtype=np.float64)
 
     def view_deviation(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
         rows = [self.axes.index(name[2]) for name in self.components]
         errors = evaluate_components(self.values.motion_errors, self.components, rows, positions)
         actual = self._seen(view, positions, point, errors, self._located(zero=False)).real
-        return (actual - self._seen_ideal(view, positions, point)).astype(np.float64)
+        return np.asarray(actual - self._seen_ideal(view, positions, point), dtype=np.float64)
 
     def view_sensitivity(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
         dimensions = tuple(self.values.parameters.get(name, 0.0) for name in self.dimensions)

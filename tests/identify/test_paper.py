@@ -44,13 +44,17 @@ def off(found: Identification, truth: dict[str, Function], name: str) -> float:
     return float(np.abs(np.array(curve.values) - true).max()) * (LEVER if name[1] in "ABC" else 1.0)
 
 
+def _sloped(function: Function, by: float) -> Function:
+    return lambda s: function(s) + by * s
+
+
 def level(truth: dict[str, Function], count: int) -> dict[str, Function]:
     """The same errors with level least-squares lines of the straightness at the measured positions."""
     found = dict(truth)
     for name in ("EYX", "EXZ", "EYZ"):
         at = TRAVEL[name[2]] * np.arange(count) / (count - 1)
         slope = float(np.polynomial.polynomial.polyfit(at, [float(truth[name](s)) for s in at], 1)[1])
-        found[name] = lambda s, old=truth[name], slope=slope: old(s) - slope * s
+        found[name] = _sloped(truth[name], -slope)
     return found
 
 

@@ -33,7 +33,7 @@ def enumerated(words: Sequence[str]) -> str:
 
 
 def split_apart(names: Sequence[str], partners: Sequence[str], shares: Sequence[Share]) -> str:
-    """That location errors and slopes can take each other's place: `eps_xy and the slope of EYX: only their sum ...`."""
+    """Location errors and slopes that can take each other's place: `eps_xy and the slope of EYX: only their sum`."""
     last = shares[-1].value
     alone = len(shares) == 2 and abs(abs(last) - 1.0) < 1e-6
     kind = "combination" if not alone else "sum" if last < 0.0 else "difference"

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from trueaxis.identify.first_order import sensed, sensed_at_home
 from trueaxis.identify.global_fit.layout import Layout
@@ -34,13 +35,13 @@ class Design:
                 chosen = rows[start : start + longest]
                 yield chosen, self._piece(index, chosen)
 
-    def triangle(self) -> tuple[FloatArray, int]:
-        """R of the QR factorisation (n_unknowns, n_unknowns), and how many rows hold an unknown."""
+    def triangle(self) -> tuple[FloatArray, npt.NDArray[np.bool_]]:
+        """R of the QR factorisation (n_unknowns, n_unknowns), and (n,) which rows hold an unknown."""
         n = self.layout.count
-        factor, held = np.zeros((n, n)), 0
+        factor, held = np.zeros((n, n)), np.zeros(self.observed.reading.size, dtype=bool)
         waiting: list[FloatArray] = []
-        for _, piece in self.pieces():
-            held += int(np.count_nonzero(np.abs(piece).max(axis=1, initial=0.0) > 0.0))
+        for rows, piece in self.pieces():
+            held[rows] = piece.any(axis=1)
             waiting.append(piece)
             if sum(part.shape[0] for part in waiting) >= 4 * n:
                 factor, waiting = _folded(factor, waiting), []

@@ -41,19 +41,20 @@ def identify_global(
     plan = layout(machine, observed, given, options.degree)
     design = Design(plan, observed)
     triangle, held = design.triangle()
-    if held == 0:
+    if not held.any():
         raise InputError([Fault(observed.source, "", "no reading holds an unknown", "runs that move an axis")])
     found = factors(triangle)
     moved = gauge(plan, found.null, level=options.squareness == "convention")
     scaled, residual, iterations, change = _solve(design, found, moved, given)
-    spread = noise(float(residual @ residual), held, found.rank, options.noise_um)
+    used = residual[held]  # a reading that holds no unknown, as at home, says nothing of noise
+    spread = noise(float(used @ used), used.size, found.rank, options.noise_um)
     covariance = None
     if spread.sigma is not None:
         size = plan.scale[:, np.newaxis] * moved.projector
         covariance = spread.sigma**2 * (size @ found.covariance() @ size.T)
     is_open = np.abs(moved.null).max(axis=1, initial=0.0) > describe.OPEN
     result = GlobalResult(
-        plan, observed, given, options, found, moved, held, scaled * plan.scale, covariance, is_open, residual,
+        plan, observed, given, options, found, moved, used.size, scaled * plan.scale, covariance, is_open, residual,
         iterations, change, spread,
     )  # fmt: skip
     return _identification(result)

@@ -103,6 +103,6 @@ def _cells(observed: Observations, knot: IntArray, grid: Grid) -> Cells:
     keys, inverse = np.unique(np.vstack([observed.run, knot]), axis=1, return_inverse=True)
     repeats = np.bincount(inverse).astype(np.float64)
     mean = np.bincount(inverse, weights=observed.reading) / repeats
-    scatter = np.bincount(inverse, weights=(observed.reading - mean[inverse]) ** 2)
+    scatter = np.bincount(inverse, weights=(observed.reading - mean[inverse]) ** 2).astype(np.float64)
     positions = np.array([of_axis[at] for of_axis, at in zip(grid.knots, keys[1:], strict=True)])
     return Cells(keys[0], keys[1:], positions, mean, repeats, scatter, observed.reading.size)
