@@ -61,14 +61,15 @@ def describe(machine: Machine) -> dict[str, SymbolText]:
     for axis in machine.axes:
         if axis in ROTARY:
             letter = axis.lower()
-            table[f"cos_{letter}"] = SymbolText(rf"\cos {letter}", "1", f"cosine of the rotation about {axis}")
-            table[f"sin_{letter}"] = SymbolText(rf"\sin {letter}", "1", f"sine of the rotation about {axis}")
+            table[f"cos_{letter}"] = SymbolText(rf"\cos({letter})", "1", f"cosine of the rotation about {axis}")
+            table[f"sin_{letter}"] = SymbolText(rf"\sin({letter})", "1", f"sine of the rotation about {axis}")
     for component in machine.components:
         table[component] = SymbolText(
             component_latex(component), component_unit(component), describe_component(component)
         )
     for name in machine.dimensions:
-        table[name] = SymbolText(parameter_latex(name), "mm", "home position, " + _where(machine, name))
+        text = f"home position along {_along(machine, name)}, {_where(machine, name)}"
+        table[name] = SymbolText(parameter_latex(name), "mm", text)
     for name in machine.location_errors:
         direction = machine.location_direction(name)
         kind = "rotation about" if direction[1] in "ABC" else "displacement along"
@@ -107,6 +108,10 @@ def parameter_latex(name: str) -> str:
     if tail and (head in heads or len(head) == 1):
         return f"{heads.get(head, head)}_{{{tail.replace('_', ',')}}}"
     return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
+
+
+def _along(machine: Machine, dimension: str) -> str:
+    return next("XYZ"[body.position.index(dimension)] for body in machine.bodies if dimension in body.position)
 
 
 def _where(machine: Machine, name: str) -> str:

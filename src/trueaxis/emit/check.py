@@ -15,7 +15,8 @@ def differences(folder: Path, files: dict[str, bytes], context: int = 2) -> list
         if name in present and (old := (folder / name).read_bytes()) != new:
             before, after = (text.decode(errors="replace").splitlines() for text in (old, new))
             label = str(folder / name)
-            lines += difflib.unified_diff(before, after, label, f"{label} (as derived now)", n=context, lineterm="")
+            diff = difflib.unified_diff(before, after, label, f"{label} (as derived now)", n=context, lineterm="")
+            lines += list(diff) or [f"{label}: differs in the ends of its lines"]
     return lines
 
 

@@ -189,4 +189,4 @@ def _collected(latex: Latex, value: sp.Expr, reduced: sp.Matrix) -> list[str]:
 
 
 def _body(model: DerivedModel, name: str) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-    return next((routine.preparation + routine.body for routine in model.routines if routine.name == name), ())
+    return next((routine.body for routine in model.routines if routine.name == name), ())

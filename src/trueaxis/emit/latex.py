@@ -30,7 +30,9 @@ class Latex:
     def __call__(self, value: sp.Expr | sp.Matrix) -> str:
         """The LaTeX of an expression or a matrix."""
         names = {symbol: self.symbol(symbol.name) for symbol in value.free_symbols}
-        return str(sp.latex(value, symbol_names=names, mat_str="bmatrix", mat_delim=""))
+        # Fifteen digits are what a decimal number of the spec comes back as: 92.3, not 92.300000000000001.
+        rounded = value.xreplace({number: sp.Float(number, 15) for number in value.atoms(sp.Float)})
+        return str(sp.latex(rounded, symbol_names=names, mat_str="bmatrix", mat_delim=""))
 
     def linear(self, columns: Mapping[str, sp.Expr]) -> list[str]:
         """The terms of a linear form, each with its sign: coefficient times error symbol."""

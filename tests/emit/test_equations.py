@@ -1,0 +1,150 @@
+"""equations.md: maths that GitHub renders, on pages of machines of every kind."""
+
+import re
+from collections.abc import Iterator
+from functools import cache
+
+import pytest
+
+from tests.derive.test_routine import models
+from tests.derive.topologies import OTHERS
+from tests.kernels import model_of
+from trueaxis.emit.equations import equations_page
+
+PAGES = ("dmu60p", "five_axis", "shared", "all on the workpiece side", "table B, head A")
+
+
+@cache
+def page(name: str) -> str:
+    model = models()[name] if name in models() else model_of(OTHERS[name])
+    return equations_page(model, f"machines/{model.machine.name}.toml")
+
+
+def blocks(text: str) -> Iterator[str]:
+    yield from re.findall(r"^```math\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+
+
+def inline(text: str) -> Iterator[str]:
+    outside = re.sub(r"^```math\n.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL)
+    yield from re.findall(r"\$([^$]*)\$", outside)
+
+
+def balanced(maths: str) -> bool:
+    depth = 0
+    for sign in re.findall(r"\\.|[{}]", maths):  # \{ and \\ are signs of their own
+        depth += {"{": 1, "}": -1}.get(sign, 0)
+        if depth < 0:
+            return False
+    return depth == 0
+
+
+@pytest.mark.parametrize("name", PAGES)
+class TestEveryPage:
+    def test_fences_and_braces_are_balanced(self, name: str) -> None:
+        text = page(name)
+        assert text.count("```") == 2 * len(list(blocks(text)))
+        for maths in [*blocks(text), *inline(text)]:
+            assert maths.strip()
+            assert balanced(maths), maths
+            assert len(re.findall(r"\\left\b", maths)) == len(re.findall(r"\\right\b", maths)), maths
+            opened = re.findall(r"\\begin\{(\w+)\}", maths)
+            assert sorted(opened) == sorted(re.findall(r"\\end\{(\w+)\}", maths))
+            assert "$" not in maths
+            assert "\n\n" not in maths
+
+    def test_no_bracket_spans_a_line_or_a_column(self, name: str) -> None:
+        # \left( must be closed before the next \\ or &, or the page shows an error instead of an equation.
+        for maths in blocks(page(name)):
+            depth = 0
+            for sign in re.findall(r"\\left\b|\\right\b|\\\\|&|\\begin\{\w+\}|\\end\{\w+\}", maths):
+                if sign == r"\left":
+                    depth += 1
+                elif sign == r"\right":
+                    depth -= 1
+                elif sign in (r"\\", "&"):
+                    assert depth == 0, maths
+
+    def test_rows_of_tables_have_the_columns_of_their_heads(self, name: str) -> None:
+        lines = page(name).splitlines()
+        for at, line in enumerate(lines):
+            if not re.fullmatch(r"\|(-+\|)+", line):
+                continue
+            columns = line.count("|")
+            assert lines[at - 1].count("|") == columns
+            rows = list(_until_blank(lines[at + 1 :]))
+            assert rows, lines[at - 1]
+            for row in rows:
+                assert row.count("|") == columns, row
+                assert row.count("$") % 2 == 0, row
+
+    def test_every_symbol_of_the_page_is_typeset(self, name: str) -> None:
+        # Names of files (EXX, cos_b, q_Tz) belong to code spans; in maths they have been given signs.
+        for maths in [*blocks(page(name)), *inline(page(name))]:
+            assert not re.search(r"\bE[XYZABC][XYZABC]\b|\b(?:cos|sin)_[abc]|_bound|_shared|\bw\d+\b", maths), maths
+            assert not re.search(r"\d\.\d{16,}", maths), "a number with the digits of its rounding"
+            assert not re.search(r"\b(nan|zoo|None|Matrix|Integer)\b", maths), maths
+
+    def test_symbols_are_listed_with_units(self, name: str) -> None:
+        model = models()[name] if name in models() else model_of(OTHERS[name])
+        section = page(name).split("## Symbols")[1].split("\n## ")[0]
+        for symbol in (*model.machine.components, *model.machine.parameters):
+            (row,) = [line for line in section.splitlines() if f"| `{symbol}` |" in line]
+            cells = [cell.strip() for cell in row.strip("|").split("|")]
+            assert cells[2] in ("mm", "rad")
+            assert cells[3]
+
+    def test_headings_are_there_and_the_first_line_says_how_the_page_is_made(self, name: str) -> None:
+        text = page(name)
+        assert text.startswith("<!-- Generated from machines/")
+        assert "regenerate with: trueaxis derive machines/" in text.splitlines()[0]
+        for heading in ("Topology", "Symbols", "The chain", "Ball bar", "Motion equations"):
+            assert f"\n## {heading}" in text
+
+
+def _until_blank(lines: list[str]) -> Iterator[str]:
+    for line in lines:
+        if not line.startswith("|"):
+            return
+        yield line
+
+
+def test_the_papers_numbers_stand_beside_its_equations() -> None:
+    text = page("dmu60p")
+    for heading in (
+        "### X: tool point, Eq. (12)",
+        "### X and Y: workpiece point minus tool point, Eq. (27)",
+        "### 4. EXZ, ECZ (XZ), Eqs. (25), (26), X direction",
+        "## Squareness, Eqs. (39)-(43)",
+    ):
+        assert f"\n{heading}\n" in text
+
+
+def test_the_singular_points_are_told() -> None:
+    section = page("dmu60p").split("### 3. EZZ, EAZ, EBZ")[1].split("\n### ")[0]
+    assert "the rank is 2, less than the 3 unknowns" in section
+    assert page("dmu60p").count("the rank is") == 1
+
+
+def test_what_cannot_be_determined_is_told() -> None:
+    section = page("dmu60p").split("## What these runs cannot determine")[1].split("\n## ")[0]
+    for name in ("eps_xy", "eps_xz", "eps_yz"):
+        assert name in section
+
+
+def test_the_first_order_equation_is_that_of_a_hand_worked_entry() -> None:
+    # The z entry of the X motion: -EBX (q_Tx + r_Tx) + EAX (q_Ty + r_Ty) + EZX.
+    motion = page("dmu60p").split("### X: tool point")[1].split("\n### ")[0]
+    entry = re.sub(r"\s+", " ", motion.split(r"\Delta z &=")[1].split(r"\end{aligned}")[0])
+    assert r"\delta_{z}(x)" in entry
+    assert r"\left(q_{Ty} + r_{Ty}\right) \varepsilon_{x}(x)" in entry
+    assert r"- \left(q_{Tx} + r_{Tx}\right) \varepsilon_{y}(x)" in entry
+
+
+def test_a_machine_of_one_linear_axis_has_no_squareness() -> None:
+    assert "## Squareness" not in page("all on the workpiece side")
+    assert "## Squareness" in page("shared")
+
+
+def test_rotary_functions_read_unambiguously() -> None:
+    assert r"\cos(c) dx" in page("five_axis")
+    assert "92.3" in page("five_axis")
