@@ -13,6 +13,13 @@ class CPrinter(C99CodePrinter):  # type: ignore[misc]
         super().__init__()
         self._names = names
 
+    def doprint(self, expr: sp.Expr) -> str:
+        """The C expression. Raises ValueError for a function that no kernel needs."""
+        for function in expr.atoms(sp.Function):
+            if function.func not in (sp.cos, sp.sin):
+                raise ValueError(f"no kernel needs {function}")
+        return str(super().doprint(expr))
+
     def _print_Symbol(self, expr: sp.Symbol) -> str:
         return self._names.get(expr.name, expr.name)
 
@@ -45,10 +52,3 @@ class CPrinter(C99CodePrinter):  # type: ignore[misc]
         if expr.exp > 1:
             return f"({product})"
         return f"(1.0/({product}))" if expr.exp < -1 else f"(1.0/{product})"
-
-    def _print_Function(self, expr: sp.Function) -> str:
-        if expr.func not in (sp.cos, sp.sin):
-            raise ValueError(f"no kernel needs {expr}")
-        return f"{expr.func.__name__}({self._print(expr.args[0])})"
-
-    _print_cos = _print_sin = _print_Function

@@ -64,14 +64,17 @@ def c_header(machine: Machine, routines: tuple[Routine, ...], spec: str | None =
 
 def source_context(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> dict[str, Any]:
     """The variables of kernels.c.j2."""
-    return header_context(machine, routines, spec) | {"block": BLOCK}
+    return _context(machine, routines, spec) | {"block": BLOCK}
 
 
 def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> dict[str, Any]:
     """The variables of kernels.h.j2."""
+    return _context(machine, routines, spec) | {"abi": ABI}
+
+
+def _context(machine: Machine, routines: tuple[Routine, ...], spec: str | None) -> dict[str, Any]:
     prefix = c_prefix(machine.name)
     return {
-        "abi": ABI,
         "digest": machine.digest,
         "prefix": prefix,
         "spec": spec or f"machines/{machine.name}.toml",

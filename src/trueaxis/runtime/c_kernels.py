@@ -19,6 +19,7 @@ FloatArray = npt.NDArray[np.float64]
 # Threads share the points out in multiples of this, which the emitted loops divide into whole blocks and vectors: every
 # point then meets the same instructions, and the result has the same bytes, whatever the number of threads.
 _SHARE = 512
+_WORTH = 32768  # points that a thread must have to do before starting it pays
 _ITEM = 8  # bytes of a double
 
 
@@ -51,7 +52,7 @@ class CRoutine:
     outputs: tuple[ArrayLayout, ...]
 
     def __call__(self, *arrays: npt.ArrayLike, threads: int = 1) -> FloatArray | tuple[FloatArray, ...]:
-        """Compute all points, on `threads` processors at once; one array, or a tuple where there are several outputs.
+        """Compute all points, on up to `threads` processors at once; a tuple where there are several outputs.
 
         Raises ValueError for an array of a wrong shape, TypeError for a wrong number of arrays.
         """
@@ -68,20 +69,20 @@ class CRoutine:
 
     def _points(self, arrays: Sequence[npt.ArrayLike]) -> int:
         """The number of points of the arrays that have points; those of one point serve for all."""
-        sizes = {
-            np.shape(array)[-1:]: layout.name
-            for layout, array in zip(self.inputs, arrays, strict=True)
-            if layout.per_point
-        }
-        many = [size for size in sizes if size != (1,)]
-        if len(many) > 1:
-            told = ", ".join(f"{name} has {size[0] if size else 'none'}" for size, name in sizes.items())
+        sizes: dict[int, str] = {}
+        for layout, array in zip(self.inputs, arrays, strict=True):
+            if layout.per_point and np.ndim(array) == len(layout.shape) + 1:
+                sizes.setdefault(np.shape(array)[-1], layout.name)
+        several = [size for size in sizes if size != 1]
+        if len(several) > 1:
+            told = ", ".join(f"{sizes[size]} has {size}" for size in several)
             raise ValueError(f"the arrays of {self.name} differ in their number of points: {told}")
-        return many[0][0] if many and many[0] else 1
+        return several[0] if several else 1
 
     def _run(self, n: int, arrays: Sequence[FloatArray], threads: int) -> None:
         addresses = [array.ctypes.data for array in arrays]
-        if threads == 1 or n <= _SHARE:
+        threads = min(threads, n // _WORTH)
+        if threads <= 1:
             self.function(n, n, *addresses)
             return
         steps = [_ITEM if layout.per_point else 0 for layout in (*self.inputs, *self.outputs)]

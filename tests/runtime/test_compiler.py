@@ -1,0 +1,139 @@
+"""Compiling the kernels: once, privately, and with a reason where it cannot be done."""
+
+import ctypes
+import shutil
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import pytest
+
+from trueaxis.runtime import compiler
+from trueaxis.runtime.compiler import compile_kernels, find_compiler
+
+pytestmark = [
+    pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler"),
+    pytest.mark.skipif(sys.platform == "win32", reason="the compilers of these tests are shell scripts"),
+]
+
+
+@pytest.fixture
+def source(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A source that says 41, in a folder of its own, and an empty cache."""
+    monkeypatch.setenv("TRUEAXIS_CACHE", str(tmp_path / "cache"))
+    path = tmp_path / "kernels.c"
+    path.write_text('#include "kernels.h"\nint answer(void) { return ANSWER; }\n')
+    path.with_name("kernels.h").write_text("#define ANSWER 41\nint answer(void);\n")
+    return path
+
+
+def script(path: Path, text: str) -> str:
+    path.write_text(f"#!/bin/sh\n{text}\n")
+    path.chmod(0o755)
+    return str(path)
+
+
+def answer(library: Path | None) -> int:
+    assert library is not None
+    return int(ctypes.CDLL(str(library)).answer())
+
+
+def test_the_second_time_nothing_is_compiled(source: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = compile_kernels(source)
+    assert answer(first.library) == 41
+    monkeypatch.setattr(compiler, "_compile", None)
+    assert compile_kernels(source) == first
+
+
+def test_another_content_is_another_library(source: Path) -> None:
+    before = compile_kernels(source).library
+    source.with_name("kernels.h").write_text("#define ANSWER 42\nint answer(void);\n")
+    after = compile_kernels(source).library
+    assert before != after
+    assert answer(after) == 42
+
+
+def test_processes_compile_at_once(source: Path) -> None:
+    with ProcessPoolExecutor(4) as pool:
+        found = set(pool.map(compile_kernels, [source] * 8))
+    assert len(found) == 1
+    assert answer(found.pop().library) == 41
+    left = [path.suffix for path in (source.parent / "cache" / "kernels").iterdir()]
+    assert left == [".so"]
+
+
+def test_flags_that_a_compiler_refuses_are_dropped(
+    source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = (find_compiler() or ("",))[0]
+    old = (
+        f'for word; do [ "$word" = -march=native ] && {{ echo "error: no such flag" >&2; exit 1; }}; done; {real} "$@"'
+    )
+    monkeypatch.setenv("CC", script(tmp_path / "old-cc", old))
+    assert answer(compile_kernels(source).library) == 41
+
+
+def test_words_of_cc_are_kept(source: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", f"{(find_compiler() or ('',))[0]} -DUNUSED='two words'")
+    assert answer(compile_kernels(source).library) == 41
+
+
+def test_broken_source_tells_the_first_error(source: Path) -> None:
+    source.write_text("int answer(void) { return }\n")
+    found = compile_kernels(source)
+    assert found.library is None
+    assert "cannot compile kernels.c" in found.reason
+    assert "error:" in found.reason
+
+
+def test_compiler_that_fails_or_makes_nothing(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for text in ("exit 1", "exit 0"):
+        monkeypatch.setenv("CC", script(tmp_path / "bad-cc", text))
+        found = compile_kernels(source)
+        assert found.library is None
+        assert "bad-cc cannot compile kernels.c: no message" in found.reason
+
+
+def test_no_compiler(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", "no-such-compiler")
+    assert compile_kernels(source).reason == "no C compiler found (CC is no-such-compiler)"
+    monkeypatch.delenv("CC")
+    monkeypatch.setenv("PATH", str(tmp_path / "nothing"))
+    assert compile_kernels(source).reason == "no C compiler found (looked for cc, gcc, clang)"
+
+
+def test_compiler_that_hangs(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compiler, "_SECONDS", 0.2)
+    monkeypatch.setenv("CC", script(tmp_path / "slow-cc", f"exec {shutil.which('sleep')} 60"))
+    assert compile_kernels(source).reason == "the C compiler took longer than 0.2 s"
+
+
+def test_missing_source(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TRUEAXIS_CACHE", str(tmp_path))
+    assert "cannot be compiled" in compile_kernels(tmp_path / "kernels.c").reason
+
+
+def test_cache_that_others_can_write_is_not_trusted(source: Path) -> None:
+    folder = source.parent / "cache" / "kernels"
+    folder.mkdir(parents=True)
+    folder.chmod(0o777)
+    assert "others can write" in compile_kernels(source).reason
+
+
+def test_cache_is_made_for_its_owner_alone(source: Path) -> None:
+    compile_kernels(source)
+    assert (source.parent / "cache" / "kernels").stat().st_mode & 0o777 == 0o700
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="the folder's name is another")
+def test_cache_of_the_platform(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("TRUEAXIS_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "xdg"))
+    library = compile_kernels(source).library
+    assert library is not None
+    assert library.parent == tmp_path / "xdg" / "trueaxis" / "kernels"
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    library = compile_kernels(source).library
+    assert library is not None
+    assert library.parent == tmp_path / "home" / ".cache" / "trueaxis" / "kernels"
