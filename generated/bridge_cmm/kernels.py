@@ -71,9 +71,9 @@ META = {'machine': 'bridge_cmm',
                             'roll error of Z'],
  'parameters': ['q_Px', 'q_Py', 'q_Pz', 'EC0Y', 'EA0Z', 'EB0Z'],
  'parameter_units': ['mm', 'mm', 'mm', 'rad', 'rad', 'rad'],
- 'parameter_descriptions': ['home position, body 6 (tool) on body 5',
-                            'home position, body 6 (tool) on body 5',
-                            'home position, body 6 (tool) on body 5',
+ 'parameter_descriptions': ['home position along X, body 6 (tool) on body 5',
+                            'home position along Y, body 6 (tool) on body 5',
+                            'home position along Z, body 6 (tool) on body 5',
                             'location error, rotation about Z, body 3 (Y slide) on body 1',
                             'location error, rotation about X, body 5 (Z slide) on body 4',
                             'location error, rotation about Y, body 5 (Z slide) on body 4'],
@@ -428,61 +428,6 @@ META = {'machine': 'bridge_cmm',
                                                                       'per_point': True,
                                                                       'unit': 'mm'}],
                                                          'operations': 63,
-                                                         'operations_per_call': 0},
-              'tool_orientation_ideal': {'inputs': [{'name': 'positions',
-                                                     'shape': [3],
-                                                     'per_point': True,
-                                                     'unit': 'mm'},
-                                                    {'name': 'direction',
-                                                     'shape': [3],
-                                                     'per_point': True,
-                                                     'unit': '1'}],
-                                         'outputs': [{'name': 'ideal', 'shape': [3], 'per_point': True, 'unit': '1'}],
-                                         'operations': 0,
-                                         'operations_per_call': 0},
-              'tool_orientation_deviation': {'inputs': [{'name': 'positions',
-                                                         'shape': [3],
-                                                         'per_point': True,
-                                                         'unit': 'mm'},
-                                                        {'name': 'errors',
-                                                         'shape': [18],
-                                                         'per_point': True,
-                                                         'unit': 'mm, rad'},
-                                                        {'name': 'parameters',
-                                                         'shape': [6],
-                                                         'per_point': False,
-                                                         'unit': 'mm, rad'},
-                                                        {'name': 'direction',
-                                                         'shape': [3],
-                                                         'per_point': True,
-                                                         'unit': '1'}],
-                                             'outputs': [{'name': 'deviation',
-                                                          'shape': [3],
-                                                          'per_point': True,
-                                                          'unit': '1'}],
-                                             'operations': 56,
-                                             'operations_per_call': 0},
-              'tool_orientation_deviation_first_order': {'inputs': [{'name': 'positions',
-                                                                     'shape': [3],
-                                                                     'per_point': True,
-                                                                     'unit': 'mm'},
-                                                                    {'name': 'errors',
-                                                                     'shape': [18],
-                                                                     'per_point': True,
-                                                                     'unit': 'mm, rad'},
-                                                                    {'name': 'parameters',
-                                                                     'shape': [6],
-                                                                     'per_point': False,
-                                                                     'unit': 'mm, rad'},
-                                                                    {'name': 'direction',
-                                                                     'shape': [3],
-                                                                     'per_point': True,
-                                                                     'unit': '1'}],
-                                                         'outputs': [{'name': 'deviation',
-                                                                      'shape': [3],
-                                                                      'per_point': True,
-                                                                      'unit': '1'}],
-                                                         'operations': 45,
                                                          'operations_per_call': 0},
               'tool_in_workpiece_deviation_curves': {'inputs': [{'name': 'positions',
                                                                  'shape': [3],
@@ -1451,143 +1396,6 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
         w19 = EAY*w2 - EBY*w1 + EZY + w18
         position[2, at] = w19 + w4
     return position
-
-
-def tool_orientation_ideal(positions, direction):
-    """Ideal direction of a vector of the tool frame in the workpiece frame.
-
-    Source: Eqs. (1)-(4) without errors, rotations alone. Operations: 0 per point.
-
-    Arguments (float64):
-        positions (3, n): commanded positions of X Y Z [mm]
-        direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
-
-    Returns:
-        ideal (3, n): the vector in the workpiece frame, without errors [1]
-    """
-    n, positions, direction = _points(positions, direction)
-    ideal = np.zeros((3, n))
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        tx = direction[0, at]
-        ty = direction[1, at]
-        tz = direction[2, at]
-        # per point
-        ideal[0, at] = tx
-        ideal[1, at] = ty
-        ideal[2, at] = tz
-    return ideal
-
-
-def tool_orientation_deviation(positions, errors, parameters, direction):
-    """Deviation of a direction of the tool frame in the workpiece frame, exact.
-
-    Source: Eqs. (1)-(4), rotations alone. Operations: 56 per point.
-
-    Arguments (float64):
-        positions (3, n): commanded positions of X Y Z [mm]
-        errors (18, n): component errors at the point [mm, rad]
-        parameters (6,): home positions and location errors [mm, rad]
-        direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
-
-    Returns:
-        deviation (3, n): the vector in the workpiece frame, actual minus ideal [1]
-    """
-    n, positions, errors, direction = _points(positions, errors, direction)
-    deviation = np.zeros((3, n))
-    # constants
-    EC0Y = float(parameters[3])
-    EA0Z = float(parameters[4])
-    EB0Z = float(parameters[5])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        EAX = errors[3, at]
-        EBX = errors[4, at]
-        ECX = errors[5, at]
-        EAY = errors[9, at]
-        EBY = errors[10, at]
-        ECY = errors[11, at]
-        EAZ = errors[15, at]
-        EBZ = errors[16, at]
-        ECZ = errors[17, at]
-        tx = direction[0, at]
-        ty = direction[1, at]
-        tz = direction[2, at]
-        # per point
-        w0 = EBZ*tz - ECZ*ty
-        w1 = -EAZ*tz + ECZ*tx
-        w2 = EAZ*ty - EBZ*tx
-        w3 = EA0Z*(ty + w1) - EB0Z*(tx + w0) + w2
-        w4 = tz + w3
-        w5 = tz + w2
-        w6 = EB0Z*w5 + w0
-        w7 = tx + w6
-        w8 = -EA0Z*w5 + w1
-        w9 = -EAX*w4 + ECX*w7 + w8
-        w10 = ty + w9
-        w11 = ty + w8
-        w12 = EBX*w4 - ECX*w11 + w6
-        w13 = tx + w12
-        w14 = EAX*w11 - EBX*w7 + w3
-        deviation[2, at] = EAY*w10 - EBY*w13 + w14
-        w15 = tz + w14
-        w16 = EBY*w15 - ECY*w10 + w12
-        w17 = -EAY*w15 + ECY*w13 + w9
-        deviation[0, at] = -EC0Y*(ty + w17) + w16
-        deviation[1, at] = EC0Y*(tx + w16) + w17
-    return deviation
-
-
-def tool_orientation_deviation_first_order(positions, errors, parameters, direction):
-    """Deviation of a direction of the tool frame in the workpiece frame, to first order.
-
-    Source: Eqs. (1)-(4), rotations alone. Operations: 45 per point.
-
-    Arguments (float64):
-        positions (3, n): commanded positions of X Y Z [mm]
-        errors (18, n): component errors at the point [mm, rad]
-        parameters (6,): home positions and location errors [mm, rad]
-        direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
-
-    Returns:
-        deviation (3, n): the vector in the workpiece frame, actual minus ideal [1]
-    """
-    n, positions, errors, direction = _points(positions, errors, direction)
-    deviation = np.zeros((3, n))
-    # constants
-    EC0Y = float(parameters[3])
-    EA0Z = float(parameters[4])
-    EB0Z = float(parameters[5])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        EAX = errors[3, at]
-        EBX = errors[4, at]
-        ECX = errors[5, at]
-        EAY = errors[9, at]
-        EBY = errors[10, at]
-        ECY = errors[11, at]
-        EAZ = errors[15, at]
-        EBZ = errors[16, at]
-        ECZ = errors[17, at]
-        tx = direction[0, at]
-        ty = direction[1, at]
-        tz = direction[2, at]
-        # per point
-        w0 = EAZ*ty - EBZ*tx
-        w1 = EA0Z*ty - EB0Z*tx + w0
-        w2 = EAX*ty - EBX*tx + w1
-        deviation[2, at] = EAY*ty - EBY*tx + w2
-        w3 = EBZ*tz - ECZ*ty
-        w4 = EB0Z*tz + w3
-        w5 = EBX*tz - ECX*ty + w4
-        w6 = EBY*tz - ECY*ty + w5
-        deviation[0, at] = -EC0Y*ty + w6
-        w7 = -EAZ*tz + ECZ*tx
-        w8 = -EA0Z*tz + w7
-        w9 = -EAX*tz + ECX*tx + w8
-        w10 = -EAY*tz + ECY*tx + w9
-        deviation[1, at] = EC0Y*tx + w10
-    return deviation
 
 
 def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):

@@ -71,12 +71,12 @@ META = {'machine': 'dmu60p',
                             'roll error of Z'],
  'parameters': ['q_wx', 'q_wy', 'q_wz', 'q_Tx', 'q_Ty', 'q_Tz', 'eps_xy', 'eps_yz', 'eps_xz'],
  'parameter_units': ['mm', 'mm', 'mm', 'mm', 'mm', 'mm', 'rad', 'rad', 'rad'],
- 'parameter_descriptions': ['home position, body 4 (workpiece) on body 2',
-                            'home position, body 4 (workpiece) on body 2',
-                            'home position, body 4 (workpiece) on body 2',
-                            'home position, body 9 (tool) on body 6',
-                            'home position, body 9 (tool) on body 6',
-                            'home position, body 9 (tool) on body 6',
+ 'parameter_descriptions': ['home position along X, body 4 (workpiece) on body 2',
+                            'home position along Y, body 4 (workpiece) on body 2',
+                            'home position along Z, body 4 (workpiece) on body 2',
+                            'home position along X, body 9 (tool) on body 6',
+                            'home position along Y, body 9 (tool) on body 6',
+                            'home position along Z, body 9 (tool) on body 6',
                             'location error, rotation about Z, body 5 (X slide carriage) on body 1',
                             'location error, rotation about X, body 6 (Z slide carriage) on body 5',
                             'location error, rotation about Y, body 6 (Z slide carriage) on body 5'],
@@ -431,61 +431,6 @@ META = {'machine': 'dmu60p',
                                                                       'per_point': True,
                                                                       'unit': 'mm'}],
                                                          'operations': 66,
-                                                         'operations_per_call': 0},
-              'tool_orientation_ideal': {'inputs': [{'name': 'positions',
-                                                     'shape': [3],
-                                                     'per_point': True,
-                                                     'unit': 'mm'},
-                                                    {'name': 'direction',
-                                                     'shape': [3],
-                                                     'per_point': True,
-                                                     'unit': '1'}],
-                                         'outputs': [{'name': 'ideal', 'shape': [3], 'per_point': True, 'unit': '1'}],
-                                         'operations': 0,
-                                         'operations_per_call': 0},
-              'tool_orientation_deviation': {'inputs': [{'name': 'positions',
-                                                         'shape': [3],
-                                                         'per_point': True,
-                                                         'unit': 'mm'},
-                                                        {'name': 'errors',
-                                                         'shape': [18],
-                                                         'per_point': True,
-                                                         'unit': 'mm, rad'},
-                                                        {'name': 'parameters',
-                                                         'shape': [9],
-                                                         'per_point': False,
-                                                         'unit': 'mm, rad'},
-                                                        {'name': 'direction',
-                                                         'shape': [3],
-                                                         'per_point': True,
-                                                         'unit': '1'}],
-                                             'outputs': [{'name': 'deviation',
-                                                          'shape': [3],
-                                                          'per_point': True,
-                                                          'unit': '1'}],
-                                             'operations': 83,
-                                             'operations_per_call': 0},
-              'tool_orientation_deviation_first_order': {'inputs': [{'name': 'positions',
-                                                                     'shape': [3],
-                                                                     'per_point': True,
-                                                                     'unit': 'mm'},
-                                                                    {'name': 'errors',
-                                                                     'shape': [18],
-                                                                     'per_point': True,
-                                                                     'unit': 'mm, rad'},
-                                                                    {'name': 'parameters',
-                                                                     'shape': [9],
-                                                                     'per_point': False,
-                                                                     'unit': 'mm, rad'},
-                                                                    {'name': 'direction',
-                                                                     'shape': [3],
-                                                                     'per_point': True,
-                                                                     'unit': '1'}],
-                                                         'outputs': [{'name': 'deviation',
-                                                                      'shape': [3],
-                                                                      'per_point': True,
-                                                                      'unit': '1'}],
-                                                         'operations': 45,
                                                          'operations_per_call': 0},
               'tool_in_workpiece_deviation_curves': {'inputs': [{'name': 'positions',
                                                                  'shape': [3],
@@ -1632,146 +1577,6 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
         w22 = -q_wz + w1
         position[2, at] = w21 + w22
     return position
-
-
-def tool_orientation_ideal(positions, direction):
-    """Ideal direction of a vector of the tool frame in the workpiece frame.
-
-    Source: Eqs. (1)-(4) without errors, rotations alone. Operations: 0 per point.
-
-    Arguments (float64):
-        positions (3, n): commanded positions of X Y Z [mm]
-        direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
-
-    Returns:
-        ideal (3, n): the vector in the workpiece frame, without errors [1]
-    """
-    n, positions, direction = _points(positions, direction)
-    ideal = np.zeros((3, n))
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        tx = direction[0, at]
-        ty = direction[1, at]
-        tz = direction[2, at]
-        # per point
-        ideal[0, at] = tx
-        ideal[1, at] = ty
-        ideal[2, at] = tz
-    return ideal
-
-
-def tool_orientation_deviation(positions, errors, parameters, direction):
-    """Deviation of a direction of the tool frame in the workpiece frame, exact.
-
-    Source: Eqs. (1)-(4), rotations alone. Operations: 83 per point.
-
-    Arguments (float64):
-        positions (3, n): commanded positions of X Y Z [mm]
-        errors (18, n): component errors at the point [mm, rad]
-        parameters (9,): home positions and location errors [mm, rad]
-        direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
-
-    Returns:
-        deviation (3, n): the vector in the workpiece frame, actual minus ideal [1]
-    """
-    n, positions, errors, direction = _points(positions, errors, direction)
-    deviation = np.zeros((3, n))
-    # constants
-    eps_xy = float(parameters[6])
-    eps_yz = float(parameters[7])
-    eps_xz = float(parameters[8])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        EAX = errors[3, at]
-        EBX = errors[4, at]
-        ECX = errors[5, at]
-        EAY = errors[9, at]
-        EBY = errors[10, at]
-        ECY = errors[11, at]
-        EAZ = errors[15, at]
-        EBZ = errors[16, at]
-        ECZ = errors[17, at]
-        tx = direction[0, at]
-        ty = direction[1, at]
-        tz = direction[2, at]
-        # per point
-        w0 = EBZ*tz - ECZ*ty
-        w1 = -EAZ*tz + ECZ*tx
-        w2 = EAZ*ty - EBZ*tx
-        w3 = -eps_xz*(tx + w0) + eps_yz*(ty + w1) + w2
-        w4 = tz + w3
-        w5 = tz + w2
-        w6 = -eps_yz*w5 + w1
-        w7 = ty + w6
-        w8 = eps_xz*w5 + w0
-        w9 = EBX*w4 - ECX*w7 + w8
-        w10 = tx + w8
-        w11 = -EAX*w4 + ECX*w10 + w6
-        w12 = -eps_xy*(ty + w11) + w9
-        w13 = eps_xy*(tx + w9) + w11
-        w14 = ty + w13
-        w15 = EAX*w7 - EBX*w10 + w3
-        w16 = tz + w15
-        w17 = tx + w12
-        w18 = EAY*w17 + EBY*w14 + ECY*w16
-        w19 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
-        w20 = 1.0/(w19 + 1)
-        deviation[0, at] = w20*(EAY*w18 - EBY*w16 + ECY*w14 - tx*w19 + w12)
-        deviation[1, at] = w20*(EAY*w16 + EBY*w18 - ECY*w17 - ty*w19 + w13)
-        deviation[2, at] = w20*(-EAY*w14 + EBY*w17 + ECY*w18 - tz*w19 + w15)
-    return deviation
-
-
-def tool_orientation_deviation_first_order(positions, errors, parameters, direction):
-    """Deviation of a direction of the tool frame in the workpiece frame, to first order.
-
-    Source: Eqs. (1)-(4), rotations alone. Operations: 45 per point.
-
-    Arguments (float64):
-        positions (3, n): commanded positions of X Y Z [mm]
-        errors (18, n): component errors at the point [mm, rad]
-        parameters (9,): home positions and location errors [mm, rad]
-        direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
-
-    Returns:
-        deviation (3, n): the vector in the workpiece frame, actual minus ideal [1]
-    """
-    n, positions, errors, direction = _points(positions, errors, direction)
-    deviation = np.zeros((3, n))
-    # constants
-    eps_xy = float(parameters[6])
-    eps_yz = float(parameters[7])
-    eps_xz = float(parameters[8])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        EAX = errors[3, at]
-        EBX = errors[4, at]
-        ECX = errors[5, at]
-        EAY = errors[9, at]
-        EBY = errors[10, at]
-        ECY = errors[11, at]
-        EAZ = errors[15, at]
-        EBZ = errors[16, at]
-        ECZ = errors[17, at]
-        tx = direction[0, at]
-        ty = direction[1, at]
-        tz = direction[2, at]
-        # per point
-        w0 = EBZ*tz - ECZ*ty
-        w1 = eps_xz*tz + w0
-        w2 = EBX*tz - ECX*ty + w1
-        w3 = -eps_xy*ty + w2
-        deviation[0, at] = -EBY*tz + ECY*ty + w3
-        w4 = -EAZ*tz + ECZ*tx
-        w5 = -eps_yz*tz + w4
-        w6 = -EAX*tz + ECX*tx + w5
-        w7 = eps_xy*tx + w6
-        deviation[1, at] = EAY*tz - ECY*tx + w7
-        w8 = EAZ*ty - EBZ*tx
-        w9 = -eps_xz*tx + eps_yz*ty + w8
-        w10 = EAX*ty - EBX*tx + w9
-        deviation[2, at] = -EAY*ty + EBY*tx + w10
-    return deviation
 
 
 def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):

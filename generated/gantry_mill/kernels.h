@@ -172,31 +172,6 @@ void gantry_mill_tool_in_workpiece_position_first_order(
     const double *restrict point,
     double *restrict position);
 
-/* Ideal direction of a vector of the tool frame in the workpiece frame. */
-void gantry_mill_tool_orientation_ideal(
-    size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict direction,
-    double *restrict ideal);
-
-/* Deviation of a direction of the tool frame in the workpiece frame, exact. */
-void gantry_mill_tool_orientation_deviation(
-    size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation);
-
-/* Deviation of a direction of the tool frame in the workpiece frame, to first order. */
-void gantry_mill_tool_orientation_deviation_first_order(
-    size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation);
-
 /* Deviation of the tool point under polynomial error curves, exact. */
 void gantry_mill_tool_in_workpiece_deviation_curves(
     size_t n, size_t stride,

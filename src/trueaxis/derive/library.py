@@ -23,7 +23,8 @@ def derive_routines(machine: Machine) -> tuple[Routine, ...]:
         routines += _view_routines(machine, each)
     main = view(machine, "tool_in_workpiece")
     routines += _position_routines(machine, main)
-    routines += _orientation_routines(machine, main)
+    if any(axis in ROTARY for axis in machine.axes):
+        routines += _orientation_routines(machine, main)
     routines += _curve_routines(machine, main)
     routines.append(_ballbar(machine, main))
     routines += _correction(machine, main)
