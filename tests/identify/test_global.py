@@ -106,6 +106,7 @@ def test_squareness_by_convention_comes_back_where_the_truth_obeys_it() -> None:
     assert found.report.blocks[0].rank == found.report.blocks[0].unknowns - 3
 
 
+@pytest.mark.slow
 def test_fit_and_covariance_are_those_of_scipy() -> None:
     """Degree 2, the paper's runs: Levenberg-Marquardt on the same readings, its own numerical derivative."""
     truth = cubic_errors()
@@ -265,6 +266,7 @@ def _many(runs: Sequence[Run], count: int) -> Observations:
     return Observations("", tuple(runs), run, positions, source.normal(0.0, 1e-3, run.size))
 
 
+@pytest.mark.slow
 def test_hundred_thousand_readings_take_seconds_and_bounded_memory() -> None:
     runs = paper_runs()
     machine, data = Linear(dmu60p()), _many(runs, 99_990)

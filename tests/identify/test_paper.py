@@ -209,6 +209,7 @@ def test_oblique_directions_make_one_block_of_six() -> None:
     assert {part.name: part.known for part in found.report.components}["EXY"] == "not measured"
 
 
+@pytest.mark.slow
 def test_uncertainty_is_that_of_readings_moved_one_by_one() -> None:
     machine, data = dmu60p(), paper_data(generator(cubic_errors()), 3)
     options = replace(CONVENTION, noise_um=1.0)

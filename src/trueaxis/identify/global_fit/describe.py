@@ -165,7 +165,7 @@ def _open(result: GlobalResult, vectors: list[FloatArray]) -> Undetermined:
     orders = sorted({order for vector in vectors for part in _parts(result, vector) for order in part.orders})
     count = "1 combination" if len(vectors) == 1 else f"{len(vectors)} combinations"
     text = (
-        f"{enumerated(ordered)}: {count} undetermined (polynomial orders {_ranges(orders)}); "
+        f"{enumerated(ordered)}: {count} undetermined{_ranges(orders)}; "
         f"for one, {together(_per_largest(shares))} changes no reading; the solution of least norm is given"
     )
     return Undetermined(text, ordered)
@@ -230,10 +230,7 @@ def _lead(result: GlobalResult, vector: FloatArray) -> float:
 
 
 def _ranges(orders: list[int]) -> str:
-    return (
-        ""
-        if not orders
-        else f"{orders[0]} to {orders[-1]}"
-        if len(orders) > 2
-        else enumerated([str(order) for order in orders])
-    )
+    if not orders:
+        return ""
+    told = f"{orders[0]} to {orders[-1]}" if len(orders) > 2 else enumerated([str(order) for order in orders])
+    return f" (polynomial orders {told})"
