@@ -3,13 +3,16 @@
 import argparse
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from trueaxis.derive.systems import RunPattern
 from trueaxis.faults import Fault, InputError
 from trueaxis.measure.data import MeasuredData, read_data
 from trueaxis.measure.setup import PointOn
 from trueaxis.spec import Machine, read_machine
 from trueaxis.topology import format_lower_body_array
+
+if TYPE_CHECKING:
+    from trueaxis.derive.systems import RunPattern
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -73,7 +76,7 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _runs(machine: Machine, spec: Path, given: Path | None) -> tuple[RunPattern, ...]:
+def _runs(machine: Machine, spec: Path, given: Path | None) -> "tuple[RunPattern, ...]":
     folder = given or (spec.parent / machine.runs if machine.runs else None)
     if folder is None:
         return ()
@@ -85,8 +88,10 @@ def _runs(machine: Machine, spec: Path, given: Path | None) -> tuple[RunPattern,
     return run_patterns(machine, read_data(folder, machine))
 
 
-def run_patterns(machine: Machine, data: MeasuredData) -> tuple[RunPattern, ...]:
+def run_patterns(machine: Machine, data: MeasuredData) -> "tuple[RunPattern, ...]":
     """The laser and probe runs of a data set, as patterns: which axes move is seen from the readings."""
+    from trueaxis.derive.systems import RunPattern  # noqa: PLC0415  as in run
+
     patterns: list[RunPattern] = []
     for index, each in enumerate(data.setup.runs):
         if each.direction is None:
