@@ -70,7 +70,6 @@ def equations_page(model: DerivedModel, spec: str) -> str:
         .render(
             spec=spec,
             title=machine.title,
-            digest=machine.digest,
             bodies=[array[0], *array[1:]],
             body_rows=[
                 (

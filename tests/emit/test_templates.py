@@ -1,0 +1,52 @@
+"""A template uses exactly the variables that it is given: no more, and none for nothing."""
+
+from collections.abc import Callable
+from typing import Any
+
+import jinja2
+import pytest
+from jinja2 import meta
+
+from tests.derive.test_routine import models
+from trueaxis.emit.equations import equations_page
+from trueaxis.emit.numpy_source import numpy_source
+from trueaxis.emit.templates import environment
+
+MODEL = "five_axis"
+
+
+def given(monkeypatch: pytest.MonkeyPatch, emit: Callable[[], object]) -> dict[str, set[str]]:
+    """Template -> names of the variables that an emitter renders it with."""
+    found: dict[str, set[str]] = {}
+    render = jinja2.Template.render
+
+    def noting(template: jinja2.Template, *args: Any, **variables: Any) -> str:
+        found[str(template.name)] = set(dict(*args, **variables))
+        return render(template, *args, **variables)
+
+    monkeypatch.setattr(jinja2.Template, "render", noting)
+    emit()
+    return found
+
+
+EMITTERS: dict[str, Callable[[], object]] = {
+    "kernels.py.j2": lambda: numpy_source(models()[MODEL].machine, models()[MODEL].routines, "x.toml"),
+    "equations.md.j2": lambda: equations_page(models()[MODEL], "x.toml"),
+}
+
+
+@pytest.mark.parametrize("name", EMITTERS)
+def test_a_template_is_given_what_it_uses(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    env = environment()
+    assert env.loader is not None
+    used = meta.find_undeclared_variables(env.parse(env.loader.get_source(env, name)[0]))
+    assert given(monkeypatch, EMITTERS[name]) == {name: used}
+
+
+def test_an_unknown_variable_is_an_error_and_not_an_empty_text() -> None:
+    with pytest.raises(jinja2.UndefinedError):
+        environment().from_string("{{ nothing }}").render()
+
+
+def test_every_template_is_used() -> None:
+    assert set(environment().list_templates()) == {*EMITTERS, "kernels.c.j2", "kernels.h.j2"}
