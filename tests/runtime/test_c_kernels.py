@@ -116,7 +116,7 @@ def test_c_agrees_with_numpy_across_blocks_and_odd_ends(compiled: Compiled) -> N
 
 
 def test_threads_give_the_same_bytes(compiled: Compiled) -> None:
-    n = 5 * 32768 + 77
+    n = 4 * 131072 + 77
     for name in (DEVIATION, "tool_in_workpiece_deviation_first_order_curves", "ballbar_error"):
         routine = next(r for r in compiled.routines if r.name == name)
         arrays = inputs(compiled, routine, n)

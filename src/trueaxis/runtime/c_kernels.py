@@ -19,7 +19,7 @@ FloatArray = npt.NDArray[np.float64]
 # Threads share the points out in multiples of this, which the emitted loops divide into whole blocks and vectors: every
 # point then meets the same instructions, and the result has the same bytes, whatever the number of threads.
 _SHARE = 512
-_WORTH = 32768  # points that a thread must have to do before starting it pays
+_WORTH = 131072  # points that a thread must have to do before starting it pays
 _ITEM = 8  # bytes of a double
 
 
@@ -87,16 +87,20 @@ class CRoutine:
             return
         steps = [_ITEM if layout.per_point else 0 for layout in (*self.inputs, *self.outputs)]
         share = -(-n // (threads * _SHARE)) * _SHARE
-        with ThreadPoolExecutor(threads) as pool:
-            parts = [
-                pool.submit(
-                    partial(self.function, min(share, n - start), n),
-                    *(address + start * step for address, step in zip(addresses, steps, strict=True)),
-                )
-                for start in range(0, n, share)
-            ]
-        for part in parts:
-            part.result()
+        parts = [
+            partial(
+                self.function,
+                min(share, n - start),
+                n,
+                *(address + start * step for address, step in zip(addresses, steps, strict=True)),
+            )
+            for start in range(0, n, share)
+        ]
+        with ThreadPoolExecutor(threads - 1) as pool:
+            others = [pool.submit(part) for part in parts[1:]]
+            parts[0]()  # the calling thread does its share
+        for other in others:
+            other.result()
 
 
 def load_c_kernels(
