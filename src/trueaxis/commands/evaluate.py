@@ -1,0 +1,75 @@
+"""trueaxis evaluate: a positioning test by ISO 230-2."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trueaxis.faults import Fault, InputError
+from trueaxis.files import write_files
+from trueaxis.iso230_2.evaluation import evaluate
+from trueaxis.iso230_2.read import read_positioning_test
+from trueaxis.iso230_2.report import report_json, report_text
+from trueaxis.pictures.positioning import positioning_plot
+from trueaxis.runtime.input_files import gathering
+
+if TYPE_CHECKING:
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+DESCRIPTION = """\
+Evaluate a bidirectional positioning test of a linear axis up to 2000 mm by ISO 230-2:2014 (k = 2): at each target mean
+deviations, reversal value, standard uncertainty and repeatability; of the axis B, R, E, M and A, by direction and for
+both. DATA is a table (.csv, .parquet) with columns target, cycle, direction (+1 or forward, -1 or backward: how the
+target was approached) and measured, in mm; or a .dat file with TGT_DATA[i], REF_DATA_FWD[i,j], REF_DATA_BWD[i,j]."""
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add this command to the command line."""
+    parser = subparsers.add_parser("evaluate", help="a positioning test by ISO 230-2", description=DESCRIPTION)
+    parser.add_argument("data", type=Path, metavar="DATA", help="the readings: .dat, .csv or .parquet")
+    parser.add_argument("--out", type=Path, metavar="REPORT.json", help="write the values as JSON")
+    parser.add_argument("--picture", type=Path, metavar="FILE.png", help="draw the mean deviations with bands of 2 s")
+    parser.add_argument(
+        "--repeatability",
+        choices=("iso", "unidirectional"),
+        default="iso",
+        help="the axis's bidirectional R: iso, the standard's, largest over the targets with the reversal (default); "
+        "unidirectional, the larger R of the two directions, as some programs report it",
+    )
+    parser.add_argument(
+        "--swap-directions",
+        action="store_true",
+        help="what DATA labels forward was approached in the negative direction",
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Evaluate, write and print; raises InputError with every fault."""
+    found = _faults_of_options(args)
+    with gathering(found):
+        test = read_positioning_test(args.data)
+    if found:
+        raise InputError(found)
+    evaluation = evaluate(test.swapped() if args.swap_directions else test, args.repeatability)
+    contents: dict[Path, bytes | str] = {}
+    if args.out is not None:
+        contents[args.out] = report_json(evaluation)
+    if args.picture is not None:
+        contents[args.picture] = positioning_plot(evaluation, args.data.stem)
+    write_files(contents)
+    print(report_text(str(args.data), evaluation), end="")
+    if contents:
+        print(f"written: {', '.join(str(path) for path in contents)}")
+    return 0
+
+
+def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
+    found = []
+    named = {"DATA": args.data, "--out": args.out, "--picture": args.picture}
+    given = {option: path.resolve() for option, path in named.items() if path is not None}
+    options = list(given)
+    for number, option in enumerate(options):
+        for earlier in options[:number]:
+            if given[option] == given[earlier]:
+                found.append(Fault(str(named[option]), "", f"is the file of {earlier} and of {option}", "another file"))
+    return found
