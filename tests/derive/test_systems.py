@@ -10,10 +10,11 @@ import pytest
 import sympy as sp
 
 from tests.exact_chain import DIGITS, ExactChain
-from tests.machines import DMU60P, ROOT, machine_at
+from tests.machines import DMU60P, ROOT, machine_at, machine_of, serial_text
 from trueaxis.commands.derive import run_patterns
 from trueaxis.derive.model import DerivedModel, derive_model
 from trueaxis.derive.systems import RunPattern, identification, undetermined
+from trueaxis.emit.equations import equations_page
 from trueaxis.emit.numpy_source import numpy_source
 from trueaxis.measure.data import read_data
 
@@ -208,3 +209,64 @@ def test_more_runs_than_unknowns_make_a_system_without_closed_form() -> None:
     (system,) = identification(machine_at(DMU60P), (*x, again)).systems
     assert system.matrix.shape == (4, 3)
     assert system.inverse is None
+
+
+C_RUNS = tuple(
+    RunPattern(f"C{number}", ("C",), direction, "bed", ("workpiece", point), ("bed", (0.0, 0.0, 0.0)))
+    for number, (direction, point) in enumerate(
+        [((1.0, 0, 0), (100.0, 0, 50.0)), ((0, 1.0, 0), (100.0, 0, 50.0)), ((0, 0, 1.0), (0, 80.0, 9.0))]
+    )
+)
+TABLE = serial_text("C", "X", C={"position_errors": {"EX": "off", "EA": "tilt", "EB": "sway"}})
+
+
+def test_runs_of_a_rotary_axis_let_its_curves_take_up_its_tilts() -> None:
+    # By hand: a displaced axis moves no point since home; a tilt lifts the turning point, as EZC would.
+    found = undetermined(machine_of(TABLE), C_RUNS)
+    assert {"off": 1} in found
+    assert [set(c) for c in found if "tilt" in c or "sway" in c] == [{"EZC", "tilt"}, {"EZC", "sway"}]
+    assert all(value.is_Rational for combination in found for value in combination.values())
+
+
+def test_combinations_of_a_rotary_axis_are_as_many_as_numbers_tell() -> None:
+    chain, poses = ExactChain(TABLE), [{"C": at, "X": 0.0} for at in (20.0, 55.0, 130.0)]
+    components = [name for name in chain.components if name[2] == "C"]
+    names = components + chain.location_errors
+    size = len(components)
+    blocks = [
+        np.array([first_order_readings(chain, run, pose, {}, [{n: 1} for n in names]) for run in C_RUNS])
+        for pose in poses
+    ]
+    whole = np.zeros((len(poses) * len(C_RUNS), len(poses) * size + len(chain.location_errors)))
+    for k, block in enumerate(blocks):
+        rows = slice(k * len(C_RUNS), (k + 1) * len(C_RUNS))
+        whole[rows, k * size : (k + 1) * size] = block[:, :size]
+        whole[rows, len(poses) * size :] = block[:, size:]
+    free = [size - np.linalg.matrix_rank(block[:, :size]) for block in blocks]
+    found = undetermined(machine_of(TABLE), C_RUNS)
+    with_location = [c for c in found if set(c) & set(chain.location_errors)]
+    assert len(found) - len(with_location) == free[0] == free[1]
+    assert len(with_location) == whole.shape[1] - np.linalg.matrix_rank(whole) - sum(free)
+
+
+def test_a_page_tells_what_runs_of_a_rotary_axis_leave_open() -> None:
+    page = equations_page(derive_model(machine_of(TABLE), C_RUNS), "test.toml")
+    assert "tilt: the curves of EZC can take up a change of +1 rad in tilt position by position" in page
+
+
+def test_large_systems_are_told_without_a_closed_form() -> None:
+    # Six unknowns seen in slanted directions: their inverse in symbols would take a minute and a page each.
+    rng = np.random.default_rng(0)
+    runs = []
+    for number in range(6):
+        way = rng.normal(size=3)
+        x, y, z = (float(part) for part in way / np.linalg.norm(way))
+        at = (float(number), float(number**2 % 7), 3.0 * number)
+        runs.append(RunPattern(f"r{number}", ("X",), (x, y, z), "bed", ("tool", at), ("bed", (0.0, 0.0, 0.0))))
+    model = derive_model(machine_at(DMU60P), runs)
+    assert model.identification is not None
+    (system,) = model.identification.systems
+    assert len(system.unknowns) == 6
+    assert system.inverse is None
+    assert "system_1" not in {routine.name for routine in model.routines}
+    assert "### 1. EXX, EYX, EZX, EAX, EBX, ECX (X)" in equations_page(model, "test.toml")

@@ -14,9 +14,13 @@ from trueaxis.blocks import solution_order
 from trueaxis.derive import symbols
 from trueaxis.derive.chain import Vector
 from trueaxis.derive.motion import MotionEquation, motion_equation
-from trueaxis.spec.machine import Machine
+from trueaxis.spec.machine import ROTARY, Machine
 
 Point = tuple[float, float, float]
+
+_LARGEST_CLOSED_FORM = 4  # unknowns; the entries of an inverse grow beyond reading, and beyond minutes at six
+# Poses of rotary axes in rational numbers: t = tan(angle / 2).
+_HALF_TANGENTS = (sp.Rational(1, 2), sp.Rational(1, 3), sp.Rational(3, 4))
 
 
 @dataclass(frozen=True)
@@ -33,10 +37,11 @@ class RunPattern:
 
 @dataclass(frozen=True)
 class IdentificationSystem:
-    """matrix * unknowns = reading - known, solved: unknowns = inverse * (reading - known); inverse None if not square.
+    """matrix * unknowns = reading - known, solved: unknowns = inverse * (reading - known).
 
-    points: for each point symbol triple the body and the coordinates that the runs give it. rank: of the matrix at
-    those points, exact; less than the number of unknowns where the points leave the system singular.
+    inverse, determinant: None if the matrix is not square or has more than four rows; numbers are no harder to solve
+    then, formulas are. points: for each point symbol triple the body and the coordinates that the runs give it. rank:
+    of the matrix at those points, exact; less than the number of unknowns where the points leave the system singular.
     """
 
     runs: tuple[str, ...]
@@ -84,24 +89,46 @@ def undetermined(machine: Machine, runs: Sequence[RunPattern]) -> tuple[dict[str
     """Combinations that leave every reading as it is: a basis of the null space, exact, at the runs' points.
 
     The axes of a run move together, so that each position gives one equation per run. Per unit of a location error,
-    a component is given as the slope (per mm or deg of its axis) by which its curve would change; combinations
-    without a location error hold at every position by themselves.
+    a component of a linear axis is given as the slope (per mm) by which its curve would change, one of a rotary axis
+    as its change at one pose; combinations without a location error hold at every position by themselves.
     """
     moved = [name for name in machine.components if any(name[2] in run.moves for run in runs)]
-    names = moved + list(machine.location_errors)
-    far = {axis: sp.Rational(repr(max(machine.travel[axis], key=abs))) for axis in machine.axes}
-    scale = [far[name[2]] if name in moved else sp.S.One for name in names]
-    still = {symbols.named(name): sp.S.Zero for name in machine.dimensions}
+    location = list(machine.location_errors)
+    rotary = any(axis in ROTARY for run in runs for axis in run.moves)
+    # The effect of a location error is linear in positions, so that one tells of all, but not in angles: there it must
+    # be taken up at several poses, the components free at each.
+    poses = [_pose(machine, k) for k in range(len(_HALF_TANGENTS) if rotary else 1)]
     rows: list[list[sp.Expr]] = []
-    for run in runs:
-        labels, points = _labels([run])
-        values = point_values(points) | still | {symbols.position(axis): far[axis] for axis in run.moves}
-        reading = _reading(machine, run, labels)
-        rows.append([reading.get(name, sp.S.Zero).subs(values) * by for name, by in zip(names, scale, strict=True)])
+    for index, pose in enumerate(poses):
+        scale = {name: pose.get(symbols.position(name[2]), sp.S.One) for name in moved}
+        for run in runs:
+            labels, points = _labels([run])
+            reading = _reading(machine, run, labels)
+            values = point_values(points) | pose
+            entries = {name: value.subs(values) * scale.get(name, 1) for name, value in reading.items()}
+            row = [sp.S.Zero] * (len(moved) * len(poses))
+            row[index * len(moved) : (index + 1) * len(moved)] = [entries.get(name, sp.S.Zero) for name in moved]
+            rows.append(row + [entries.get(name, sp.S.Zero) for name in location])
     if not rows:
         return ()
-    null = sp.Matrix(rows).nullspace()
-    return tuple({name: value for name, value in zip(names, vector, strict=True) if value != 0} for vector in null)
+    found: list[dict[str, sp.Rational]] = []
+    for vector in sp.Matrix(rows).nullspace():
+        first = [*vector[: len(moved)], *vector[len(moved) * len(poses) :]]
+        if any(first):  # else it says of another pose what was said of the first
+            found.append({name: v for name, v in zip(moved + location, first, strict=True) if v != 0})
+    return tuple(found)
+
+
+def _pose(machine: Machine, index: int) -> dict[sp.Symbol, sp.Rational]:
+    """Exact values of positions, cosines and sines, all dimensions zero: linear axes far out, rotary axes anywhere."""
+    values = {symbols.named(name): sp.S.Zero for name in machine.dimensions}
+    t = _HALF_TANGENTS[index]
+    for axis in machine.axes:
+        if axis in ROTARY:
+            values |= {symbols.cosine(axis): (1 - t**2) / (1 + t**2), symbols.sine(axis): 2 * t / (1 + t**2)}
+        else:
+            values[symbols.position(axis)] = sp.Rational(repr(max(machine.travel[axis], key=abs))) / (index + 1)
+    return values
 
 
 def point_values(points: Sequence[tuple[Vector, str, Point]]) -> dict[sp.Symbol, sp.Rational]:
@@ -149,7 +176,7 @@ def _system(machine: Machine, runs: Sequence[RunPattern], unknowns: Sequence[str
         for reading in readings
     )
     inverse = determinant = None
-    if matrix.rows == matrix.cols:
+    if matrix.rows == matrix.cols <= _LARGEST_CLOSED_FORM:
         determinant = sp.factor(matrix.det(method="berkowitz"))
         if determinant != 0:
             inverse = matrix.adjugate() / determinant

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from trueaxis.spec.machine import Machine
+from trueaxis.spec.machine import ROTARY, Machine
 
 
 def combination_text(machine: Machine, combination: Mapping[str, sp.Rational]) -> str:
@@ -12,11 +12,16 @@ def combination_text(machine: Machine, combination: Mapping[str, sp.Rational]) -
     location = [name for name in combination if name in machine.location_errors]
     curves = [name for name in combination if name not in machine.location_errors]
     if location:
-        slopes = ", ".join(f"{_signed(combination[n])} {_slope_unit(n)} in the slope of {n}" for n in curves)
         change = ", ".join(f"{_signed(combination[n])} {machine.parameter_unit(n)} in {n}" for n in location)
         if not curves:
             return f"{', '.join(location)}: a change of {change} changes no reading; the runs do not see it at all."
+        if any(n[2] in ROTARY for n in curves):
+            return (
+                f"{', '.join(location)}: the curves of {', '.join(curves)} can take up a change of {change} "
+                "position by position, and no reading changes."
+            )
         names = f"{', '.join(location)} and the slope of {', '.join(curves)}"
+        slopes = ", ".join(f"{_signed(combination[n])} {_slope_unit(n)} in the slope of {n}" for n in curves)
         text = f"{names}: a change of {change} with {slopes} changes no reading"
         if len(location) == len(curves) == 1:
             sign = "-" if combination[curves[0]] / combination[location[0]] > 0 else "+"
@@ -32,7 +37,7 @@ def combination_text(machine: Machine, combination: Mapping[str, sp.Rational]) -
 
 def _slope_unit(component: str) -> str:
     unit = "mm" if component[1] in "XYZ" else "rad"
-    return f"{unit} per {'mm' if component[2] in 'XYZ' else 'deg'}"
+    return f"{unit} per mm"
 
 
 def _signed(value: sp.Rational) -> str:
