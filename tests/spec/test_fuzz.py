@@ -12,12 +12,35 @@ from trueaxis.faults import InputError
 from trueaxis.spec import Machine
 from trueaxis.topology import branches, lower_body_array
 
-SEEDS = [BASE, FIVE_AXIS.read_text(), DMU60P.read_text()]
+CODE = """\
+schema = 1
+name = "code"
+structure = "[w C' Y' b X Z B t]"
+rotations = "true"
+
+[axis.X]
+travel = [0.0, 500.0]
+
+[axis.Y]
+travel = [0.0, 500.0]
+sense = -1
+
+[axis.Z]
+travel = [0.0, 500.0]
+
+[axis.C]
+position = [1.0, "q_C", 2.0]
+
+[tool]
+position = ["q_x", "q_y", "q_z"]
+"""
+SEEDS = [BASE, FIVE_AXIS.read_text(), DMU60P.read_text(), CODE]
 
 # Values that some key takes, and such as none does.
 VALUES = st.sampled_from(
     '1 2 3 4 5 9 -1 0 0x7fffffffffffffff nan inf -inf 1e400 true "X" "Y" "C" "U" "all" "" "q_wx" "eps_c" "lambda" '
     '[] [0.0,1.0] [1.0,0.0] [0,0,0] ["q_wx","q_wx",1] ["EXY"] ["EXX","EXX"] [[1]] {} {EC="eps_c"} {EC=1} {E=2} '
+    '"XFYZ" "b" "XYZ+C" "CbXt" "true" '
     "1979-05-27 07:32:00 'a\"b'".split()
 )
 
@@ -39,7 +62,9 @@ def mutated(draw: st.DrawFn) -> str:
             case "value" if "=" in lines[at]:
                 lines[at] = lines[at].partition("=")[0] + "= " + draw(VALUES)
             case "key" if "=" in lines[at]:
-                key = draw(st.sampled_from("number lower moves sense travel position motion_errors tool a.b".split()))
+                key = draw(
+                    st.sampled_from("number lower moves sense travel position motion_errors tool structure a.b".split())
+                )
                 lines[at] = key + " = " + lines[at].partition("=")[2]
             case _:
                 lines[at] = draw(st.text(max_size=12))
