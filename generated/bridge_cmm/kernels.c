@@ -1350,7 +1350,7 @@ void bridge_cmm_tool_in_workpiece_deviation_curves(
 
 /*
  * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
- * Source: Eqs. (1)-(4), (44). Operations: 221 per point, 267 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 209 per point, 267 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
@@ -1585,8 +1585,8 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
         const double w27 = y*(w20 + y*(w21 + y*(w22 + y*(w23 + y*(w24 + y*(w25 + w26*y))))));
         const double w28 = w10 + w11 + w19 + w27;
         const double w29 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))));
-        const double w30 = EBY_6 + EBY_7*y;
-        const double w31 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + w30*y)))));
+        const double w30 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + y*(EBY_6 + EBY_7*y))))));
+        const double w31 = w30;
         const double w32 = EB0Z + w29 + w31;
         const double w33 = w32*z;
         const double w34 = -EC0Y*y;
@@ -1594,9 +1594,9 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
         const double w53 = x*(w46 + x*(w47 + x*(w48 + x*(w49 + x*(w50 + x*(w51 + w52*x))))));
         const double w61 = y*(w54 + y*(w55 + y*(w56 + y*(w57 + y*(w58 + y*(w59 + w60*y))))));
         const double w62 = w44 + w45 + w53 + w61;
-        const double w63 = x*(-EAX_1 + x*(-EAX_2 + x*(-EAX_3 + x*(-EAX_4 + x*(-EAX_5 + x*(-EAX_6 - EAX_7*x))))));
-        const double w64 = y*(-EAY_1 + y*(-EAY_2 + y*(-EAY_3 + y*(-EAY_4 + y*(-EAY_5 + y*(-EAY_6 - EAY_7*y))))));
-        const double w65 = -EA0Z + w63 + w64;
+        const double w63 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + x*(EAX_6 + EAX_7*x))))));
+        const double w64 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))));
+        const double w65 = -EA0Z - w63 - w64;
         const double w66 = w65*z;
         const double w67 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
         const double w68 = EC0Y + w67;
@@ -1605,8 +1605,8 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
         const double w87 = x*(w80 + x*(w81 + x*(w82 + x*(w83 + x*(w84 + x*(w85 + w86*x))))));
         const double w95 = y*(w88 + y*(w89 + y*(w90 + y*(w91 + y*(w92 + y*(w93 + w94*y))))));
         const double w96 = w78 + w79 + w87 + w95;
-        const double w97 = y*(-EBY_1 + y*(-EBY_2 + y*(-EBY_3 + y*(-EBY_4 + y*(-EBY_5 - w30*y)))));
-        const double w98 = w97*x;
+        const double w97 = w30;
+        const double w98 = -w97*x;
         deviation[0 * stride + i] = w28 + w33 + w34;
         deviation[1 * stride + i] = w62 + w66 + w69;
         deviation[2 * stride + i] = w96 + w98;

@@ -472,7 +472,7 @@ META = {'machine': 'bridge_cmm',
                                                                               'shape': [3],
                                                                               'per_point': True,
                                                                               'unit': 'mm'}],
-                                                                 'operations': 221,
+                                                                 'operations': 209,
                                                                  'operations_per_call': 267},
               'ballbar_error': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -1608,7 +1608,7 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
 def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
 
-    Source: Eqs. (1)-(4), (44). Operations: 221 per point, 267 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 209 per point, 267 per call.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1841,8 +1841,8 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w27 = _polynomial(y, w20, w21, w22, w23, w24, w25, w26)
         w28 = w10 + w11 + w19 + w27
         w29 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
-        w30 = EBY_6 + EBY_7*y
-        w31 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, w30)
+        w30 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, EBY_6, EBY_7)
+        w31 = w30
         w32 = EB0Z + w29 + w31
         w33 = w32*z
         w34 = -EC0Y*y
@@ -1851,9 +1851,9 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w53 = _polynomial(x, w46, w47, w48, w49, w50, w51, w52)
         w61 = _polynomial(y, w54, w55, w56, w57, w58, w59, w60)
         w62 = w44 + w45 + w53 + w61
-        w63 = _polynomial(x, -EAX_1, -EAX_2, -EAX_3, -EAX_4, -EAX_5, -EAX_6, -EAX_7)
-        w64 = _polynomial(y, -EAY_1, -EAY_2, -EAY_3, -EAY_4, -EAY_5, -EAY_6, -EAY_7)
-        w65 = -EA0Z + w63 + w64
+        w63 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, EAX_6, EAX_7)
+        w64 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
+        w65 = -EA0Z - w63 - w64
         w66 = w65*z
         w67 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
         w68 = EC0Y + w67
@@ -1863,8 +1863,8 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w87 = _polynomial(x, w80, w81, w82, w83, w84, w85, w86)
         w95 = _polynomial(y, w88, w89, w90, w91, w92, w93, w94)
         w96 = w78 + w79 + w87 + w95
-        w97 = _polynomial(y, -EBY_1, -EBY_2, -EBY_3, -EBY_4, -EBY_5, -w30)
-        w98 = w97*x
+        w97 = w30
+        w98 = -w97*x
         deviation[2, at] = w96 + w98
     return deviation
 

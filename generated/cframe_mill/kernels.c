@@ -1414,7 +1414,7 @@ void cframe_mill_tool_in_workpiece_deviation_curves(
 
 /*
  * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
- * Source: Eqs. (1)-(4), (44). Operations: 237 per point, 262 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 224 per point, 262 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
@@ -1639,15 +1639,15 @@ void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
         const double w16 = y*(w9 + y*(w10 + y*(w11 + y*(w12 + y*(w13 + y*(w14 + w15*y))))));
         const double w24 = x*(w17 + x*(w18 + x*(w19 + x*(w20 + x*(w21 + x*(w22 + w23*x))))));
         const double w25 = w16 + w24 + w7 + w8;
-        const double w26 = y*(-EBY_1 + y*(-EBY_2 + y*(-EBY_3 + y*(-EBY_4 + y*(-EBY_5 + y*(-EBY_6 - EBY_7*y))))));
-        const double w27 = x*(-EBX_1 + x*(-EBX_2 + x*(-EBX_3 + x*(-EBX_4 + x*(-EBX_5 + x*(-EBX_6 - EBX_7*x))))));
+        const double w26 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + y*(EBY_6 + EBY_7*y))))));
+        const double w27 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))));
         const double w28 = w27;
-        const double w29 = EB0Z + w26 + w28;
+        const double w29 = EB0Z - w26 - w28;
         const double w30 = w29*z;
-        const double w31 = y*(-ECY_1 + y*(-ECY_2 + y*(-ECY_3 + y*(-ECY_4 + y*(-ECY_5 + y*(-ECY_6 - ECY_7*y))))));
-        const double w32 = ECX_6 + ECX_7*x;
-        const double w33 = x*(-ECX_1 + x*(-ECX_2 + x*(-ECX_3 + x*(-ECX_4 + x*(-ECX_5 - w32*x)))));
-        const double w34 = w31 + w33;
+        const double w31 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
+        const double w32 = x*(ECX_1 + x*(ECX_2 + x*(ECX_3 + x*(ECX_4 + x*(ECX_5 + x*(ECX_6 + ECX_7*x))))));
+        const double w33 = w32;
+        const double w34 = -w31 - w33;
         const double w35 = w34*y;
         const double w43 = z*(w36 + z*(w37 + z*(w38 + z*(w39 + z*(w40 + z*(w41 + w42*z))))));
         const double w52 = y*(w45 + y*(w46 + y*(w47 + y*(w48 + y*(w49 + y*(w50 + w51*y))))));
@@ -1659,7 +1659,7 @@ void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
         const double w65 = w64;
         const double w66 = -EA0Z + w63 + w65;
         const double w67 = w66*z;
-        const double w68 = x*(ECX_1 + x*(ECX_2 + x*(ECX_3 + x*(ECX_4 + x*(ECX_5 + w32*x)))));
+        const double w68 = w32;
         const double w69 = w68*x;
         const double w77 = z*(w70 + z*(w71 + z*(w72 + z*(w73 + z*(w74 + z*(w75 + w76*z))))));
         const double w86 = y*(w79 + y*(w80 + y*(w81 + y*(w82 + y*(w83 + y*(w84 + w85*y))))));
@@ -1670,7 +1670,7 @@ void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
         const double w98 = w96 + w97;
         const double w99 = w98*y;
         const double w100 = w27;
-        const double w101 = w100*x;
+        const double w101 = -w100*x;
         deviation[0 * stride + i] = w25 + w30 + w35;
         deviation[1 * stride + i] = w61 + w67 + w69;
         deviation[2 * stride + i] = w101 + w95 + w99;

@@ -469,7 +469,7 @@ META = {'machine': 'cframe_mill',
                                                                               'shape': [3],
                                                                               'per_point': True,
                                                                               'unit': 'mm'}],
-                                                                 'operations': 237,
+                                                                 'operations': 224,
                                                                  'operations_per_call': 262},
               'ballbar_error': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -1724,7 +1724,7 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
 def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
 
-    Source: Eqs. (1)-(4), (44). Operations: 237 per point, 262 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 224 per point, 262 per call.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1947,15 +1947,15 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w16 = _polynomial(y, w9, w10, w11, w12, w13, w14, w15)
         w24 = _polynomial(x, w17, w18, w19, w20, w21, w22, w23)
         w25 = w16 + w24 + w7 + w8
-        w26 = _polynomial(y, -EBY_1, -EBY_2, -EBY_3, -EBY_4, -EBY_5, -EBY_6, -EBY_7)
-        w27 = _polynomial(x, -EBX_1, -EBX_2, -EBX_3, -EBX_4, -EBX_5, -EBX_6, -EBX_7)
+        w26 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, EBY_6, EBY_7)
+        w27 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
         w28 = w27
-        w29 = EB0Z + w26 + w28
+        w29 = EB0Z - w26 - w28
         w30 = w29*z
-        w31 = _polynomial(y, -ECY_1, -ECY_2, -ECY_3, -ECY_4, -ECY_5, -ECY_6, -ECY_7)
-        w32 = ECX_6 + ECX_7*x
-        w33 = _polynomial(x, -ECX_1, -ECX_2, -ECX_3, -ECX_4, -ECX_5, -w32)
-        w34 = w31 + w33
+        w31 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
+        w32 = _polynomial(x, ECX_1, ECX_2, ECX_3, ECX_4, ECX_5, ECX_6, ECX_7)
+        w33 = w32
+        w34 = -w31 - w33
         w35 = w34*y
         deviation[0, at] = w25 + w30 + w35
         w43 = _polynomial(z, w36, w37, w38, w39, w40, w41, w42)
@@ -1968,7 +1968,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w65 = w64
         w66 = -EA0Z + w63 + w65
         w67 = w66*z
-        w68 = _polynomial(x, ECX_1, ECX_2, ECX_3, ECX_4, ECX_5, w32)
+        w68 = w32
         w69 = w68*x
         deviation[1, at] = w61 + w67 + w69
         w77 = _polynomial(z, w70, w71, w72, w73, w74, w75, w76)
@@ -1980,7 +1980,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w98 = w96 + w97
         w99 = w98*y
         w100 = w27
-        w101 = w100*x
+        w101 = -w100*x
         deviation[2, at] = w101 + w95 + w99
     return deviation
 

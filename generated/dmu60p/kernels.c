@@ -1442,7 +1442,7 @@ void dmu60p_tool_in_workpiece_deviation_curves(
 
 /*
  * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
- * Source: Eqs. (1)-(4), (44). Operations: 222 per point, 267 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 209 per point, 267 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
@@ -1678,24 +1678,24 @@ void dmu60p_tool_in_workpiece_deviation_first_order_curves(
         const double w28 = y*(w21 + y*(w22 + y*(w23 + y*(w24 + y*(w25 + y*(w26 + w27*y))))));
         const double w29 = w10 + w11 + w19 + w28;
         const double w30 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))));
-        const double w31 = EBY_6 + EBY_7*y;
-        const double w32 = y*(-EBY_1 + y*(-EBY_2 + y*(-EBY_3 + y*(-EBY_4 + y*(-EBY_5 - w31*y)))));
-        const double w33 = eps_xz + w30 + w32;
+        const double w31 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + y*(EBY_6 + EBY_7*y))))));
+        const double w32 = w31;
+        const double w33 = eps_xz + w30 - w32;
         const double w34 = w33*z;
-        const double w35 = y*(-ECY_1 + y*(-ECY_2 + y*(-ECY_3 + y*(-ECY_4 + y*(-ECY_5 + y*(-ECY_6 - ECY_7*y))))));
+        const double w35 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
         const double w36 = w35;
-        const double w37 = w36*y;
+        const double w37 = -w36*y;
         const double w46 = z*(w39 + z*(w40 + z*(w41 + z*(w42 + z*(w43 + z*(w44 + w45*z))))));
         const double w55 = x*(w48 + x*(w49 + x*(w50 + x*(w51 + x*(w52 + x*(w53 + w54*x))))));
         const double w64 = y*(w57 + y*(w58 + y*(w59 + y*(w60 + y*(w61 + y*(w62 + w63*y))))));
         const double w65 = w46 + w47 + w55 + w64;
-        const double w66 = x*(-EAX_1 + x*(-EAX_2 + x*(-EAX_3 + x*(-EAX_4 + x*(-EAX_5 + x*(-EAX_6 - EAX_7*x))))));
+        const double w66 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + x*(EAX_6 + EAX_7*x))))));
         const double w67 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))));
         const double w68 = w67;
-        const double w69 = -eps_yz + w66 + w68;
+        const double w69 = -eps_yz - w66 + w68;
         const double w70 = w69*z;
         const double w71 = w35;
-        const double w72 = eps_xy + w71;
+        const double w72 = eps_xy - w71;
         const double w73 = w72*x;
         const double w81 = z*(w74 + z*(w75 + z*(w76 + z*(w77 + z*(w78 + z*(w79 + w80*z))))));
         const double w90 = x*(w83 + x*(w84 + x*(w85 + x*(w86 + x*(w87 + x*(w88 + w89*x))))));
@@ -1703,7 +1703,7 @@ void dmu60p_tool_in_workpiece_deviation_first_order_curves(
         const double w99 = w81 + w82 + w90 + w98;
         const double w100 = w67;
         const double w101 = w100*y;
-        const double w102 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + w31*y)))));
+        const double w102 = w31;
         const double w103 = w102*x;
         deviation[0 * stride + i] = w29 + w34 + w37;
         deviation[1 * stride + i] = w65 + w70 + w73;

@@ -475,7 +475,7 @@ META = {'machine': 'dmu60p',
                                                                               'shape': [3],
                                                                               'per_point': True,
                                                                               'unit': 'mm'}],
-                                                                 'operations': 222,
+                                                                 'operations': 209,
                                                                  'operations_per_call': 267},
               'ballbar_error': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -1795,7 +1795,7 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
 def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
 
-    Source: Eqs. (1)-(4), (44). Operations: 222 per point, 267 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 209 per point, 267 per call.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -2028,25 +2028,25 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w28 = _polynomial(y, w21, w22, w23, w24, w25, w26, w27)
         w29 = w10 + w11 + w19 + w28
         w30 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
-        w31 = EBY_6 + EBY_7*y
-        w32 = _polynomial(y, -EBY_1, -EBY_2, -EBY_3, -EBY_4, -EBY_5, -w31)
-        w33 = eps_xz + w30 + w32
+        w31 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, EBY_6, EBY_7)
+        w32 = w31
+        w33 = eps_xz + w30 - w32
         w34 = w33*z
-        w35 = _polynomial(y, -ECY_1, -ECY_2, -ECY_3, -ECY_4, -ECY_5, -ECY_6, -ECY_7)
+        w35 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
         w36 = w35
-        w37 = w36*y
+        w37 = -w36*y
         deviation[0, at] = w29 + w34 + w37
         w46 = _polynomial(z, w39, w40, w41, w42, w43, w44, w45)
         w55 = _polynomial(x, w48, w49, w50, w51, w52, w53, w54)
         w64 = _polynomial(y, w57, w58, w59, w60, w61, w62, w63)
         w65 = w46 + w47 + w55 + w64
-        w66 = _polynomial(x, -EAX_1, -EAX_2, -EAX_3, -EAX_4, -EAX_5, -EAX_6, -EAX_7)
+        w66 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, EAX_6, EAX_7)
         w67 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
         w68 = w67
-        w69 = -eps_yz + w66 + w68
+        w69 = -eps_yz - w66 + w68
         w70 = w69*z
         w71 = w35
-        w72 = eps_xy + w71
+        w72 = eps_xy - w71
         w73 = w72*x
         deviation[1, at] = w65 + w70 + w73
         w81 = _polynomial(z, w74, w75, w76, w77, w78, w79, w80)
@@ -2055,7 +2055,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w99 = w81 + w82 + w90 + w98
         w100 = w67
         w101 = w100*y
-        w102 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, w31)
+        w102 = w31
         w103 = w102*x
         deviation[2, at] = w101 + w103 + w99
     return deviation

@@ -1281,7 +1281,7 @@ void gantry_mill_tool_in_workpiece_deviation_curves(
 
 /*
  * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
- * Source: Eqs. (1)-(4), (44). Operations: 218 per point, 261 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 206 per point, 261 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
@@ -1510,23 +1510,23 @@ void gantry_mill_tool_in_workpiece_deviation_first_order_curves(
         const double w27 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))));
         const double w28 = EB0Z + w26 + w27;
         const double w29 = w28*z;
-        const double w30 = x*(-ECX_1 + x*(-ECX_2 + x*(-ECX_3 + x*(-ECX_4 + x*(-ECX_5 + x*(-ECX_6 - ECX_7*x))))));
-        const double w31 = -EC0Y + w30;
+        const double w30 = x*(ECX_1 + x*(ECX_2 + x*(ECX_3 + x*(ECX_4 + x*(ECX_5 + x*(ECX_6 + ECX_7*x))))));
+        const double w31 = -EC0Y - w30;
         const double w32 = w31*y;
         const double w40 = z*(w33 + z*(w34 + z*(w35 + z*(w36 + z*(w37 + z*(w38 + w39*z))))));
         const double w49 = y*(w42 + y*(w43 + y*(w44 + y*(w45 + y*(w46 + y*(w47 + w48*y))))));
         const double w57 = x*(w50 + x*(w51 + x*(w52 + x*(w53 + x*(w54 + x*(w55 + w56*x))))));
         const double w58 = w40 + w41 + w49 + w57;
-        const double w59 = y*(-EAY_1 + y*(-EAY_2 + y*(-EAY_3 + y*(-EAY_4 + y*(-EAY_5 + y*(-EAY_6 - EAY_7*y))))));
-        const double w60 = EAX_6 + EAX_7*x;
-        const double w61 = x*(-EAX_1 + x*(-EAX_2 + x*(-EAX_3 + x*(-EAX_4 + x*(-EAX_5 - w60*x)))));
-        const double w62 = -EA0Z + w59 + w61;
+        const double w59 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))));
+        const double w60 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + x*(EAX_6 + EAX_7*x))))));
+        const double w61 = w60;
+        const double w62 = -EA0Z - w59 - w61;
         const double w63 = w62*z;
         const double w71 = z*(w64 + z*(w65 + z*(w66 + z*(w67 + z*(w68 + z*(w69 + w70*z))))));
         const double w80 = y*(w73 + y*(w74 + y*(w75 + y*(w76 + y*(w77 + y*(w78 + w79*y))))));
         const double w88 = x*(w81 + x*(w82 + x*(w83 + x*(w84 + x*(w85 + x*(w86 + w87*x))))));
         const double w89 = w71 + w72 + w80 + w88;
-        const double w90 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + w60*x)))));
+        const double w90 = w60;
         const double w91 = w90*y;
         deviation[0 * stride + i] = w25 + w29 + w32;
         deviation[1 * stride + i] = w58 + w63;

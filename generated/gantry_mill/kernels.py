@@ -469,7 +469,7 @@ META = {'machine': 'gantry_mill',
                                                                               'shape': [3],
                                                                               'per_point': True,
                                                                               'unit': 'mm'}],
-                                                                 'operations': 218,
+                                                                 'operations': 206,
                                                                  'operations_per_call': 261},
               'ballbar_error': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -1535,7 +1535,7 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
 def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
 
-    Source: Eqs. (1)-(4), (44). Operations: 218 per point, 261 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 206 per point, 261 per call.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1762,25 +1762,25 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w27 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
         w28 = EB0Z + w26 + w27
         w29 = w28*z
-        w30 = _polynomial(x, -ECX_1, -ECX_2, -ECX_3, -ECX_4, -ECX_5, -ECX_6, -ECX_7)
-        w31 = -EC0Y + w30
+        w30 = _polynomial(x, ECX_1, ECX_2, ECX_3, ECX_4, ECX_5, ECX_6, ECX_7)
+        w31 = -EC0Y - w30
         w32 = w31*y
         deviation[0, at] = w25 + w29 + w32
         w40 = _polynomial(z, w33, w34, w35, w36, w37, w38, w39)
         w49 = _polynomial(y, w42, w43, w44, w45, w46, w47, w48)
         w57 = _polynomial(x, w50, w51, w52, w53, w54, w55, w56)
         w58 = w40 + w41 + w49 + w57
-        w59 = _polynomial(y, -EAY_1, -EAY_2, -EAY_3, -EAY_4, -EAY_5, -EAY_6, -EAY_7)
-        w60 = EAX_6 + EAX_7*x
-        w61 = _polynomial(x, -EAX_1, -EAX_2, -EAX_3, -EAX_4, -EAX_5, -w60)
-        w62 = -EA0Z + w59 + w61
+        w59 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
+        w60 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, EAX_6, EAX_7)
+        w61 = w60
+        w62 = -EA0Z - w59 - w61
         w63 = w62*z
         deviation[1, at] = w58 + w63
         w71 = _polynomial(z, w64, w65, w66, w67, w68, w69, w70)
         w80 = _polynomial(y, w73, w74, w75, w76, w77, w78, w79)
         w88 = _polynomial(x, w81, w82, w83, w84, w85, w86, w87)
         w89 = w71 + w72 + w80 + w88
-        w90 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, w60)
+        w90 = w60
         w91 = w90*y
         deviation[2, at] = w89 + w91
     return deviation

@@ -71,10 +71,13 @@ def _group(
             parts.append(binder.bind(sp.Add(*(constant * symbols.named(name) for name, constant in terms))))
             continue
         powers = range(1, machine.curve_degree + 1)
+        # With its sign taken out, a polynomial and its opposite in another entry are one.
+        sign = -1 if all(constant.could_extract_minus_sign() for _, constant in terms) else 1
         folded = [
-            binder.bind(sp.Add(*(constant * coefficient(name, power) for name, constant in terms))) for power in powers
+            binder.bind(sp.Add(*(sign * constant * coefficient(name, power) for name, constant in terms)))
+            for power in powers
         ]
-        parts.append(binder.bind(horner(folded, symbols.position(axis))))
+        parts.append(sign * binder.bind(horner(folded, symbols.position(axis))))
     weight = sp.Mul(*(g**power for g, power in zip(generators, monomial, strict=True)))
     return binder.bind(weight * binder.bind(sp.Add(*parts)))
 

@@ -73,7 +73,7 @@ def load_kernels(machine: Machine, spec: Path, folder: Path, *, backend: str | N
         return Kernels(module.META, module, compiled, "c", "")
     if backend == "c":
         raise InputError([Fault(str(source), "", reason, "a C compiler, or TRUEAXIS_BACKEND=numpy")])
-    note = f"running on NumPy, several times slower than C: {reason}"
+    note = f"running on NumPy, about ten times slower than C: {reason}"
     _LOG.warning(note)
     return Kernels(module.META, module, routines, "numpy", note)
 
