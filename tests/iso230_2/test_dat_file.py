@@ -75,6 +75,8 @@ def test_numbers_and_indices_as_loggers_print_them(tmp_path: Path) -> None:
         ("TGT_DATA[2]", "TGT_DATA[2]=1e6", "is too far"),
         ("REF_DATA_FWD[2,1]", "REF_DATA_FWD[2,1]=", "is empty"),
         ("REF_DATA_FWD[2,1]", "REF_DATA_FWD[2,1]=99999", "mm off its target"),
+        ("REF_DATA_FWD[2,1]", "REF_DATA_FWD[2,1]=-99999", "mm off its target"),
+        ("TGT_DATA[2]", "TGT_DATA[2]=-1e6", "is too far"),
         ("REF_PV", "REF_DATA_FWD[1]=1", "another number of indices"),
         ("REF_PV", "CYCLES[1]=1", "another number of indices"),
         ("REF_PV", "TGT_DATA=1", "another number of indices"),

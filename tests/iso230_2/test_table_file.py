@@ -85,6 +85,8 @@ def test_cycles_need_not_count_from_one(tmp_path: Path) -> None:
         (3, "x,1,+1,0", "line 3, column target", "is not a number"),
         (3, ",1,+1,0", "line 3, column target", "is empty"),
         (3, "1e7,1,+1,0", "line 3, column target", "is too far"),
+        (3, "-1e7,1,+1,0", "line 3, column target", "is too far"),
+        (4, "{target},{cycle},+1,-9e4", "line 4, column measured", "is far off its target"),
         (4, "{target},1.5,+1,{measured}", "line 4, column cycle", "is not a whole number"),
         (4, "{target},{cycle},up,{measured}", "line 4, column direction", "is not a direction"),
         (4, "{target},{cycle},0,{measured}", "line 4, column direction", "is not a direction"),
