@@ -48,10 +48,10 @@ def test_the_growth_of_the_bar_keeps_its_digits_under_tiny_errors() -> None:
     distance = DIGITS.norm(chain.place("tool_in_workpiece", pose, values, point))
     columns = (np.array(point)[:, None], np.array(ball)[:, None], np.array([[LENGTH]]))
     found = call(kernels_of(OTHERS["dmu60p"]), "ballbar_error", pose, values, *columns)[:, 0]
-    assert found[0] == pytest.approx(float(distance - 300), rel=1e-12)
-    assert found[1] == pytest.approx(float(distance - 300), rel=1e-12)
+    assert found[0] == pytest.approx(float(distance - 300), rel=1e-12, abs=0)
+    assert found[1] == pytest.approx(float(distance - 300), rel=1e-12, abs=0)
 
 
 def test_the_components_are_the_error_along_the_actual_bar() -> None:
     found, _ = both("five_axis", 1, 1e3, length=298.5)
-    assert np.linalg.norm(found[1:]) == pytest.approx(abs(found[0]), rel=1e-13)
+    assert np.linalg.norm(found[1:]) == pytest.approx(abs(found[0]), rel=1e-13, abs=0)

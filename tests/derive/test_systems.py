@@ -13,7 +13,7 @@ from tests.exact_chain import DIGITS, ExactChain
 from tests.machines import DMU60P, ROOT, machine_at, machine_of, serial_text
 from trueaxis.commands.derive import run_patterns
 from trueaxis.derive.model import DerivedModel, derive_model
-from trueaxis.derive.systems import RunPattern, identification, undetermined
+from trueaxis.derive.systems import RunPattern, identification, run_motion, undetermined
 from trueaxis.emit.equations import equations_page
 from trueaxis.emit.numpy_source import numpy_source
 from trueaxis.measure.data import read_data
@@ -252,6 +252,55 @@ def test_combinations_of_a_rotary_axis_are_as_many_as_numbers_tell() -> None:
 def test_a_page_tells_what_runs_of_a_rotary_axis_leave_open() -> None:
     page = equations_page(derive_model(machine_of(TABLE), C_RUNS), "test.toml")
     assert "tilt: the curves of EZC can take up a change of +1 rad in tilt position by position" in page
+
+
+@pytest.mark.parametrize("frame", ["bed", "workpiece"])
+def test_readings_in_any_direction_frame_and_of_any_points_are_those_of_the_chain(frame: str) -> None:
+    # Slanted and backward directions, points against points: each row of a system, and what it takes as known.
+    on = {"bed": ("tool", "workpiece"), "workpiece": ("tool", "bed")}[frame]
+    machine, dimensions = machine_at(DMU60P), DIMENSIONS
+    ways = [(-0.6, 0.0, 0.8), (0.0, -1.0, 0.0), (0.48, -0.6, -0.64)]
+    for number, way in enumerate(ways):
+        target, reference = (on[0], (10.0, -20.0, 30.5 + number)), (on[1], (-5.0, 7.25, 11.0))
+        run = RunPattern("r", ("X", "Y"), way, frame, target, reference)
+        pose = pose_of(run, 0.4, machine.travel)
+        names = [n for n in CHAIN.components + CHAIN.location_errors if n not in CHAIN.components or n[2] in run.moves]
+        wanted = dict(
+            zip(names, first_order_readings(CHAIN, run, pose, dimensions, [{n: 1} for n in names]), strict=True)
+        )
+        labels = {end: tuple(sp.symbols(f"{end[0]}x {end[0]}y {end[0]}z")) for end in (run.target, run.reference)}
+        columns = run_motion(machine, run, labels).motion.columns
+        values = {sp.Symbol(name, real=True): value for name, value in dimensions.items()}
+        values |= {sp.Symbol(axis.lower(), real=True): at for axis, at in pose.items()}
+        values |= {symbol: c for (_, at), triple in labels.items() for symbol, c in zip(triple, at, strict=True)}
+        found = {
+            name: float(sum(d * entry.subs(values) for d, entry in zip(way, column, strict=True)))
+            for name, column in columns.items()
+        }
+        for name in names:
+            assert found.get(name, 0.0) == pytest.approx(wanted[name], rel=1e-12, abs=1e-9), name
+
+
+@pytest.mark.parametrize("way", [(-1.0, 0.0, 0.0), (-0.6, 0.0, -0.8)])
+def test_a_system_of_backward_directions_has_the_signs_of_its_readings(way: tuple[float, float, float]) -> None:
+    points = [(1.0, 2.0, 3.0), (4.0, -5.0, 6.0), (7.0, 8.0, -9.0)]
+    machine = machine_of(DMU60P.read_text().replace(*ONLY_THREE))
+    runs = [
+        RunPattern(f"r{k}", ("X",), way, "bed", ("tool", p), ("bed", (0.0, 0.0, 0.0))) for k, p in enumerate(points)
+    ]
+    (system,) = identification(machine, runs).systems
+    chain = ExactChain(DMU60P.read_text().replace(*ONLY_THREE))
+    zero = {sp.Symbol(name, real=True): 0 for name in machine.dimensions}
+    found = np.array(system.numeric_matrix().subs(zero)).astype(float)
+    pose = pose_of(runs[0], 0.5, machine.travel)
+    wanted = [first_order_readings(chain, run, pose, {}, [{name: 1} for name in system.unknowns]) for run in runs]
+    np.testing.assert_allclose(found, wanted, rtol=1e-12, atol=1e-12)
+
+
+ONLY_THREE = (
+    'moves = "X"\ntravel = [0.0, 540.0]\nmotion_errors = "all"',
+    'moves = "X"\ntravel = [0.0, 540.0]\nmotion_errors = ["EXX", "EBX", "ECX"]',
+)
 
 
 def test_large_systems_are_told_without_a_closed_form() -> None:
