@@ -59,6 +59,12 @@ class XyzMachine:
     def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:  # noqa: ARG002
         return np.asarray(deviation * np.array([[1.0], [-1.0], [1.0]]))
 
+    def orientation_ideal(self, positions: FloatArray, direction: FloatArray) -> FloatArray:
+        return self.ideal(positions, direction) - self.ideal(positions, np.zeros((3, 1)))
+
+    def orientation_deviation(self, positions: FloatArray, direction: FloatArray) -> FloatArray:
+        return self.deviation(positions, direction) - self.deviation(positions, np.zeros((3, 1)))
+
 
 def polynomial(*coefficients: float) -> Callable[[FloatArray], FloatArray]:
     """c1 u + c2 u^2 + ... in u = position / 500."""

@@ -4,6 +4,7 @@ import argparse
 import re
 import sys
 from collections.abc import Callable
+from dataclasses import fields
 from pathlib import Path
 
 from trueaxis.compensate.files import compensate_file
@@ -15,7 +16,8 @@ from trueaxis.runtime.model import load_model
 _DESCRIPTION = """\
 Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
 no longer move the tool: the commands are iterated until the actual tool point is the one that an error-free machine
-would reach (Eqs. 55, 56). Positions in the program are axis positions (machine coordinates).
+would reach (Eqs. 55, 56); with --orientation correct rotary axes turn too, until the tool axis points where it would.
+Positions in the program are axis positions (machine coordinates).
 
 Blocks that move nothing come back byte for byte. Arcs become chords; lines are cut where the errors along them bend.
 Whatever moves or shifts axes in a way the program does not state (offsets, cycles, macros, tool compensation,
@@ -31,7 +33,12 @@ words: `nearest` rounds. With --ball, `ends` chooses among the words within one 
 error lies across the ball bar, and `middles` passes points in the middle of short blocks (0.04 mm), where half
 steps can be reached: the smallest error, at the price of up to twice the blocks.
 
-exit status: 0 done; 1 done, but points did not converge, stay above the tolerance or leave the travel (see the report);
+orientation: words of 0.0001 deg leave up to 1.3 urad where two rotary axes turn the tool axis; --rotary-resolution
+sets their step. Where the tool axis comes within 0.57 deg of the line of a rotary axis (a singular pose), one direction
+of it cannot be corrected without turning far: the axis then keeps to its programmed position, and the report names the
+lines.
+
+exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or leave the travel (see the report);
 2 the input is wrong and nothing was written.
 """
 
@@ -69,6 +76,14 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         help="centre of the workpiece ball, workpiece frame: reports E of Eq. (6)")  # fmt: skip
     parser.add_argument("--tool-point", type=_point, default=default.tool_point, metavar="X,Y,Z",
                         help="the point to be compensated, tool frame (default 0,0,0)")  # fmt: skip
+    parser.add_argument("--orientation", choices=("keep", "correct"), default=default.orientation,
+                        help="correct with the linear axes alone, or turn rotary axes too so that the tool axis points "
+                        "as on the error-free machine (default %(default)s)")  # fmt: skip
+    parser.add_argument("--orientation-tolerance-urad", type=float, default=default.orientation_tolerance_urad,
+                        metavar="URAD", help="largest error of the tool axis allowed with --orientation correct "
+                        "(default %(default)g)")  # fmt: skip
+    parser.add_argument("--tool-axis", type=_point, default=default.tool_axis, metavar="X,Y,Z",
+                        help="direction of the tool axis, tool frame (default 0,0,1)")  # fmt: skip
     parser.add_argument("--start", type=_start, default={}, metavar="X0Y0Z0",
                         help="axis positions before the first block (default: not known)")  # fmt: skip
     parser.add_argument("--block-delete", choices=("fault", "run", "skip"), default=default.block_delete,
@@ -102,10 +117,7 @@ def _start(text: str) -> dict[str, float]:
 
 def _settings(args: argparse.Namespace) -> Settings:
     try:
-        return Settings(
-            args.tolerance, args.resolution, args.inch_resolution, args.rotary_resolution, args.chord_tolerance,
-            args.method, args.words, args.ball, args.tool_point, args.start, args.block_delete,
-        )  # fmt: skip
+        return Settings(**{field.name: getattr(args, field.name) for field in fields(Settings) if field.name in args})
     except ValueError as problem:
         raise InputError([Fault("options", "", str(problem))]) from None
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensate.lattice import Lattice, Stretch
-from trueaxis.compensate.machine import ErrorModel, FloatArray, linear_jacobian, linear_rows
+from trueaxis.compensate.machine import ErrorModel, FloatArray, linear_jacobian, linear_rows, rotary_rows
 from trueaxis.compensate.middles import passages, passages_allowed
 from trueaxis.compensate.path import Path
 from trueaxis.compensate.settings import Settings
@@ -72,10 +72,10 @@ def execute(
     if settings.words == "ends":
         return plain
 
-    rotary = [row for row in range(len(model.axes)) if row not in rows]
+    rotary = list(rotary_rows(model.axes))
     still = np.ones(point.size, dtype=bool)
     if rotary:
-        turn = np.abs(np.diff(path.points[rotary][:, part], axis=1)).max(axis=0) < 1e-12
+        turn = np.abs(np.diff(near[rotary], axis=1)).max(axis=0) < 1e-9
         still[1:] &= turn
         still[:-1] &= turn
     fed = ~path.rapid[part]

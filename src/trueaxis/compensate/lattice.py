@@ -1,13 +1,13 @@
 """The positions that NC words can name."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensate.machine import LINEAR, FloatArray
+from trueaxis.compensate.machine import LINEAR, FloatArray, rotary_rows
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
 
@@ -49,3 +49,21 @@ def stretches(
     steps = {flag: word_steps(axes, settings, flag) for flag in (False, True)}
     for first, last in pairwise(edges):
         yield Stretch(first, last, bool(absolute[first]), steps[bool(inch[first])])
+
+
+def rotary_on_words(
+    positions: FloatArray, kinds: Iterable[Stretch], previous: FloatArray, axes: tuple[str, ...]
+) -> FloatArray:
+    """The positions (n_axes, n) with those of rotary axes as their words name them.
+
+    previous: (n_axes,), what the words before name; increments are counted from there.
+    """
+    rows = list(rotary_rows(axes))
+    out = positions.copy()
+    last = previous[rows]
+    for kind in kinds:
+        part = slice(kind.first, kind.last)
+        base = np.zeros_like(last) if kind.absolute else last
+        out[rows, part] = Lattice(base[:, None], kind.step[rows]).nearest(positions[rows, part])
+        last = out[rows, kind.last - 1]
+    return out

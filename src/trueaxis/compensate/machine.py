@@ -16,7 +16,7 @@ class ErrorModel(Protocol):
     """A machine with its errors, evaluated on arrays of axis positions.
 
     Positions are (n_axes, n) in the order of `axes`, mm for X Y Z and deg for A B C; `point` is P_T in the tool
-    frame, mm, (3, 1) or (3, n).
+    frame, mm, (3, 1) or (3, n); `direction` a unit vector of the tool frame of the same shapes.
     """
 
     @property
@@ -36,10 +36,21 @@ class ErrorModel(Protocol):
     def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:
         """Increments of the axes, (n_axes, n), that move the ideal tool point by `deviation`; rotary rows 0."""
 
+    def orientation_ideal(self, positions: FloatArray, direction: FloatArray) -> FloatArray:
+        """The direction in the workpiece frame of the error-free machine, (3, n)."""
+
+    def orientation_deviation(self, positions: FloatArray, direction: FloatArray) -> FloatArray:
+        """Actual minus ideal direction, workpiece frame, (3, n); the actual one need not be of length 1 exactly."""
+
 
 def linear_rows(axes: tuple[str, ...]) -> tuple[int, ...]:
     """Rows of the linear axes in an array of positions."""
     return tuple(row for row, axis in enumerate(axes) if axis in LINEAR)
+
+
+def rotary_rows(axes: tuple[str, ...]) -> tuple[int, ...]:
+    """Rows of the rotary axes in an array of positions."""
+    return tuple(row for row, axis in enumerate(axes) if axis in ROTARY)
 
 
 def linear_jacobian(model: ErrorModel, positions: FloatArray, point: FloatArray) -> FloatArray:

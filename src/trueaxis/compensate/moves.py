@@ -74,8 +74,10 @@ class Notes:
         self.first.setdefault(text, line)
 
     def texts(self) -> tuple[str, ...]:
-        """`line 12 (and 3 more): remark`, in the order of first appearance."""
+        """`line 12 (and 3 more): remark`, in the order of first appearance; line 0 is the program as a whole."""
         return tuple(
-            f"line {line}{f' (and {self.counts[text] - 1} more)' if self.counts[text] > 1 else ''}: {text}"
+            text
+            if line == 0
+            else f"line {line}{f' (and {self.counts[text] - 1} more)' if self.counts[text] > 1 else ''}: {text}"
             for text, line in self.first.items()
         )

@@ -1,42 +1,35 @@
 """Compensates a whole program, batch by batch, so that its length does not matter to memory."""
 
 import math
-from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensate.along import Along, PointAlong, PoseAlong
 from trueaxis.compensate.arcs import MOST_CHORDS, Arc, chord_counts
 from trueaxis.compensate.executed import Executed, execute, joined
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.lattice import stretches
-from trueaxis.compensate.machine import LINEAR, ErrorModel, FloatArray
+from trueaxis.compensate.lattice import Stretch, rotary_on_words, stretches
+from trueaxis.compensate.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
 from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
+from trueaxis.compensate.orientation import ToolAxis
 from trueaxis.compensate.path import Path, path_of
-from trueaxis.compensate.report import BallBar, CompensationReport
+from trueaxis.compensate.report import CompensationReport
 from trueaxis.compensate.settings import Settings
-from trueaxis.compensate.solve import Solution, solve
-from trueaxis.compensate.statistics import LineLog, Running
+from trueaxis.compensate.solve import solve
+from trueaxis.compensate.solve_pose import solve_pose
 from trueaxis.compensate.subdivide import PROBE_SPACING, subdivide
-from trueaxis.compensate.word_choice import bar_error
+from trueaxis.compensate.tally import Solved, Tally
 from trueaxis.compensate.writer import BlockWriter
 
-
-@dataclass(slots=True)
-class _Tally:
-    """What the report is made of."""
-
-    moves: int = 0
-    points: int = 0
-    short_blocks: int = 0
-    iterations: Counter[int] = field(default_factory=Counter)
-    vector: dict[str, Running] = field(default_factory=dict)
-    bar: dict[str, Running] = field(default_factory=dict)
-    not_converged: LineLog = field(default_factory=LineLog)
-    over_tolerance: LineLog = field(default_factory=LineLog)
-    out_of_travel: LineLog = field(default_factory=LineLog)
+FEW_ROTARY_AXES = (
+    "this machine has no rotary axis: the orientation of the tool is not corrected",
+    "this machine has one rotary axis: the tool axis is corrected in the direction in which it turns it, not across",
+)
+TURNS_ALONE = (
+    "a feed block of rotary axes alone gets words of linear axes too: some controls then read its F as a feed in mm/min"
+)
 
 
 class Compensator:
@@ -48,15 +41,33 @@ class Compensator:
         self._faults = faults
         self._notes = notes
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
-        self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._writer = BlockWriter(model.axes, settings)
+        self._turned = self._axis_to_turn()
+        self._along = self._comparison()
         nowhere = np.full(len(model.axes), np.nan)
         self._programmed = nowhere  # position programmed last
         self._written = nowhere  # position named by the words written last
         self._settled = False  # whether the machine stands at a compensated position
-        self._tally = _Tally()
+        self._tally = Tally(model, settings)
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
         self._low, self._high = low[:, None] - 1e-9, high[:, None] + 1e-9
+
+    def _axis_to_turn(self) -> ToolAxis | None:
+        """The tool axis where it is to be corrected and there are rotary axes for it."""
+        if self._settings.orientation == "keep":
+            return None
+        rotary = rotary_rows(self._model.axes)
+        if len(rotary) < 2:
+            self._notes.add(0, FEW_ROTARY_AXES[len(rotary)])
+        return ToolAxis(self._model, self._settings.tool_axis) if rotary else None
+
+    def _comparison(self) -> Along:
+        settings = self._settings
+        if self._turned is None:
+            return PointAlong(self._model, self._tool_point, settings.tolerance)
+        return PoseAlong(
+            self._model, self._tool_point, self._turned, settings.tolerance, 1e-6 * settings.orientation_tolerance_urad
+        )
 
     def texts(self, items: Iterable[Item]) -> Iterator[str]:
         """The compensated program in pieces; none once a fault has been found, but all faults are."""
@@ -129,24 +140,25 @@ class Compensator:
         axes = model.axes
         if np.isnan(start).any() and moves[0].kind != Kind.RAPID:
             self._notes.add(moves[0].line, "a feed motion from an unknown position: only its end is compensated")
-        path = subdivide(path, model, tool_point, settings.tolerance)
+        self._note_turns(moves, start)
+        path = subdivide(path, self._along)
         absolute = np.array([move.absolute for move in moves])[path.owner]
         inch = np.array([move.inch for move in moves])[path.owner]
         lines = np.array([move.line for move in moves])[path.owner]
         kinds = list(stretches(absolute, inch, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
-        solution = self._solved(path, steps)
+        solved = self._solved(path, kinds)
         last_of_move = np.append(np.diff(path.owner) > 0, True)
         passable = ~last_of_move | follows[path.owner]
 
         parts: list[Executed] = []
         previous = self._written
         for stretch in kinds:
-            part = execute(stretch, previous, path, solution, passable, model, tool_point, settings)
+            part = execute(stretch, previous, path, solved.linear, passable, model, tool_point, settings)
             parts.append(part)
             previous = part.positions[:, -1]
         done = joined(parts)
-        self._count(moves, path, solution, done, lines)
+        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled)
         owner = path.owner[done.point]
         before = np.concatenate([self._written[:, None], done.positions[:, :-1]], axis=1)
         self._written, self._settled = previous, True
@@ -155,85 +167,34 @@ class Compensator:
         programmed = (ends[:, owner], starts[:, owner])
         return self._writer.texts(moves, owner, done.positions, before, steps[:, done.point], programmed)
 
-    def _solved(self, path: Path, steps: FloatArray) -> Solution:
+    def _note_turns(self, moves: list[Move], start: FloatArray) -> None:
+        """Note feed blocks whose F may be read differently once they have words of linear axes."""
+        linear, rotary = list(linear_rows(self._model.axes)), list(rotary_rows(self._model.axes))
+        if not rotary:
+            return
+        ends = np.array([move.end for move in moves]).T
+        way = np.abs(np.diff(np.concatenate([start[:, None], ends], axis=1), axis=1))
+        alone = (way[linear] == 0.0).all(axis=0) & (way[rotary] > 0.0).any(axis=0)
+        for index in np.flatnonzero(alone):
+            if moves[index].kind == Kind.LINE:
+                self._notes.add(moves[index].line, TURNS_ALONE)
+
+    def _solved(self, path: Path, kinds: list[Stretch]) -> Solved:
         """Solve with the rotary positions that their words can name."""
-        begin = path.points.copy()
-        for row, axis in enumerate(self._model.axes):
-            if axis in "ABC":
-                begin[row] = np.rint(begin[row] / steps[row]) * steps[row]
-        settings = self._settings
-        return solve(path.points, begin, self._model, self._tool_point, settings.tolerance, settings.method)
-
-    def _count(
-        self, moves: list[Move], path: Path, solution: Solution, done: Executed, lines: NDArray[np.int64]
-    ) -> None:
-        """Evaluate what was written and add it to the report's figures."""
-        tally, tolerance = self._tally, self._settings.tolerance
-        tally.moves += len(moves)
-        tally.points += path.size
-        tally.short_blocks += int(done.passed.sum())
-        tally.iterations.update(dict(enumerate(np.bincount(solution.steps).tolist())))
-        tally.not_converged.add(lines[~solution.converged])
-        commanded = done.positions
-        outside = ((commanded < self._low) | (commanded > self._high)).any(axis=0)
-        tally.out_of_travel.add(lines[done.point[outside]])
-
-        uncompensated = self._model.deviation(path.points, self._tool_point)
-        solved = self._error(solution.commands, solution.target)
-        after = self._error(done.at_points(self._written), solution.target)
-        for name, error in (("before", uncompensated), ("solved", solved), ("after", after)):
-            self._add(name, solution.target, error, lines)
-        length = np.sqrt((after**2).sum(axis=0))
-        tally.over_tolerance.add(lines[~(length <= tolerance)])
-
-        fed = ~path.rapid[done.point]
-        fed[0] &= self._settled  # the way from where the machine stood at first is half uncompensated
-        index = np.flatnonzero(fed)
-        reference = np.concatenate([path.origins[:, :1], done.reference], axis=1)
-        executed = np.concatenate([self._written[:, None], commanded], axis=1)
-        for share in (0.5, 1.0):
-            at = executed[:, index] + share * (executed[:, index + 1] - executed[:, index])
-            wanted = reference[:, index] + share * (reference[:, index + 1] - reference[:, index])
-            target = self._model.ideal(wanted, self._tool_point)
-            self._add("along", target, self._error(at, target), lines[done.point[index]])
-
-    def _error(self, positions: FloatArray, target: FloatArray) -> FloatArray:
-        actual = self._model.ideal(positions, self._tool_point) + self._model.deviation(positions, self._tool_point)
-        return np.asarray(actual - target)
-
-    def _add(self, name: str, target: FloatArray, error: FloatArray, lines: NDArray[np.int64]) -> None:
-        self._tally.vector.setdefault(name, Running()).add(np.sqrt((error**2).sum(axis=0)), lines)
-        if self._ball is not None:
-            self._tally.bar.setdefault(name, Running()).add(bar_error(target, error, self._ball), lines)
+        settings, model, points = self._settings, self._model, path.points
+        pose = None
+        if self._turned is not None:
+            pose = solve_pose(
+                points, model, self._tool_point, self._turned,
+                settings.tolerance, 1e-6 * settings.orientation_tolerance_urad, settings.method,
+            )  # fmt: skip
+        begin = rotary_on_words(points if pose is None else pose.commands, kinds, self._written, model.axes)
+        linear = solve(points, begin, model, self._tool_point, settings.tolerance, settings.method)
+        return Solved(linear, pose)
 
     def report(self, program: str, language: str, blocks_in: int, blocks_out: int) -> CompensationReport:
         """What has been done so far."""
-        tally = self._tally
-        vector = {name: running.summary() for name, running in tally.vector.items()}
-        bar = {name: running.summary() for name, running in tally.bar.items()}
-        most = max((steps for steps, count in tally.iterations.items() if count), default=-1)
-        return CompensationReport(
-            program,
-            language,
-            self._settings,
-            blocks_in,
-            blocks_out,
-            tally.moves,
-            tally.points,
-            tally.short_blocks,
-            tuple(tally.iterations[steps] for steps in range(most + 1)),
-            vector.get("before"),
-            vector.get("solved"),
-            vector.get("after"),
-            vector.get("along"),
-            None
-            if self._ball is None
-            else BallBar(bar.get("before"), bar.get("solved"), bar.get("after"), bar.get("along")),
-            tally.not_converged.lines(),
-            tally.over_tolerance.lines(),
-            tally.out_of_travel.lines(),
-            self._notes.texts(),
-        )
+        return self._tally.report(program, language, blocks_in, blocks_out, self._notes)
 
 
 def _follows(batch: list[str | Move]) -> NDArray[np.bool_]:

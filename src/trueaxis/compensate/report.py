@@ -8,9 +8,9 @@ from trueaxis.compensate.statistics import Lines, Summary
 
 
 @dataclass(frozen=True, slots=True)
-class BallBar:
-    """|E| of Eq. (6), mm: uncompensated; after the solver, before words are rounded; with the words, at the programmed
-    points; and at the middles and ends of all executed feed blocks.
+class Errors:
+    """Magnitudes of one kind of error: uncompensated; after the solver, before words are rounded; with the words, at
+    the programmed points; and at the middles and ends of all executed feed blocks.
     """
 
     before: Summary | None
@@ -29,6 +29,9 @@ class CompensationReport:
     the points. along: at the ends and middles of all executed feed blocks, whose ends are not all programmed points.
     not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
     out_of_travel: points whose command leaves the travel of an axis.
+    ball: |E| of Eq. (6), mm. orientation: angle between actual and wanted tool axis, urad, on machines with rotary
+    axes. over_orientation: points with orientation.after above its tolerance, where orientation is corrected.
+    singular: points at which one direction of the tool axis cannot be corrected, see orientation.SINGULAR.
     """
 
     program: str
@@ -44,16 +47,22 @@ class CompensationReport:
     solved: Summary | None
     after: Summary | None
     along: Summary | None
-    ball: BallBar | None
+    ball: Errors | None
+    orientation: Errors | None
     not_converged: Lines
     over_tolerance: Lines
     out_of_travel: Lines
+    over_orientation: Lines
+    singular: Lines
     notes: tuple[str, ...]
 
     @property
     def good(self) -> bool:
-        """Whether every point converged, is within the tolerance and within the travel."""
-        return not (self.not_converged.points or self.over_tolerance.points or self.out_of_travel.points)
+        """Whether every point converged, is within the tolerances and within the travel."""
+        return not any(
+            found.points
+            for found in (self.not_converged, self.over_tolerance, self.out_of_travel, self.over_orientation)
+        )
 
     def to_json(self) -> str:
         """The report as JSON; `settings.start` as an object of axis positions."""
@@ -76,10 +85,16 @@ class CompensationReport:
         if self.ball is not None:
             lines.append("|E| along the ball bar, Eq. (6) (mm)")
             lines.extend(_rows(self.ball))
+        if self.orientation is not None:
+            corrected = "corrected" if settings.orientation == "correct" else "kept: linear axes alone are corrected"
+            lines.append(f"orientation of the tool axis, {corrected} (urad)")
+            lines.extend(_rows(self.orientation))
         for name, found in (
             ("not converged", self.not_converged),
             ("above tolerance", self.over_tolerance),
             ("out of travel", self.out_of_travel),
+            (f"above {settings.orientation_tolerance_urad:g} urad", self.over_orientation),
+            ("singular poses, one direction of the tool axis not corrected", self.singular),
         ):
             if found.points:
                 lines.append(f"{name}: {found}")
@@ -87,7 +102,7 @@ class CompensationReport:
         return "\n".join(lines)
 
 
-def _rows(of: CompensationReport | BallBar) -> list[str]:
+def _rows(of: CompensationReport | Errors) -> list[str]:
     table = (
         ("  as programmed", of.before),
         ("  compensated, words not rounded", of.solved),

@@ -8,6 +8,7 @@ from typing import Literal
 
 Method = Literal["iterative", "ordinary"]
 WordChoice = Literal["nearest", "ends", "middles"]
+Orientation = Literal["keep", "correct"]
 BlockDelete = Literal["fault", "run", "skip"]
 
 MM_PER_INCH = 25.4
@@ -24,6 +25,8 @@ class Settings:
     words: `nearest` rounds; `ends` and `middles` choose words that minimise Eq. (6), see word_choice and middles.
     ball: P_W, centre of the workpiece ball in the workpiece frame; gives E of Eq. (6) its meaning.
     tool_point: P_T in the tool frame. start: axis positions before the first block (those known).
+    orientation: `keep` corrects with the linear axes alone; `correct` turns rotary axes too, so that the tool axis
+    points where the error-free machine's would, to orientation_tolerance_urad. tool_axis: its direction, tool frame.
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
     batch_points: points computed at a time; bounds the memory.
 
@@ -40,6 +43,9 @@ class Settings:
     ball: tuple[float, float, float] | None = None
     tool_point: tuple[float, float, float] = (0.0, 0.0, 0.0)
     start: Mapping[str, float] = field(default_factory=dict)
+    orientation: Orientation = "keep"
+    orientation_tolerance_urad: float = 2.0  # words of 0.0001 deg are up to 0.87 urad off in each of two axes
+    tool_axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
     block_delete: BlockDelete = "fault"
     batch_points: int = 16384
 
@@ -48,12 +54,17 @@ class Settings:
             value = getattr(self, name)
             if not (math.isfinite(value) and 0.0 < value <= 1.0):
                 raise ValueError(f"{name} is {value:g}; it must be above 0 and at most 1")
+        if not 0.0 < self.orientation_tolerance_urad <= 1e4:
+            value = self.orientation_tolerance_urad
+            raise ValueError(f"orientation_tolerance_urad is {value:g}; it must be above 0 and at most 10000")
         for name in ("resolution", "inch_resolution", "rotary_resolution"):
             decimals(getattr(self, name))
-        for name in ("ball", "tool_point"):
+        for name in ("ball", "tool_point", "tool_axis"):
             values = getattr(self, name)
             if values is not None and not (len(values) == 3 and all(map(math.isfinite, values))):
                 raise ValueError(f"{name} must be three finite coordinates")
+        if math.hypot(*self.tool_axis) < 1e-6:
+            raise ValueError("tool_axis must be a direction, not zero")
         if not all(map(math.isfinite, self.start.values())):
             raise ValueError("start must hold finite positions")
         if self.words != "nearest" and self.ball is None:

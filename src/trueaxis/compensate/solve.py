@@ -39,8 +39,8 @@ def solve(
 ) -> Solution:
     """Commands whose actual tool point is the error-free one at the programmed positions.
 
-    programmed: (n_axes, n). begin: the same with rotary positions as they will be written; only linear axes are
-    corrected, and for the rounding of rotary words too.
+    programmed: (n_axes, n). begin: (n_axes, n), where to begin, rotary positions as they will be written; only linear
+    axes are corrected here, and for the rounding of rotary words too.
     `iterative`: command += correction(target - actual(command)), actual = Psi of Eq. (55), until the error left is
     within `SOLVER_SHARE` of the tolerance (mm) or `MOST_STEPS` are made; a step that does not improve a point is its
     last and the best command is kept. `ordinary`: one step.

@@ -12,7 +12,10 @@ LINES_KEPT = 50
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """Mean, standard deviation (of the population), largest value and the line it stands in; mm."""
+    """Mean, standard deviation (of the population), largest value and the line it stands in.
+
+    The unit is that of the values.
+    """
 
     count: int
     mean: float

@@ -5,7 +5,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensate.machine import ErrorModel, FloatArray, linear_rows
+from trueaxis.compensate.along import Along
+from trueaxis.compensate.machine import FloatArray
 from trueaxis.compensate.path import Path
 
 PROBE_SPACING = 2.5  # mm (deg); finer than the pitch of ball screws and scales, whose errors are the shortest waves
@@ -14,9 +15,9 @@ SHORTEST = 0.05  # mm (deg); what is shorter is not cut: a jump in the errors ca
 PROBES_AT_ONCE = 65536
 
 
-def subdivide(path: Path, model: ErrorModel, tool_point: FloatArray, tolerance: float) -> Path:
+def subdivide(path: Path, along: Along) -> Path:
     """Bisect feed motions until, at every probe, the correction of the axes differs from the one interpolated
-    between the ends by at most `SHARE` of the tolerance (mm).
+    between the ends by at most `SHARE` of the tolerance.
 
     A motion is probed at an odd number of places no more than `PROBE_SPACING` apart, its middle always among them. The
     correction is the first step of Eq. (55); interpolation is what the control does with the words of both ends.
@@ -33,10 +34,7 @@ def subdivide(path: Path, model: ErrorModel, tool_point: FloatArray, tolerance: 
     cut_share: list[FloatArray] = []
     while owner.size:
         bent = np.concatenate(
-            [
-                _bent(path, model, tool_point, owner[part], low[part], high[part], SHARE * tolerance)
-                for part in _parts(length[owner] * (high - low))
-            ]
+            [_bent(path, along, owner[part], low[part], high[part]) for part in _parts(length[owner] * (high - low))]
         )
         bent &= length[owner] * (high - low) > 2.0 * SHORTEST
         owner, low, high = owner[bent], low[bent], high[bent]
@@ -64,12 +62,10 @@ def _parts(length: FloatArray) -> list[slice]:
 
 def _bent(
     path: Path,
-    model: ErrorModel,
-    tool_point: FloatArray,
+    along: Along,
     owner: NDArray[np.int64],
     low: FloatArray,
     high: FloatArray,
-    limit: float,
 ) -> NDArray[np.bool_]:
     """Whether the correction along path[owner] between the shares low and high leaves the straight line."""
     origin, point = path.origins[:, owner], path.points[:, owner]
@@ -80,12 +76,10 @@ def _bent(
     share = (np.arange(motion.size) - first[motion]) / (count - 1)[motion]
     place = low[motion] + share * (high - low)[motion]
     positions = origin[:, motion] + place * span[:, motion]
-    rows = list(linear_rows(model.axes))
-    correction = model.correction(positions, -model.deviation(positions, tool_point))[rows]
+    correction = along.correction(positions)
     at_low, at_high = correction[:, first], correction[:, first + count - 1]
     straight = at_low[:, motion] + share * (at_high - at_low)[:, motion]
-    off = np.sqrt(((correction - straight) ** 2).sum(axis=0))
-    return np.asarray(np.maximum.reduceat(off, first) > limit)
+    return np.asarray(np.maximum.reduceat(along.apart(positions, correction, straight), first) > SHARE)
 
 
 def _cut(path: Path, owner: NDArray[np.int64], share: FloatArray) -> Path:

@@ -114,6 +114,15 @@ class MachineModel:
         """Deviation of the tool point in the workpiece frame, exact."""
         return self.view_deviation("tool_in_workpiece", positions, point)
 
+    def orientation_ideal(self, positions: FloatArray, direction: FloatArray) -> FloatArray:
+        """(3, n): a unit vector of the tool frame, (3, 1) or (3, n), in the workpiece frame, without errors."""
+        return self._call("tool_orientation_ideal", positions, direction)
+
+    def orientation_deviation(self, positions: FloatArray, direction: FloatArray) -> FloatArray:
+        """(3, n): the same, actual minus ideal, on the exact model; a small rotation changes the length a little."""
+        errors = self.component_errors(positions)
+        return self._call("tool_orientation_deviation", positions, errors, self.parameter_values, direction)
+
     def correction(self, positions: FloatArray, deviation: FloatArray) -> FloatArray:
         """(n_axes, n): moves of the linear axes that displace the ideal tool point by `deviation`; rotary rows 0."""
         moves = self._call("correction", positions, deviation)

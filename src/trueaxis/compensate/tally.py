@@ -1,0 +1,156 @@
+"""What the report is made of, gathered batch by batch."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensate.executed import Executed
+from trueaxis.compensate.machine import ErrorModel, FloatArray
+from trueaxis.compensate.moves import Notes
+from trueaxis.compensate.orientation import ToolAxis, angle
+from trueaxis.compensate.path import Path
+from trueaxis.compensate.report import CompensationReport, Errors
+from trueaxis.compensate.settings import Settings
+from trueaxis.compensate.solve import Solution
+from trueaxis.compensate.solve_pose import PoseSolution
+from trueaxis.compensate.statistics import LineLog, Running
+from trueaxis.compensate.word_choice import bar_error
+
+STAGES = ("before", "solved", "after", "along")
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """linear: for rotary positions as their words name them; pose: before they are words, where they turn too."""
+
+    linear: Solution
+    pose: PoseSolution | None
+
+    @property
+    def commands(self) -> FloatArray:
+        """Commands (n_axes, n), words not rounded."""
+        return self.linear.commands if self.pose is None else self.pose.commands
+
+    @property
+    def steps(self) -> NDArray[np.int64]:
+        """Corrections made, (n,)."""
+        return self.linear.steps if self.pose is None else self.pose.steps
+
+    @property
+    def converged(self) -> NDArray[np.bool_]:
+        """(n,)."""
+        return self.linear.converged if self.pose is None else self.linear.converged & self.pose.converged
+
+
+class Tally:
+    """Counts and figures of one program on one machine."""
+
+    def __init__(self, model: ErrorModel, settings: Settings) -> None:
+        self._model, self._settings = model, settings
+        self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
+        self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
+        self._axis = ToolAxis(model, settings.tool_axis)
+        low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
+        self._low, self._high = low[:, None] - 1e-9, high[:, None] + 1e-9
+        self._moves = self._points = self._short_blocks = 0
+        self._iterations: Counter[int] = Counter()
+        self._vector = {stage: Running() for stage in STAGES}
+        self._bar = {stage: Running() for stage in STAGES}
+        self._orientation = {stage: Running() for stage in STAGES}
+        self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
+        self._over_orientation, self._singular = LineLog(), LineLog()
+
+    def add(
+        self,
+        moves: int,
+        path: Path,
+        solved: Solved,
+        done: Executed,
+        lines: NDArray[np.int64],
+        previous: FloatArray,
+        settled: bool,
+    ) -> None:
+        """Evaluate what was written of one batch.
+
+        lines: (n_points,), of the path's points. previous: (n_axes,), position named by the words before; settled:
+        whether it was a compensated one.
+        """
+        self._moves += moves
+        self._points += path.size
+        self._short_blocks += int(done.passed.sum())
+        self._iterations.update(dict(enumerate(np.bincount(solved.steps).tolist())))
+        self._not_converged.add(lines[~solved.converged])
+        outside = ((done.positions < self._low) | (done.positions > self._high)).any(axis=0)
+        self._out_of_travel.add(lines[done.point[outside]])
+
+        self._stage("before", path.points, path.points, lines)
+        self._stage("solved", solved.commands, path.points, lines)
+        length, turned = self._stage("after", done.at_points(previous), path.points, lines)
+        self._over_tolerance.add(lines[~(length <= self._settings.tolerance)])
+        if solved.pose is not None and turned is not None:
+            self._singular.add(lines[solved.pose.singular])
+            self._over_orientation.add(lines[~(1e6 * turned <= self._settings.orientation_tolerance_urad)])
+
+        fed = ~path.rapid[done.point]
+        fed[0] &= settled  # the way from where the machine stood at first is half uncompensated
+        index = np.flatnonzero(fed)
+        reference = np.concatenate([path.origins[:, :1], done.reference], axis=1)
+        executed = np.concatenate([previous[:, None], done.positions], axis=1)
+        for share in (0.5, 1.0):
+            at = executed[:, index] + share * (executed[:, index + 1] - executed[:, index])
+            wanted = reference[:, index] + share * (reference[:, index + 1] - reference[:, index])
+            self._stage("along", at, wanted, lines[done.point[index]])
+
+    def _stage(
+        self, stage: str, positions: FloatArray, wanted: FloatArray, lines: NDArray[np.int64]
+    ) -> tuple[FloatArray, FloatArray | None]:
+        """Note where positions put the tool instead of where the error-free machine is at `wanted`.
+
+        Returns the lengths of the error vectors, mm, and with rotary axes the orientation errors, rad; (n,).
+        """
+        target = self._model.ideal(wanted, self._tool_point)
+        actual = self._model.ideal(positions, self._tool_point) + self._model.deviation(positions, self._tool_point)
+        error = actual - target
+        length = np.sqrt((error**2).sum(axis=0))
+        self._vector[stage].add(length, lines)
+        if self._ball is not None:
+            self._bar[stage].add(bar_error(target, error, self._ball), lines)
+        if not self._axis.turns:
+            return length, None
+        turned = angle(self._axis.actual(positions), self._axis.wanted(wanted))
+        self._orientation[stage].add(1e6 * turned, lines)
+        return length, turned
+
+    def report(self, program: str, language: str, blocks_in: int, blocks_out: int, notes: Notes) -> CompensationReport:
+        """What has been counted so far."""
+        most = max((steps for steps, count in self._iterations.items() if count), default=-1)
+        vector = _errors(self._vector)
+        return CompensationReport(
+            program,
+            language,
+            self._settings,
+            blocks_in,
+            blocks_out,
+            self._moves,
+            self._points,
+            self._short_blocks,
+            tuple(self._iterations[steps] for steps in range(most + 1)),
+            vector.before,
+            vector.solved,
+            vector.after,
+            vector.along,
+            None if self._ball is None else _errors(self._bar),
+            _errors(self._orientation) if self._axis.turns else None,
+            self._not_converged.lines(),
+            self._over_tolerance.lines(),
+            self._out_of_travel.lines(),
+            self._over_orientation.lines(),
+            self._singular.lines(),
+            notes.texts(),
+        )
+
+
+def _errors(stages: dict[str, Running]) -> Errors:
+    return Errors(*(stages[stage].summary() for stage in STAGES))
