@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from trueaxis import __version__
 from trueaxis.faults import InputError
 
-COMMANDS = ("derive", "predict", "simulate", "identify", "compensate", "evaluate", "demo")
+COMMANDS = ("derive", "predict", "simulate", "identify", "fit", "compensate", "evaluate", "demo")
 _FAULTS_SHOWN = 50
 
 

@@ -17,7 +17,7 @@ from tests.generator.dmu60p import dmu60p as generator
 from tests.identify.data import P9_PRINTED, paper_data
 from tests.identify.machines import dmu60p
 from trueaxis.identify.axis_lines import angle_matrix, axis_lines
-from trueaxis.identify.curve_fit import polynomial_curves
+from trueaxis.identify.curve_fit import fit_tables, polynomial_curves
 from trueaxis.identify.global_fit.basis import Basis, axis_basis
 from trueaxis.identify.machine import units
 from trueaxis.identify.noise import noise
@@ -119,7 +119,8 @@ def test_tables_become_polynomials() -> None:
     values = 2e-5 * at - 3e-8 * at**2 + np.random.default_rng(1).normal(0.0, 1e-5, at.size)
     table = TableCurve(tuple(at), tuple(values), (0.0, *(1e-5,) * 25))
     short = TableCurve((0.0, 10.0), (0.0, 1e-5))
-    curves, notes = polynomial_curves({"EXX": table, "EYX": short})
+    tables = {"EXX": table, "EYX": short}
+    curves, notes = polynomial_curves(tables, fit_tables(tables))
     fitted = curves["EXX"]
     assert isinstance(fitted, PolynomialCurve)
     assert np.abs(fitted(at) - (2e-5 * at - 3e-8 * at**2)).max() < 2e-5

@@ -10,11 +10,8 @@ from trueaxis.demo import inputs
 from trueaxis.demo.evaluate import circles, feed_ends, path_errors, read_wanted
 from trueaxis.demo.summary import Figures, format_summary
 from trueaxis.files import write_files
-from trueaxis.identify.polynomial import fit_optimal
-from trueaxis.pictures.curves import draw_curves
 from trueaxis.pictures.error_map import PathErrors, error_map
 from trueaxis.pictures.polar import Trace, polar_plot
-from trueaxis.runtime.curves import TableCurve
 from trueaxis.runtime.model import MachineModel, load_model
 
 MACHINE, TRUTH = "machine/dmu60p.toml", "machine/dmu60p_errors.json"
@@ -46,10 +43,11 @@ def run_demo(out: Path, noise_um: float, seed: int) -> str:
         _command(out, f"{simulate} --data machine/{plan} --out {data} {noise} --seed {seed}")
     for data, found, options in (
         ("measured_as_published", "identified_as_published.json", "--report identification_as_published.json"),
-        ("measured", "identified_points.json", ""),
-        ("measured", "identified.json", "--curves polynomial --report identification.json"),
+        ("measured", "identified_points.json", "--report identification.json"),
     ):
         _command(out, f"identify {MACHINE} --data {data} --out {found} {noise} {options}")
+    pictured = "--picture error_curves.png"
+    _command(out, f"fit {MACHINE} --errors identified_points.json --out identified.json {pictured}")
     for way, options in WAYS.items():
         _command(out, f"{compensate} programs/s_path.cl --out compensated/s_path_{way}.nc --ball {ball} {options}")
     for run in ("ccw", "cw"):
@@ -87,9 +85,6 @@ def _ballbar_plans(out: Path) -> None:
 
 def _figures(out: Path, noise_um: float) -> Figures:
     found, truth = (load_model(out / MACHINE, out / name, out / "generated") for name in ("identified.json", TRUTH))
-    points = load_model(out / MACHINE, out / "identified_points.json", out / "generated")
-    _draw_curves(out, points)
-
     wanted = read_wanted(out / "programs/s_path.cl")
     ball = np.array(inputs.BALL_S_PATH)[:, None]
     programs = {"not compensated": wanted} | {
@@ -112,22 +107,10 @@ def _figures(out: Path, noise_um: float) -> Figures:
         noise_um,
         found,
         truth,
-        points,
         on_model,
         on_machine,
         {run: (before[run][1].deviation, after[run][1].deviation) for run in before},
     )
-
-
-def _draw_curves(out: Path, points: MachineModel) -> None:
-    fits, bars = {}, {}
-    for name, curve in points.errors.motion_errors.items():
-        if isinstance(curve, TableCurve):
-            positions, values = np.array(curve.positions), np.array(curve.values)
-            fits[name] = fit_optimal(positions, values)
-            if curve.u is not None:
-                bars[name] = np.array(curve.u)
-    draw_curves(fits, out / "error_curves.png", u=bars)
 
 
 def _draw_map(out: Path, model: MachineModel, wanted: np.ndarray, errors: dict[str, PathErrors]) -> None:

@@ -21,7 +21,6 @@ class Figures:
     noise_um: float
     found: MachineModel
     truth: MachineModel
-    points: MachineModel
     on_model: Mapping[str, PathErrors]
     on_machine: Mapping[str, PathErrors]
     circularity: Mapping[str, tuple[float, float]]

@@ -1,42 +1,37 @@
 """Discrete values of the component errors with their polynomials before and after optimisation (Fig. 14)."""
 
 from collections.abc import Mapping
-from io import BytesIO
 from math import ceil
-from pathlib import Path
 
 import numpy as np
-from matplotlib import style
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from trueaxis.files import write_files
 from trueaxis.identify.polynomial import OptimalFit
+from trueaxis.pictures.png import BLUE, GREY, ORANGE, png
 
 FloatArray = NDArray[np.float64]
 
 COLUMNS = 3
 CURVE_POINTS = 241
-POINTS_COLOUR, BEFORE_COLOUR, AFTER_COLOUR = "#595959", "#E69F00", "#0072B2"  # of Okabe and Ito: told apart by all eyes
+POINTS_COLOUR, BEFORE_COLOUR, AFTER_COLOUR = GREY, ORANGE, BLUE
 
 
-def draw_curves(fits: Mapping[str, OptimalFit], path: Path, *, u: Mapping[str, FloatArray] | None = None) -> None:
-    """Write one PNG with a panel per component, in the order given: values with error bars and both polynomials.
+def curves_picture(fits: Mapping[str, OptimalFit], *, u: Mapping[str, FloatArray] | None = None) -> bytes:
+    """PNG with a panel per component, in the order given: values with error bars and both polynomials.
 
     fits: component (EXX, EYX, ... in ISO 230-1's names, from which units follow: um or urad over mm or deg)
     to its fit; u: standard uncertainties of a component's values, (n,) mm or rad, drawn as bars of 2 u to
-    either side where given. The band about the optimal polynomial is 2 u of the fitted curve. Equal input
-    gives equal bytes. Raises ValueError on no fits.
+    either side where given. The band about the optimal polynomial is 2 u of the fitted curve. Raises ValueError on
+    no fits.
     """
     if not fits:
         raise ValueError("there is no fit to draw")
-    with style.context("default"):  # not what a matplotlibrc of the user says
-        png = _png(fits, {} if u is None else u)
-    write_files({path: png})
+    return png(lambda: _figure(fits, {} if u is None else u))
 
 
-def _png(fits: Mapping[str, OptimalFit], u: Mapping[str, FloatArray]) -> bytes:
+def _figure(fits: Mapping[str, OptimalFit], u: Mapping[str, FloatArray]) -> Figure:
     columns = min(COLUMNS, len(fits))
     rows = ceil(len(fits) / columns)
     figure = Figure(figsize=(1.2 + 4.2 * columns, 0.9 + 2.7 * rows), dpi=110, layout="constrained")
@@ -49,9 +44,7 @@ def _png(fits: Mapping[str, OptimalFit], u: Mapping[str, FloatArray]) -> bytes:
         label: artist for panel in panels for artist, label in zip(*panel.get_legend_handles_labels(), strict=True)
     }
     figure.legend(labelled.values(), labelled.keys(), loc="outside upper center", ncols=len(labelled), frameon=False)
-    buffer = BytesIO()
-    figure.savefig(buffer, format="png", metadata={"Software": None})
-    return buffer.getvalue()
+    return figure
 
 
 def _draw_panel(panel: Axes, component: str, fit: OptimalFit, u: FloatArray | None) -> None:

@@ -98,9 +98,9 @@ def _identification(result: PaperResult) -> Identification:
     found = describe.components(result)
     notes = (*dimension_notes(machine, result.given), *weak_notes(found))
     if result.options.curves == "polynomial":
-        from trueaxis.identify.curve_fit import polynomial_curves  # noqa: PLC0415  statsmodels takes long to import
+        from trueaxis.identify.curve_fit import fit_tables, polynomial_curves  # noqa: PLC0415  statsmodels takes long to import
 
-        curves, more = polynomial_curves(curves)
+        curves, more = polynomial_curves(curves, fit_tables(curves))
         notes += more
     undetermined = describe.undetermined(result)
     located = dict(zip(machine.location_errors, result.solution.locations.tolist(), strict=True))
