@@ -50,7 +50,7 @@ class PoseAlong:
     def correction(self, positions: FloatArray) -> FloatArray:
         """The turns of the rotary axes, then Eq. (55), once."""
         error = self.tool_axis.wanted(positions) - self.tool_axis.actual(positions)
-        turned = positions + self.tool_axis.turn(positions, positions, error).moves
+        turned = positions + self.tool_axis.turning(positions).step(positions, error)[0]
         off = self._ideal(positions) - self._ideal(turned) - self.model.deviation(turned, self.tool_point)
         return np.asarray(turned - positions + self.model.correction(turned, off))
 

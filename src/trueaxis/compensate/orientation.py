@@ -12,7 +12,7 @@ so that the turn per error, 1 / s_i elsewhere, grows no further than 1 / SINGULA
 jump on the way. With s_i = 0 this is the truncated pseudo-inverse.
 """
 
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,14 +22,46 @@ from trueaxis.compensate.machine import ErrorModel, FloatArray, rotary_rows
 SINGULAR = 0.01  # sine of the angle, 0.57 deg, between tool axis and rotary axis: an error of 50 urad turns it 0.3 deg
 
 
-class Turns(NamedTuple):
-    """moves: (n_axes, n), deg, linear rows 0. reach: (n,), how far they turn the tool axis, rad. singular: (n,), true
-    where one direction of the tool axis that the machine has elsewhere is lost.
+@dataclass(frozen=True, slots=True)
+class Turning:
+    """How turns of the rotary axes from programmed positions move the error-free tool axis.
+
+    programmed: (n_axes, n), mm and deg. rows: of the rotary axes. jacobian: (3, n_rotary, n), see ToolAxis. square:
+    (n, n_rotary), squares of its singular values, ascending, with basis (n, n_rotary, n_rotary), directions in columns.
     """
 
-    moves: FloatArray
-    reach: FloatArray
-    singular: NDArray[np.bool_]
+    programmed: FloatArray
+    rows: list[int]
+    jacobian: FloatArray
+    square: FloatArray
+    basis: FloatArray
+
+    @property
+    def singular(self) -> NDArray[np.bool_]:
+        """(n,): where one direction of the tool axis that the machine has elsewhere is lost."""
+        useful = min(len(self.rows), 2)
+        return np.asarray(self.square[:, -useful] < SINGULAR**2)
+
+    def at(self, index: NDArray[np.int64]) -> "Turning":
+        """The same for some of the points."""
+        return Turning(
+            self.programmed[:, index], self.rows, self.jacobian[:, :, index], self.square[index], self.basis[index]
+        )
+
+    def step(self, positions: FloatArray, error: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """One Gauss-Newton step from `positions`; error: (3, n), wanted minus actual unit vector.
+
+        Returns moves of all axes, (n_axes, n), deg, linear rows 0, and how far they turn the tool axis, rad, (n,).
+        """
+        weight = np.maximum(SINGULAR**2 - self.square, 0.0)
+        away = np.radians(positions[self.rows] - self.programmed[self.rows])
+        slope = np.einsum("iaq,iq->aq", self.jacobian, error)
+        pull = np.einsum("qam,aq->qm", self.basis, slope) - weight * np.einsum("qam,aq->qm", self.basis, away)
+        by_axis = np.einsum("qam,qm->aq", self.basis, pull / np.maximum(self.square, SINGULAR**2))
+        moves = np.zeros_like(positions)
+        moves[self.rows] = np.degrees(by_axis)
+        reach = np.sqrt((np.einsum("iaq,aq->iq", self.jacobian, by_axis) ** 2).sum(axis=0))
+        return moves, reach
 
 
 class ToolAxis:
@@ -68,20 +100,11 @@ class ToolAxis:
             columns.append(0.5 * (self.wanted(ahead) - self.wanted(behind)))
         return np.stack(columns, axis=1)
 
-    def turn(self, positions: FloatArray, programmed: FloatArray, error: FloatArray) -> Turns:
-        """One Gauss-Newton step at `positions`; error: (3, n), wanted minus actual unit vector."""
-        jacobian = self.jacobian(positions)
-        normal = np.einsum("iaq,ibq->qab", jacobian, jacobian)
-        square, basis = np.linalg.eigh(np.nan_to_num(normal))  # of the singular values, ascending
-        weight = np.maximum(SINGULAR**2 - square, 0.0)
-        away = np.radians(positions[self._rows] - programmed[self._rows])
-        pull = np.einsum("qam,iaq,iq->qm", basis, jacobian, error) - weight * np.einsum("qam,aq->qm", basis, away)
-        by_axis = np.einsum("qam,qm->aq", basis, pull / np.maximum(square, SINGULAR**2))
-        moves = np.zeros_like(positions)
-        moves[self._rows] = np.degrees(by_axis)
-        reach = np.sqrt((np.einsum("iaq,aq->iq", jacobian, by_axis) ** 2).sum(axis=0))
-        useful = min(len(self._rows), 2)
-        return Turns(moves, reach, square[:, -useful] < SINGULAR**2)
+    def turning(self, programmed: FloatArray) -> Turning:
+        """Turns from programmed positions (n_axes, n); the corrections are small enough for one Jacobian to do."""
+        jacobian = self.jacobian(programmed)
+        square, basis = np.linalg.eigh(np.nan_to_num(np.einsum("iaq,ibq->qab", jacobian, jacobian)))
+        return Turning(programmed, self._rows, jacobian, square, basis)
 
 
 def unit(vectors: FloatArray) -> FloatArray:

@@ -14,7 +14,7 @@ from trueaxis.compensate.solve import MOST_STEPS, SOLVER_SHARE
 @dataclass(frozen=True, slots=True)
 class PoseSolution:
     """Commands (n_axes, n) before they become words, mm and deg; steps (n,), corrections made; converged (n,);
-    singular (n,), see Turns.
+    singular (n,), see Turning.
     """
 
     commands: FloatArray
@@ -32,7 +32,6 @@ class _State:
     commands: FloatArray
     turn: FloatArray
     merit: FloatArray
-    singular: NDArray[np.bool_]
 
 
 def solve_pose(
@@ -52,21 +51,21 @@ def solve_pose(
     what no turn can mend at a singular pose does not count. A correction that does not improve a point is its last.
     """
     target, wanted = model.ideal(programmed, tool_point), tool_axis.wanted(programmed)
+    turning = tool_axis.turning(programmed)
     goal, turn_goal = SOLVER_SHARE * tolerance, SOLVER_SHARE * orientation_tolerance
 
     def state(commands: FloatArray, index: NDArray[np.int64]) -> _State:
         pointing = tool_axis.actual(commands)
-        turns = tool_axis.turn(commands, programmed[:, index], wanted[:, index] - pointing)
+        turn, reach = turning.at(index).step(commands, wanted[:, index] - pointing)
         off = np.sqrt((_left(commands, index) ** 2).sum(axis=0))
-        return _State(commands, turns.moves, np.maximum(off / goal, turns.reach / turn_goal), turns.singular)
+        return _State(commands, turn, np.maximum(off / goal, reach / turn_goal))
 
     def _left(commands: FloatArray, index: NDArray[np.int64]) -> FloatArray:
         actual = model.ideal(commands, tool_point) + model.deviation(commands, tool_point)
         return np.asarray(target[:, index] - actual)
 
     now = state(programmed.copy(), np.arange(programmed.shape[1]))
-    singular = now.singular
-    steps = np.zeros(singular.size, dtype=np.int64)
+    steps = np.zeros(now.merit.size, dtype=np.int64)
     active = np.isfinite(now.merit) & ((now.merit > 1.0) | (method == "ordinary"))
     for _ in range(MOST_STEPS if method == "iterative" else 1):
         index = np.flatnonzero(active)
@@ -82,4 +81,4 @@ def solve_pose(
         steps[kept] += 1
         active[index] = better & (then.merit > 1.0)
     converged = np.isfinite(now.merit) & ((now.merit <= 1.0) | (method == "ordinary"))
-    return PoseSolution(now.commands, steps, converged, singular)
+    return PoseSolution(now.commands, steps, converged, turning.singular)
