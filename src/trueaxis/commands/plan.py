@@ -1,0 +1,108 @@
+"""trueaxis plan: what runs can and cannot determine, before they are made."""
+
+import argparse
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trueaxis.faults import Fault, InputError
+from trueaxis.files import write_files
+from trueaxis.measure.data import read_data
+from trueaxis.plan.instruments import Assumptions
+from trueaxis.plan.method import PlanOptions, judge, plan_of, planned
+from trueaxis.plan.report_text import report_json, report_text
+from trueaxis.runtime.errors import read_errors
+from trueaxis.runtime.input_files import gathering
+from trueaxis.runtime.model import load_model
+from trueaxis.spec import read_machine
+
+if TYPE_CHECKING:
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+DESCRIPTION = """\
+Say what the runs of --data can and cannot determine, and in which order, before any reading is taken (readings that
+are there are not looked at): rank and condition, the order of blocks, the standard uncertainty to expect of each
+error, combinations that stay open, location errors that are redundant. Where the plan is singular, points that would
+mend it are sought; --propose N seeks the runs that would add most. Exit code 1 where the runs determine nothing."""
+
+HIGHEST_DEGREE = 30
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add this command to the command line."""
+    parser = subparsers.add_parser("plan", help="what runs can and cannot determine", description=DESCRIPTION)
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
+    parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
+    parser.add_argument(
+        "--noise-um", type=_size, default=1.0, metavar="S",
+        help="standard deviation of a reading, um (1: what 1 um of every reading becomes)",
+    )  # fmt: skip
+    parser.add_argument("--degree", type=_degree, default=7, metavar="N", help="highest power of a motion error (7)")
+    parser.add_argument(
+        "--known", type=Path, metavar="E.json", help="values known beforehand: dimensions, location errors, components"
+    )
+    parser.add_argument(
+        "--ideal-instruments", action="store_true",
+        help="nothing is unknown of the instruments; else straightness lines (offset and slope), ball bars (centre and "
+        "length) and probes (zero, centre of the sphere) have unknowns of their own",
+    )  # fmt: skip
+    parser.add_argument(
+        "--unknown-linkage-lines", action="store_true",
+        help="laser lines along which two axes move are where they are, too: offset and slope unknown",
+    )  # fmt: skip
+    parser.add_argument("--unknown-zeros", action="store_true", help="the zero of laser and probe at home is not exact")
+    parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON, too")
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Judge a plan; raises InputError with the faults of every file."""
+    found = _faults_of_options(args)
+    machine = read_machine(args.machine)
+    known = None
+    with gathering(found):
+        model = load_model(args.machine, None, args.kernels)
+    with gathering(found):
+        data = read_data(args.data, machine)
+    if args.known is not None:
+        with gathering(found):
+            known = read_errors(
+                args.known, machine=machine.name, components=machine.components, parameters=machine.parameters
+            )
+    if found:
+        raise InputError(found)
+    assumed = Assumptions(args.ideal_instruments, args.unknown_linkage_lines, args.unknown_zeros)
+    options = PlanOptions(args.noise_um, args.degree, assumed, known)
+    plan = plan_of(model, planned(str(args.data), data.setup.runs, data.readings), options)
+    report = judge(plan)
+    if args.report is not None:
+        write_files({args.report: report_json(report)})
+    print(report_text(report), end="")
+    return 1 if report.nothing_determined else 0
+
+
+def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
+    found = []
+    if args.ideal_instruments:
+        for option in ("unknown_linkage_lines", "unknown_zeros"):
+            if getattr(args, option):
+                name = f"--{option.replace('_', '-')}"
+                found.append(Fault(name, "", "does not go with --ideal-instruments", "one of them"))
+    return found
+
+
+def _size(text: str) -> float:
+    value = float(text)
+    if not (math.isfinite(value) and value > 0.0):
+        raise argparse.ArgumentTypeError(f"{text} is not a size: above 0")
+    return value
+
+
+def _degree(text: str) -> int:
+    value = int(text)
+    if not 1 <= value <= HIGHEST_DEGREE:
+        raise argparse.ArgumentTypeError(f"{text} is not a degree: 1 to {HIGHEST_DEGREE}")
+    return value
