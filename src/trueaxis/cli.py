@@ -3,14 +3,15 @@
 import argparse
 import importlib
 import logging
+import os
 import sys
 from collections.abc import Sequence
 
 from trueaxis import __version__
 from trueaxis.faults import InputError
 
-COMMANDS = ("derive", "predict", "simulate", "identify", "fit", "compensate", "evaluate", "demo")
-_FAULTS_SHOWN = 50
+COMMANDS = ("derive", "predict", "simulate", "plan", "identify", "fit", "compensate", "evaluate", "demo")
+INTERRUPTED = 130  # as shells have it
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -36,10 +37,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         return int(args.run(args))
     except InputError as error:
-        for fault in error.faults[:_FAULTS_SHOWN]:
+        for fault in error.faults:
             print(f"trueaxis: {fault}", file=sys.stderr)
-        if len(error.faults) > _FAULTS_SHOWN:
-            print(f"trueaxis: and {len(error.faults) - _FAULTS_SHOWN} more faults", file=sys.stderr)
+    except BrokenPipeError:
+        # Whoever read our output has stopped; what was to be written to files has been.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
     except OSError as error:
         print(f"trueaxis: {error.filename or ''}: {error.strerror or error}", file=sys.stderr)
+    except KeyboardInterrupt:
+        print("trueaxis: stopped", file=sys.stderr)
+        return INTERRUPTED
     return 2
