@@ -2,6 +2,7 @@
 
 from itertools import combinations, permutations
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ ALL = [
     for order in permutations(("X", "Y", "Z", *rotary))
     for bed in range(6)
 ]
-ERRORS = {
+ERRORS: dict[str, dict[str, Any]] = {
     "X": {"sense": -1},
     "Y": {"position_errors": {"EC": "y_C"}, "position": [0.0, 12.5, 0.0]},
     "Z": {"position_errors": {"EA": "z_A", "EB": "z_B"}},
