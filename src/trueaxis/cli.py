@@ -14,8 +14,8 @@ COMMANDS = ("derive", "predict", "simulate", "plan", "identify", "fit", "compens
 INTERRUPTED = 130  # as shells have it
 
 
-def build_parser() -> argparse.ArgumentParser:
-    """The parser of every command."""
+def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
+    """The parser of these commands; each command's module is imported for it."""
     parser = argparse.ArgumentParser(
         prog="trueaxis",
         description="Geometric errors of machine tools: derive the model of a machine from a short spec, identify its "
@@ -25,14 +25,16 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"trueaxis {__version__}")
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for name in COMMANDS:
+    for name in commands:
         importlib.import_module(f"trueaxis.commands.{name}").add_parser(subparsers)
     return parser
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command. Returns the exit code."""
-    args = build_parser().parse_args(arguments)
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    # A command needs no other command's libraries; help and mistakes are told of all.
+    args = build_parser(words[:1] if words[:1] and words[0] in COMMANDS else COMMANDS).parse_args(words)
     logging.basicConfig(format="trueaxis: %(message)s", level=logging.WARNING)
     try:
         return int(args.run(args))
