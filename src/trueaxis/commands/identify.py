@@ -1,21 +1,24 @@
 """trueaxis identify: error values from measured data."""
 
 import argparse
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trueaxis.commands.identify_options import degree_option, instruments_option, noise_option
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
+from trueaxis.identify.covariance import dump_covariance
+from trueaxis.identify.global_fit.instruments import KINDS
 from trueaxis.identify.global_fit.method import identify_global
+from trueaxis.identify.global_fit.result import AUTO_DEGREE, GlobalOptions
 from trueaxis.identify.global_fit.result import Choice as GlobalChoice
-from trueaxis.identify.global_fit.result import GlobalOptions
 from trueaxis.identify.observations import Observations, observations
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.paper.squareness import Choice as PaperChoice
 from trueaxis.identify.report import Identification
 from trueaxis.identify.report_text import report_json, report_text
+from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.data import read_data
 from trueaxis.runtime.errors import ErrorValues, dump_errors, read_errors
 from trueaxis.runtime.input_files import gathering
@@ -32,7 +35,6 @@ polynomials of all components to all readings at once, ball bar included. Both w
 uncertainties where the noise is known, and say what the readings cannot determine (which is no failure: exit code 0;
 1 where they determine nothing at all)."""
 
-HIGHEST_DEGREE = 30
 DEFAULT_PAPER: PaperChoice = "sect36"
 DEFAULT_GLOBAL: GlobalChoice = "convention"
 
@@ -58,7 +60,13 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="error values taken as they are: dimensions, location errors, whole components; the rest is identified",
     )
     parser.add_argument(
-        "--noise-um", type=_size, metavar="S", help="standard deviation of a reading, um (else from what is left over)"
+        "--noise-um",
+        type=noise_option,
+        default=NoiseModel(),
+        metavar="S",
+        help="standard deviation of a reading, um; method global also: laser=0.3,ballbar=0.5,RUN=1 (instruments or "
+        "runs, which weigh the readings), or repeats, repeats-by-run: from repeated readings of each instrument, of "
+        "each run (else from what is left over, all readings equal)",
     )
     parser.add_argument(
         "--curves",
@@ -66,7 +74,31 @@ def add_parser(subparsers: "Subparsers") -> None:
         default="table",
         help="method paper: components as tables of the measured positions or as optimal polynomials (%(default)s)",
     )
-    parser.add_argument("--degree", type=_degree, default=7, metavar="N", help="method global: highest power (7)")
+    parser.add_argument(
+        "--degree",
+        type=degree_option,
+        default=7,
+        metavar="N",
+        help="method global: highest power (%(default)s), or auto: of each component as held-out readings ask for",
+    )
+    parser.add_argument(
+        "--instruments",
+        type=instruments_option,
+        default=KINDS,
+        metavar="real|ideal|LIST",
+        help="method global: what is unknown of the instruments: real (default): offset and slope of straightness "
+        "runs, centre and length of ball bars, zero and centre of probes; ideal: nothing; or some of "
+        f"{','.join(KINDS)}",
+    )
+    parser.add_argument(
+        "--robust",
+        choices=("huber", "tukey"),
+        default="",
+        help="method global: weigh down readings that lie too far off (Huber 1.345, Tukey 4.685 standard deviations)",
+    )
+    parser.add_argument(
+        "--covariance", type=Path, metavar="FILE.npz", help="method global: write the covariance of the values, too"
+    )
     parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON, too")
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
@@ -92,9 +124,15 @@ def run(args: argparse.Namespace) -> int:
         raise InputError(found)
     observed = observations(str(args.data), data.setup.runs, data.readings)
     identified = _identify(args, model, observed, known)
-    contents = {args.out: dump_errors(identified.values, components=machine.components, parameters=machine.parameters)}
+    contents: dict[Path, str | bytes] = {}
+    contents[args.out] = dump_errors(identified.values, components=machine.components, parameters=machine.parameters)
     if args.report is not None:
         contents[args.report] = report_json(identified.report)
+    if args.covariance is not None:
+        if identified.covariance is None:
+            remedy = "give it with --noise-um, or take more readings"
+            raise InputError([Fault("--covariance", "", "the noise is unknown, and with it every uncertainty", remedy)])
+        contents[args.covariance] = dump_covariance(identified.covariance)
     write_files(contents)
     print(report_text(identified.report), end="")
     print(f"written: {', '.join(str(path) for path in contents)}")
@@ -104,11 +142,23 @@ def run(args: argparse.Namespace) -> int:
 def _identify(
     args: argparse.Namespace, model: MachineModel, observed: Observations, known: ErrorValues | None
 ) -> Identification:
+    noise: NoiseModel = args.noise_um
     if args.method == "paper":
-        options = PaperOptions(args.squareness or DEFAULT_PAPER, known, args.noise_um, args.curves)
+        options = PaperOptions(args.squareness or DEFAULT_PAPER, known, noise.um, args.curves)
         return identify_paper(model, observed, options)
     return identify_global(
-        model, observed, GlobalOptions(args.squareness or DEFAULT_GLOBAL, known, args.noise_um, args.degree)
+        model,
+        observed,
+        GlobalOptions(
+            squareness=args.squareness or DEFAULT_GLOBAL,
+            known=known,
+            noise_um=noise.um,
+            degree=args.degree,
+            noise_by_group=noise.by_group,
+            repeats=noise.repeats,
+            instruments=args.instruments,
+            robust=args.robust,
+        ),
     )
 
 
@@ -118,20 +168,21 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
         found.append(Fault("--squareness sect36", "", "goes with --method paper", "convention or known"))
     if args.squareness == "known" and args.known is None:
         found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
-    if args.report is not None and args.report.resolve() == args.out.resolve():
-        found.append(Fault(str(args.report), "", "is the file of --out as well", "another file"))
+    if args.method == "paper":
+        of_global = {
+            "--noise-um": bool(args.noise_um.by_group or args.noise_um.repeats),
+            "--degree auto": args.degree == AUTO_DEGREE,
+            "--instruments": args.instruments != KINDS,
+            "--robust": bool(args.robust),
+            "--covariance": args.covariance is not None,
+        }
+        for option, used in of_global.items():
+            if used:
+                remedy = "one value" if option == "--noise-um" else "--method global"
+                found.append(Fault(option, "", "goes with --method global", remedy))
+    if args.covariance is not None and args.covariance.suffix != ".npz":
+        found.append(Fault(str(args.covariance), "", "is not a .npz file", "a name that ends in .npz"))
+    files = [path.resolve() for path in (args.out, args.report, args.covariance) if path is not None]
+    for path in sorted({path for path in files if files.count(path) > 1}):
+        found.append(Fault(str(path), "", "is to hold two different things", "another file for each output"))
     return found
-
-
-def _size(text: str) -> float:
-    value = float(text)
-    if not (math.isfinite(value) and value > 0.0):
-        raise argparse.ArgumentTypeError(f"{text} is not a size: above 0")
-    return value
-
-
-def _degree(text: str) -> int:
-    value = int(text)
-    if not 1 <= value <= HIGHEST_DEGREE:
-        raise argparse.ArgumentTypeError(f"{text} is not a degree: 1 to {HIGHEST_DEGREE}")
-    return value

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
+from trueaxis.identify.covariance import predicted_u, read_covariance
 from trueaxis.measure.points import dump_predicted, read_points
 from trueaxis.measure.predict import predict
 from trueaxis.runtime.input_files import gathering
@@ -18,7 +19,8 @@ if TYPE_CHECKING:
 DESCRIPTION = """\
 Predict where the tool point really is. For each row of --at (a column per axis: mm, rotary axes deg; optionally tool_x,
 tool_y, tool_z: the point in the tool frame, mm) the deviation, actual minus ideal, is computed on the exact model and
-written as dx, dy, dz (mm, workpiece frame) behind the columns of the row."""
+written as dx, dy, dz (mm, workpiece frame) behind the columns of the row; with --covariance (of identify) their
+standard uncertainties, too, as u_dx, u_dy, u_dz: empty where a deviation rests on what the data could not determine."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -29,6 +31,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
     parser.add_argument("--at", type=Path, required=True, metavar="POINTS", help="axis positions, .csv or .parquet")
+    parser.add_argument("--covariance", type=Path, metavar="FILE.npz", help="covariance of the error values")
     parser.add_argument("--out", type=Path, required=True, metavar="OUT", help="table to write, .csv or .parquet")
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
@@ -44,9 +47,14 @@ def run(args: argparse.Namespace) -> int:
         model = load_model(args.machine, args.errors, args.kernels)
     with gathering(found):
         points = read_points(args.at, machine)
+    covariance = None
+    if args.covariance is not None:
+        with gathering(found):
+            covariance = read_covariance(args.covariance, machine.name, machine.components, machine.location_errors)
     if found:
         raise InputError(found)
     deviation = predict(model, points)
-    write_files({args.out: dump_predicted(points, deviation, args.out.suffix)})
+    spread = None if covariance is None else predicted_u(model, covariance, points.positions, points.tool)
+    write_files({args.out: dump_predicted(points, deviation, args.out.suffix, spread)})
     print(f"{args.out}: {deviation.shape[1]} points")
     return 0

@@ -19,11 +19,11 @@ class Noise:
         return None if self.sigma is None else self.sigma * 1e3
 
 
-def noise(squares: float, readings: int, rank: int, given_um: float | None) -> Noise:
+def noise(squares: float, readings: int, rank: int, given_um: float | None, origin: str = "given") -> Noise:
     """From a sum of squared residuals (mm^2) of readings that determine `rank` unknowns, unless it is given."""
     freedom = readings - rank
     if given_um is not None:
-        return Noise(given_um * 1e-3, freedom, "given")
+        return Noise(given_um * 1e-3, freedom, origin)
     if freedom > 0:
         return Noise(float(np.sqrt(squares / freedom)), freedom, f"from the residuals, {freedom} degrees of freedom")
     return Noise(None, freedom, "unknown: no reading is left over to estimate it from, and none was given")

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from trueaxis.faults import Fault, InputError
+from trueaxis.measure.approach import DirectionArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.readings import IntArray, Readings
 from trueaxis.measure.setup import Run
@@ -14,7 +15,8 @@ class Observations:
     """Readings taken (plan rows left out), one per row.
 
     source: where they come from, named in faults; run: (n,), index into runs; positions: (n_axes, n), commanded,
-    mm or deg; reading: (n,), mm.
+    mm or deg; reading: (n,), mm; seq: (n,), number of the row in its run; directions: (n_axes, n), by which way each
+    axis came there (-1, 0, +1); both None where nothing is known of them.
     """
 
     source: str
@@ -22,10 +24,20 @@ class Observations:
     run: IntArray
     positions: FloatArray
     reading: FloatArray
+    seq: IntArray | None = None
+    directions: DirectionArray | None = None
 
     def of(self, keep: "IntArray") -> "Observations":
         """Those of some rows."""
-        return Observations(self.source, self.runs, self.run[keep], self.positions[:, keep], self.reading[keep])
+        return Observations(
+            self.source,
+            self.runs,
+            self.run[keep],
+            self.positions[:, keep],
+            self.reading[keep],
+            None if self.seq is None else self.seq[keep],
+            None if self.directions is None else self.directions[:, keep],
+        )
 
 
 def observations(source: str, runs: Sequence[Run], readings: Readings) -> Observations:
@@ -34,5 +46,7 @@ def observations(source: str, runs: Sequence[Run], readings: Readings) -> Observ
     if taken.size == 0:
         remedy = "take them, or make some with simulate"
         raise InputError([Fault(source, "column reading", "is a plan: there is no reading in it", remedy)])
-    everything = Observations(source, tuple(runs), readings.run, readings.positions, readings.reading)
+    everything = Observations(
+        source, tuple(runs), readings.run, readings.positions, readings.reading, readings.seq, readings.directions
+    )
     return everything.of(taken)

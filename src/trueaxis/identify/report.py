@@ -1,8 +1,10 @@
 """What identification has to say besides the values: blocks, rank, residuals, uncertainty, what stayed open."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from trueaxis.identify.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 
 Method = Literal["paper", "global"]
@@ -49,13 +51,61 @@ class ComponentReport:
 
 
 @dataclass(frozen=True, slots=True)
+class InstrumentReport:
+    """An unknown of an instrument: value and standard uncertainty (None: unknown) in `unit`; in how many runs."""
+
+    name: str
+    value: float
+    u: float | None
+    unit: str
+    origin: str
+
+
+@dataclass(frozen=True, slots=True)
+class NoiseGroupReport:
+    """Noise of the readings of an instrument or run; freedom: degrees of freedom it is from, None: given."""
+
+    group: str
+    noise_um: float
+    freedom: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class DoubtedReading:
+    """A reading that a robust fit weighs down: where it is, its weight, its residual and how many sigma that is."""
+
+    run: str
+    seq: int
+    weight: float
+    residual_um: float
+    z: float
+
+
+@dataclass(frozen=True, slots=True)
+class OrderReport:
+    """Degrees of the components, chosen by readings held out in `parts`, and the rms of these: with every component
+    at the `highest` degree, as chosen, and without motion errors.
+    """
+
+    degrees: Mapping[str, int]
+    highest: int
+    parts: int
+    held_out_highest_um: float
+    held_out_um: float
+    held_out_none_um: float
+
+
+@dataclass(frozen=True, slots=True)
 class IdentificationReport:
     """Everything besides the values. Lengths mm and angles rad unless a name says otherwise.
 
     readings: those used; left_out: runs that the method cannot use; iterations of the exact model and the last
     change (mm); residual_rms_um: of all readings used; freedom: degrees of freedom left; noise_um: standard
     deviation of a reading, None where neither given nor to be had from the data; noise_origin says which;
-    undetermined as in the error values; notes: everything else a reader must know.
+    undetermined as in the error values; notes: everything else a reader must know; instruments: their unknowns;
+    noise_groups: where the noise differs; noise_ratio: rms of the residuals over the noise, for the degrees of freedom
+    left, 1 where model and noise agree (None where the residuals gave the noise); robust: how readings were weighed
+    down, empty if not; doubted: which; orders: how degrees were chosen, None if given.
     """
 
     machine: str
@@ -76,6 +126,12 @@ class IdentificationReport:
     components: tuple[ComponentReport, ...]
     undetermined: tuple[Undetermined, ...]
     notes: tuple[str, ...] = ()
+    instruments: tuple[InstrumentReport, ...] = ()
+    noise_groups: tuple[NoiseGroupReport, ...] = ()
+    noise_ratio: float | None = None
+    robust: str = ""
+    doubted: tuple[DoubtedReading, ...] = ()
+    orders: OrderReport | None = None
 
     @property
     def nothing_determined(self) -> bool:
@@ -85,7 +141,8 @@ class IdentificationReport:
 
 @dataclass(frozen=True, slots=True)
 class Identification:
-    """Error values and the report on them."""
+    """Error values and the report on them; covariance: of all values, None where the method or the noise gives none."""
 
     values: ErrorValues
     report: IdentificationReport
+    covariance: Covariance | None = None

@@ -5,10 +5,18 @@ import math
 from dataclasses import asdict
 from typing import Any
 
-from trueaxis.identify.report import BlockReport, ComponentReport, IdentificationReport, LocationReport
+from trueaxis.identify.report import (
+    BlockReport,
+    ComponentReport,
+    IdentificationReport,
+    InstrumentReport,
+    LocationReport,
+    OrderReport,
+)
 
 WIDTH = 100
 MICRO = 1e6
+MOST_DOUBTED = 20
 
 
 def report_text(report: IdentificationReport) -> str:
@@ -20,6 +28,7 @@ def report_text(report: IdentificationReport) -> str:
         f"residuals: rms {report.residual_rms_um:.4g} um; noise of a reading: {noise} ({report.noise_origin})",
         f"squareness: {report.squareness}",
     ]
+    lines += _noise_lines(report)
     if report.left_out:
         lines.append(f"left out (this method cannot use ball-bar runs): {', '.join(report.left_out)}")
     if report.noise_um is None:
@@ -31,6 +40,11 @@ def report_text(report: IdentificationReport) -> str:
         lines += [_location(location) for location in report.locations]
     lines += ["", "motion errors over the measured positions:"]
     lines += [_component(component) for component in report.components]
+    if report.instruments:
+        lines += ["", "instruments as they are (--instruments ideal takes them for perfect):"]
+        lines += [line for one in report.instruments for line in _instrument(one)]
+    if report.orders is not None:
+        lines += ["", *_orders(report.orders)]
     lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing"]
     for item in report.undetermined:
         lines += _wrapped(item.combination, "- ")
@@ -42,6 +56,42 @@ def report_text(report: IdentificationReport) -> str:
 def report_json(report: IdentificationReport) -> str:
     """The same as JSON; NaN is null."""
     return json.dumps(_plain({"schema": 1, **asdict(report)}), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _noise_lines(report: IdentificationReport) -> list[str]:
+    lines = []
+    if report.noise_groups:
+        said = [
+            f"{group.group} {group.noise_um:.4g} um" + ("" if group.freedom is None else f" ({group.freedom} d.o.f.)")
+            for group in report.noise_groups
+        ]
+        lines += _wrapped(", ".join(said), "noise by group:")
+    if report.noise_ratio is not None:
+        lines.append(f"residuals over noise: {report.noise_ratio:.3f} (1 where model and noise agree)")
+    if report.robust:
+        lines.append(f"robust: {report.robust}; {len(report.doubted)} readings count for less than half")
+        for one in report.doubted[:MOST_DOUBTED]:
+            lines.append(
+                f"  run {one.run}, seq {one.seq}: residual {one.residual_um:+.4g} um, {abs(one.z):.1f} sigma, "
+                f"weight {one.weight:.2g}"
+            )
+        if len(report.doubted) > MOST_DOUBTED:
+            lines.append(f"  and {len(report.doubted) - MOST_DOUBTED} more (--report lists all)")
+    return lines
+
+
+def _orders(orders: OrderReport) -> list[str]:
+    degrees = ", ".join(f"{name} {degree}" for name, degree in orders.degrees.items())
+    return [
+        *_wrapped(f"{degrees}", "degrees chosen by readings held out:"),
+        f"held-out rms ({orders.parts} parts): {orders.held_out_um:.4g} um; all of degree {orders.highest}: "
+        f"{orders.held_out_highest_um:.4g} um; no motion error: {orders.held_out_none_um:.4g} um",
+    ]
+
+
+def _instrument(one: InstrumentReport) -> list[str]:
+    value, unit = _small(one.value, one.unit)
+    return _wrapped(f"{one.name}: {value:+.4g} {unit} {_with_u(one.u, one.unit).strip()} {one.origin}", "  ")
 
 
 def _block(number: int, block: BlockReport) -> list[str]:

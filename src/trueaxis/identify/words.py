@@ -37,7 +37,7 @@ def split_apart(names: Sequence[str], partners: Sequence[str], shares: Sequence[
     last = shares[-1].value
     alone = len(shares) == 2 and abs(abs(last) - 1.0) < 1e-6
     kind = "combination" if not alone else "sum" if last < 0.0 else "difference"
-    what = f"{enumerated(names)} and the slope of {enumerated(partners)}"
+    what = enumerated([*names, *(f"the slope of {partner}" for partner in partners)])
     return f"{what}: only their {kind} is determined ({together(shares)} changes no reading)"
 
 

@@ -16,6 +16,7 @@ FloatArray = npt.NDArray[np.float64]
 
 TOOL_COLUMNS = ("tool_x", "tool_y", "tool_z")
 DEVIATION_COLUMNS = ("dx", "dy", "dz")
+UNCERTAINTY_COLUMNS = ("u_dx", "u_dy", "u_dz")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,10 +48,12 @@ def read_points(path: Path, machine: MachineAxes) -> Points:
     return Points(frame, commanded, tool)
 
 
-def dump_predicted(points: Points, deviation: FloatArray, suffix: str) -> bytes:
-    """The columns of the points followed by dx, dy, dz (mm), as CSV or, for `.parquet`, Parquet.
+def dump_predicted(points: Points, deviation: FloatArray, suffix: str, u: FloatArray | None = None) -> bytes:
+    """The columns of the points followed by dx, dy, dz (mm) and, where given, u_dx, u_dy, u_dz, as CSV or Parquet.
 
-    deviation: (3, n), mm.
+    deviation: (3, n), mm; suffix: `.parquet` for Parquet; u: (3, n), standard uncertainties, mm, NaN where unknown.
     """
     added = [pl.Series(name, row) for name, row in zip(DEVIATION_COLUMNS, deviation, strict=True)]
+    if u is not None:
+        added += [pl.Series(name, row).fill_nan(None) for name, row in zip(UNCERTAINTY_COLUMNS, u, strict=True)]
     return table_bytes(points.frame.with_columns(added), suffix)

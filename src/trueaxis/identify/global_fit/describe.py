@@ -6,13 +6,14 @@ import numpy as np
 
 from trueaxis.identify.global_fit.result import GlobalResult
 from trueaxis.identify.machine import units
-from trueaxis.identify.report import ComponentReport, Known, LocationReport
+from trueaxis.identify.report import ComponentReport, InstrumentReport, Known, LocationReport
 from trueaxis.identify.words import Share, enumerated, slope_unit, split_apart, together, unit_of
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import Undetermined
 
 OPEN = 1e-4  # share of an unknown in the null space, scaled, below which what is open does not matter to it
+PERFECT = "the instruments are taken for perfect"
 RULES = {
     "convention": "least-squares lines of the straightness are level (ISO 230-1)",
     "known": "given",
@@ -48,9 +49,9 @@ def location_u(result: GlobalResult) -> dict[str, float]:
     """Standard uncertainties of the location errors that were unknown, NaN where open."""
     if result.covariance is None:
         return {}
-    start = int(result.layout.offset[-1])
-    u = np.sqrt(np.diag(result.covariance)[start:])
-    u = np.where(result.open[start:], np.nan, u)
+    mine = result.layout.of_locations
+    u = np.sqrt(np.diag(result.covariance)[mine])
+    u = np.where(result.open[mine], np.nan, u)
     return dict(zip(result.layout.names()[result.layout.components.size :], u.tolist(), strict=True))
 
 
@@ -67,7 +68,7 @@ def locations(result: GlobalResult) -> tuple[LocationReport, ...]:
         place = int(plan.offset[-1]) + int(np.flatnonzero(plan.locations == index)[0])
         origin = "from the readings"
         if result.open[place]:
-            origin = "undetermined: solution of least norm"
+            origin = "undetermined: " + (PERFECT if _by_instruments(result, place) else "solution of least norm")
         elif result.gauge.settled[place].any():
             origin = RULES["convention"]
         spread = u.get(name, np.nan)
@@ -119,11 +120,43 @@ def undetermined(result: GlobalResult) -> tuple[Undetermined, ...]:
     silent = np.zeros(plan.count, dtype=bool)
     for place in range(plan.components.size):
         silent[plan.of_component(place)] = unseen(result, plan.of_component(place))
-    seen = [vector for vector in result.gauge.null.T if not silent[np.abs(vector) > OPEN].all()]
+    seen = [
+        vector
+        for vector in result.gauge.null.T
+        if not silent[np.abs(vector) > OPEN].all() and _machine_names(result, vector)
+    ]
     found += [_open(result, vectors) for vectors in _overlapping(result, seen)]
     if missing:
         found.append(Undetermined(f"{enumerated(missing)}: no run holds them, they are left at zero", tuple(missing)))
     return tuple(found)
+
+
+def instrument_values(result: GlobalResult) -> tuple[InstrumentReport, ...]:
+    """The unknowns of the instruments."""
+    plan, found = result.layout, []
+    for unknown, place in zip(plan.instruments.unknowns, range(plan.of_machine, plan.count), strict=True):
+        origin, u = "from the readings", None
+        if result.open[place]:
+            origin = "undetermined: " + PERFECT
+        elif result.covariance is not None:
+            u = float(np.sqrt(result.covariance[place, place]))
+        found.append(InstrumentReport(unknown.name, float(result.unknowns[place]), u, unknown.unit, origin))
+    return tuple(found)
+
+
+def instrument_notes(result: GlobalResult) -> tuple[str, ...]:
+    """What the readings cannot tell of the instruments, where it does not matter to the machine."""
+    own = [v for v in result.gauge.null.T if not any(_machine_names(result, v))]
+    return tuple(
+        f"{enumerated([share.what for share in _instrument_shares(result, vector)])}: only a combination is determined"
+        for vector in own
+    )
+
+
+def _by_instruments(result: GlobalResult, place: int) -> bool:
+    """Whether an unknown is open only along with those of instruments."""
+    mine = result.gauge.null[:, np.abs(result.gauge.null[place]) > OPEN]
+    return bool((np.abs(mine[result.layout.of_instruments]).max(axis=0, initial=0.0) > OPEN).all())
 
 
 def _settled(result: GlobalResult, vector: FloatArray) -> Undetermined:
@@ -152,6 +185,10 @@ def _overlapping(result: GlobalResult, vectors: list[FloatArray]) -> list[list[F
 
 
 def _names(result: GlobalResult, vector: FloatArray) -> set[str]:
+    return _machine_names(result, vector) | {share.what for share in _instrument_shares(result, vector)}
+
+
+def _machine_names(result: GlobalResult, vector: FloatArray) -> set[str]:
     located = (share.what for share in _location_shares(result, vector))
     return {*located, *(part.component for part in _parts(result, vector))}
 
@@ -160,22 +197,32 @@ def _open(result: GlobalResult, vectors: list[FloatArray]) -> Undetermined:
     machine = result.layout.machine
     names = set().union(*(_names(result, vector) for vector in vectors))
     ordered = tuple(name for name in (*machine.location_errors, *machine.components) if name in names)
+    own = [f"the {unknown.name}" for unknown in result.layout.instruments.unknowns if f"the {unknown.name}" in names]
     simplest = min(vectors, key=lambda vector: int(np.count_nonzero(np.abs(vector) > OPEN)))
-    shares = [*_location_shares(result, simplest), *_component_shares(result, simplest)]
+    of_machine = [*_location_shares(result, simplest), *_component_shares(result, simplest)]
     orders = sorted({order for vector in vectors for part in _parts(result, vector) for order in part.orders})
     count = "1 combination" if len(vectors) == 1 else f"{len(vectors)} combinations"
+    of_instruments = all(_instrument_shares(result, vector) for vector in vectors)
     text = (
-        f"{enumerated(ordered)}: {count} undetermined{_ranges(orders)}; "
-        f"for one, {together(_per_largest(shares))} changes no reading; the solution of least norm is given"
+        f"{enumerated([*ordered, *own])}: {count} undetermined{_ranges(orders)}; for one, "
+        f"{together([*_per_largest(of_machine), *_per(_instrument_shares(result, simplest), of_machine)])} "
+        f"changes no reading; {PERFECT if of_instruments else 'the solution of least norm is given'}"
     )
     return Undetermined(text, ordered)
 
 
 def _per_largest(shares: list[Share]) -> list[Share]:
     """The same combination per unit of its first rotation (or first part), which comes first."""
-    first = next((share for share in shares if share.unit.startswith("rad")), shares[0])
-    ordered = [first, *(share for share in shares if share is not first)]
-    return [Share(share.what, share.value / first.value, share.unit) for share in ordered]
+    first = _leading(shares)
+    return _per([first, *(share for share in shares if share is not first)], shares)
+
+
+def _per(shares: list[Share], all_shares: list[Share]) -> list[Share]:
+    return [Share(share.what, share.value / _leading(all_shares).value, share.unit) for share in shares]
+
+
+def _leading(shares: list[Share]) -> Share:
+    return next((share for share in shares if share.unit.startswith("rad")), shares[0])
 
 
 def _parts(result: GlobalResult, vector: FloatArray) -> list[_Part]:
@@ -202,6 +249,17 @@ def _location_shares(result: GlobalResult, vector: FloatArray) -> list[Share]:
     ]
 
 
+def _instrument_shares(result: GlobalResult, vector: FloatArray) -> list[Share]:
+    plan = result.layout
+    lead = _lead(result, vector)
+    own = vector[plan.of_instruments] * plan.scale[plan.of_instruments] / lead
+    return [
+        Share(f"the {unknown.name}", float(value), unknown.unit)
+        for unknown, value, scaled in zip(plan.instruments.unknowns, own, vector[plan.of_instruments], strict=True)
+        if abs(scaled) > OPEN
+    ]
+
+
 def _component_shares(result: GlobalResult, vector: FloatArray) -> list[Share]:
     """Slopes where a component takes part by its first order alone, else its largest value over the positions."""
     plan = result.layout
@@ -223,7 +281,7 @@ def _component_shares(result: GlobalResult, vector: FloatArray) -> list[Share]:
 def _lead(result: GlobalResult, vector: FloatArray) -> float:
     """What the shares are given per: the first location error that takes part, else the largest unknown."""
     plan = result.layout
-    located = vector[int(plan.offset[-1]) :]
+    located = vector[plan.of_locations]
     first = np.flatnonzero(np.abs(located) > OPEN)
     at = int(plan.offset[-1]) + int(first[0]) if first.size else int(np.abs(vector).argmax())
     return float(vector[at] * plan.scale[at])

@@ -20,11 +20,14 @@ CHUNK_ENTRIES = 2**21  # of the design matrix at a time: 16 MB
 class Design:
     """Derivative of every reading by every scaled unknown, never held in full.
 
-    Each row is the basis of each axis times what the instrument senses of each component, less the same at home.
+    Each row is the basis of each axis times what the instrument senses of each component, less the same at home;
+    behind them what the instruments themselves add. roots: (n,), square roots of the weights of the readings, by
+    which rows are multiplied; None: all 1.
     """
 
     layout: Layout
     observed: Observations
+    roots: FloatArray | None = None
 
     def pieces(self) -> Iterator[tuple[IntArray, FloatArray]]:
         """(rows, (rows.size, n_unknowns)): pieces of bounded size, run by run."""
@@ -33,7 +36,10 @@ class Design:
             rows = np.flatnonzero(self.observed.run == index)
             for start in range(0, rows.size, longest):
                 chosen = rows[start : start + longest]
-                yield chosen, self._piece(index, chosen)
+                piece = self._piece(index, chosen)
+                if self.roots is not None:
+                    piece *= self.roots[chosen, np.newaxis]
+                yield chosen, piece
 
     def triangle(self) -> tuple[FloatArray, npt.NDArray[np.bool_]]:
         """R of the QR factorisation (n_unknowns, n_unknowns), and (n,) which rows hold an unknown."""
@@ -48,34 +54,39 @@ class Design:
         return _folded(factor, waiting), held
 
     def transposed(self, residual: FloatArray) -> FloatArray:
-        """(n_unknowns,): transposed design times residuals (n,)."""
+        """(n_unknowns,): transposed weighted design times residuals (n,), mm, as they are."""
         total = np.zeros(self.layout.count)
+        residual = residual if self.roots is None else self.roots * residual
         for rows, piece in self.pieces():
             total += residual[rows] @ piece
         return total
 
     def _piece(self, index: int, rows: IntArray) -> FloatArray:
-        run, machine = self.observed.runs[index], self.layout.machine
+        layout = self.layout
+        run, machine = self.observed.runs[index], layout.machine
         positions = self.observed.positions[:, rows]
         here, home = sensed(machine, run, positions), sensed_at_home(machine, run)
         piece = self._with_bases(here, positions)
         zeroed = home_positions(run, machine.axes)
         if zeroed is not None:
             piece -= self._with_bases(home, zeroed)
+        if layout.instruments.count:
+            piece[:, layout.of_instruments] = layout.instruments.columns(machine, self.observed.runs, index, positions)
         piece[np.abs(piece) < 1e-12] = 0.0  # rounding of what cancels
         return piece
 
     def _with_bases(self, sensitivity: FloatArray, positions: FloatArray) -> FloatArray:
         """(n, n_unknowns) from sensitivities (n_components + n_location_errors, n)."""
         layout = self.layout
-        piece = np.empty((positions.shape[1], layout.count))
+        piece = np.zeros((positions.shape[1], layout.count))
         values = [basis(at) if basis else None for basis, at in zip(layout.bases, positions, strict=True)]
         for place, component in enumerate(layout.components):
             of_axis = values[layout.axis[place]]
             assert of_axis is not None
-            piece[:, layout.of_component(place)] = (sensitivity[component] * of_axis).T
+            mine = layout.of_component(place)
+            piece[:, mine] = (sensitivity[component] * of_axis[: mine.stop - mine.start]).T
         located = len(layout.machine.components) + layout.locations
-        piece[:, layout.offset[-1] :] = sensitivity[located].T
+        piece[:, layout.of_locations] = sensitivity[located].T
         return piece * layout.scale
 
 

@@ -1,10 +1,12 @@
 """The unknowns of the global fit and where each stands."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from trueaxis.identify.global_fit.basis import Basis, axis_basis
+from trueaxis.identify.global_fit.instruments import Instruments
 from trueaxis.identify.machine import IdentifiedMachine, IntArray, component_axes, scales
 from trueaxis.identify.observations import Observations
 from trueaxis.measure.machine import FloatArray
@@ -17,11 +19,13 @@ DECIMALS = 6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Layout:
-    """Unknowns: coefficients of the components in their basis, component by component, then the location errors.
+    """Unknowns: coefficients of the components in their basis, component by component, then the location errors, then
+    those of the instruments.
 
-    bases: one for each axis, None where no reading leaves position 0; components, locations: indices of those that
-    are unknown; offset: first unknown of each of `components`, then that of the location errors; knots: the
-    different positions of each axis; scale: (n_unknowns,), mm or rad that one scaled unit is.
+    bases: one for each axis, None where no reading leaves position 0, of the highest degree of its components;
+    components, locations: indices of those that are unknown; axis: of each of `components`; offset: first unknown of
+    each of `components`, then that of the location errors; knots: the different positions of each axis; scale:
+    (n_unknowns,), mm or rad that one scaled unit is.
     """
 
     machine: IdentifiedMachine
@@ -32,11 +36,27 @@ class Layout:
     offset: IntArray
     knots: tuple[FloatArray, ...]
     scale: FloatArray
+    instruments: Instruments = field(default_factory=Instruments)
 
     @property
     def count(self) -> int:
         """How many unknowns there are."""
+        return self.of_machine + self.instruments.count
+
+    @property
+    def of_machine(self) -> int:
+        """How many of them, the first ones, are the machine's."""
         return int(self.offset[-1]) + self.locations.size
+
+    @property
+    def of_locations(self) -> slice:
+        """The unknowns that are location errors."""
+        return slice(int(self.offset[-1]), self.of_machine)
+
+    @property
+    def of_instruments(self) -> slice:
+        """The unknowns of the instruments."""
+        return slice(self.of_machine, self.count)
 
     def names(self) -> tuple[str, ...]:
         """Name of the component or location error of each of `components` and `locations`."""
@@ -50,10 +70,11 @@ class Layout:
         return slice(int(self.offset[place]), int(self.offset[place + 1]))
 
     def basis_of(self, place: int) -> Basis:
-        """The basis of the component at a place of `components`."""
+        """The basis of the component at a place of `components`: as many functions as it has unknowns."""
         basis = self.bases[int(self.axis[place])]
         assert basis is not None
-        return basis
+        mine = self.of_component(place)
+        return replace(basis, degree=mine.stop - mine.start)
 
     def curve(self, place: int, unknowns: FloatArray, u: FloatArray | None = None) -> PolynomialCurve:
         """The component at a place of `components` in plain powers, from unknowns in mm or rad."""
@@ -64,34 +85,54 @@ class Layout:
 
     def values(self, unknowns: FloatArray, given: ErrorValues) -> ErrorValues:
         """Error values from unknowns in mm or rad and what is given."""
-        located = dict(zip(self.names()[self.components.size :], unknowns[self.offset[-1] :].tolist(), strict=True))
+        located = dict(zip(self.names()[self.components.size :], unknowns[self.of_locations].tolist(), strict=True))
         curves = {self.names()[place]: self.curve(place, unknowns) for place in range(self.components.size)}
         return ErrorValues(given.machine, {**given.parameters, **located}, {**curves, **given.motion_errors})
 
 
-def layout(machine: IdentifiedMachine, observed: Observations, given: ErrorValues, degree: int) -> Layout:
+def layout(
+    machine: IdentifiedMachine,
+    observed: Observations,
+    given: ErrorValues,
+    degree: int | Mapping[str, int],
+    instruments: Instruments | None = None,
+) -> Layout:
     """The unknowns: of each axis powers up to `degree`, or to the number of its positions away from 0 if smaller.
 
-    given: values known beforehand, which are no unknowns.
+    given: values known beforehand, which are no unknowns. degree: of all components, or of each: a component with
+    degree 0, or not named, is left at zero.
     """
     knots = _knots(machine, observed)
-    bases: list[Basis | None] = []
-    for axis, positions in zip(machine.axes, knots, strict=True):
-        highest = min(degree, int(np.count_nonzero(positions)))
-        bases.append(axis_basis(machine.travel[axis], highest) if highest else None)
+    instruments = instruments or Instruments()
     axes = component_axes(machine)
-    components = np.array(
-        [c for c, name in enumerate(machine.components) if name not in given.motion_errors and bases[axes[c]]],
+    most = [int(np.count_nonzero(positions)) for positions in knots]
+    wanted = [degree if isinstance(degree, int) else degree.get(name, 0) for name in machine.components]
+    sizes = np.array(
+        [
+            0 if name in given.motion_errors else min(high, most[axis])
+            for name, high, axis in zip(machine.components, wanted, axes, strict=True)
+        ],
         dtype=np.int64,
+    )
+    components = np.flatnonzero(sizes)
+    highest = [int(np.max(sizes[axes == axis], initial=0)) for axis in range(len(machine.axes))]
+    bases = tuple(
+        axis_basis(machine.travel[axis], high) if high else None
+        for axis, high in zip(machine.axes, highest, strict=True)
     )
     locations = np.array(
         [p for p, name in enumerate(machine.location_errors) if name not in given.parameters], dtype=np.int64
     )
-    sizes = [basis.degree if (basis := bases[axes[c]]) else 0 for c in components]
     scale = scales(machine)
-    every = np.concatenate([np.repeat(scale[components], sizes), scale[len(machine.components) + locations]])
-    offset = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
-    return Layout(machine, tuple(bases), components, axes[components], locations, offset, knots, every)
+    every = np.concatenate(
+        [
+            np.repeat(scale[components], sizes[components]),
+            scale[len(machine.components) + locations],
+            [unknown.size for unknown in instruments.unknowns],
+        ]
+    )
+    offset = np.concatenate([[0], np.cumsum(sizes[components])]).astype(np.int64)
+    return Layout(machine, bases, components, axes[components], locations, offset, knots, every, instruments)
 
 
 def _knots(machine: IdentifiedMachine, observed: Observations) -> tuple[FloatArray, ...]:

@@ -47,10 +47,13 @@ class Factors:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Gauge:
-    """A move within the null space that levels the least-squares lines of the straightness by location errors.
+    """Moves within the null space: from the solution of least norm to the one of the conventions.
 
-    projector: (n, n), from the solution of least norm to the one of the convention; settled: (n, g), basis vectors
-    led by a location error each, whose share the convention settles; null: (n, d), what stays open.
+    First the unknowns of the instruments become as small as the readings allow: what cannot be told from a perfect
+    instrument is taken for one. Then location errors level the least-squares lines of the straightness.
+
+    projector: (n, n); settled: (n, g), basis vectors led by a location error each, whose share the second convention
+    settles; null: (n, d), what stays open, where the first has only chosen.
     """
 
     projector: FloatArray
@@ -66,19 +69,24 @@ def factors(triangle: FloatArray, tolerance: float = RANK_TOLERANCE) -> Factors:
 
 
 def gauge(layout: Layout, null: FloatArray, level: bool) -> Gauge:
-    """The gauge of a null space; level: whether the convention applies. Nothing is moved along other vectors."""
-    n = layout.count
-    basis, led = reduced(null, range(int(layout.offset[-1]), n), ROUNDING)
+    """The gauge of a null space; level: whether straightness is levelled. Nothing is moved along other vectors."""
+    n, instruments, locations = layout.count, layout.of_instruments, layout.of_locations
+    first, of_instruments = reduced(null, range(instruments.start, n), ROUNDING)
+    chosen, rest = first[:, :of_instruments], first[:, of_instruments:]
+    projector = np.eye(n)
+    if of_instruments:
+        projector[:, instruments] -= chosen @ np.linalg.pinv(chosen[instruments], rcond=GAUGE_TOLERANCE)
+    basis, led = reduced(rest, range(locations.start, locations.stop), ROUNDING)
     if not (level and led):
-        return Gauge(np.eye(n), np.zeros((n, 0)), basis)
+        return Gauge(projector, np.zeros((n, 0)), np.hstack([chosen, basis]))
     slopes = straightness_slopes(layout)
     moved = slopes @ basis[:, :led]
     size = np.abs(slopes).max(initial=0.0)
     tilts = np.abs(moved).max(axis=0, initial=0.0) > GAUGE_TOLERANCE * size
     settled = basis[:, :led][:, tilts]
-    projector = np.eye(n) - settled @ (np.linalg.pinv(moved[:, tilts], rcond=GAUGE_TOLERANCE) @ slopes)
-    rest = np.hstack([basis[:, :led][:, ~tilts], basis[:, led:]])
-    return Gauge(projector, settled, projector @ rest)
+    levelled = np.eye(n) - settled @ (np.linalg.pinv(moved[:, tilts], rcond=GAUGE_TOLERANCE) @ slopes)
+    rest = np.hstack([chosen, basis[:, :led][:, ~tilts], basis[:, led:]])
+    return Gauge(levelled @ projector, settled, levelled @ rest)
 
 
 def straightness_slopes(layout: Layout) -> FloatArray:

@@ -1,0 +1,61 @@
+"""Options of `identify` whose values are more than one word or number."""
+
+import argparse
+import math
+from typing import Literal
+
+from trueaxis.identify.global_fit.instruments import KINDS, Kind
+from trueaxis.identify.global_fit.result import AUTO_DEGREE
+from trueaxis.identify.weighting import NoiseModel, Repeats
+
+HIGHEST_DEGREE = 30
+_REPEATS: dict[str, Repeats] = {"repeats": "instrument", "repeats-by-run": "run"}
+
+
+def noise_option(text: str) -> NoiseModel:
+    """`0.3`, `laser=0.3,ballbar=0.5`, `repeats` or `repeats-by-run`."""
+    if text in _REPEATS:
+        return NoiseModel(repeats=_REPEATS[text])
+    if "=" not in text:
+        return NoiseModel(um=_size(text))
+    found: dict[str, float] = {}
+    for part in text.split(","):
+        name, equals, value = part.rpartition("=")
+        if not (equals and name.strip()):
+            raise argparse.ArgumentTypeError(f"{part!r} is not NAME=S")
+        if name.strip() in found:
+            raise argparse.ArgumentTypeError(f"{name.strip()} is given more than once")
+        found[name.strip()] = _size(value)
+    return NoiseModel(by_group=found)
+
+
+def degree_option(text: str) -> int | Literal["auto"]:
+    """A power, or `auto`."""
+    if text == AUTO_DEGREE:
+        return AUTO_DEGREE
+    value = int(text)
+    if not 1 <= value <= HIGHEST_DEGREE:
+        raise argparse.ArgumentTypeError(f"{text} is not a degree: 1 to {HIGHEST_DEGREE}, or auto")
+    return value
+
+
+def instruments_option(text: str) -> tuple[Kind, ...]:
+    """`real`, `ideal`, or kinds of unknowns."""
+    if text == "real":
+        return KINDS
+    if text == "ideal":
+        return ()
+    asked = [part.strip() for part in text.split(",")]
+    for part in asked:
+        if part not in KINDS:
+            raise argparse.ArgumentTypeError(
+                f"{part!r} is not unknown of an instrument: real, ideal or {', '.join(KINDS)}"
+            )
+    return tuple(kind for kind in KINDS if kind in asked)
+
+
+def _size(text: str) -> float:
+    value = float(text)
+    if not (math.isfinite(value) and value > 0.0):
+        raise argparse.ArgumentTypeError(f"{text} is not a size: above 0")
+    return value

@@ -1,0 +1,83 @@
+"""Gauss-Newton on the exact model, plain or reweighted."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trueaxis.identify.global_fit.design import Design
+from trueaxis.identify.global_fit.least_squares import Factors, Gauge, factors
+from trueaxis.identify.global_fit.robust import CONVERGED as SETTLED
+from trueaxis.identify.global_fit.robust import MOST_ITERATIONS as MOST_REWEIGHTINGS
+from trueaxis.identify.global_fit.robust import Robust, scale_of, weights
+from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.reading_model import expected_readings
+from trueaxis.runtime.errors import ErrorValues
+
+CONVERGED = 1e-14  # mm, rotations times the lever
+MOST_ITERATIONS = 20
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Solution:
+    """unknowns: (n,), scaled; residual: (n_readings,), mm; iterations on the exact model and the last change (mm);
+    weight: (n_readings,), robust weights, and scale (mm): 1 and None where the solution is that of least squares.
+    """
+
+    unknowns: FloatArray
+    residual: FloatArray
+    iterations: int
+    change: float
+    weight: FloatArray
+    scale: float | None = None
+
+
+def solve(
+    design: Design, found: Factors, moved: Gauge, given: ErrorValues, start: FloatArray | None = None
+) -> Solution:
+    """Least squares with the weights of the design. The derivative is that of the error-free machine throughout."""
+    change, before, iteration = np.inf, np.inf, 0
+    unknowns = np.zeros(design.layout.count) if start is None else start
+    residual = residuals(design, given, unknowns)
+    while change > CONVERGED and iteration < MOST_ITERATIONS and not (iteration > 3 and change > 0.5 * before):
+        following = moved.projector @ (unknowns + found.step(design.transposed(residual)))
+        before, change = change, float(np.max(np.abs(following - unknowns), initial=0.0))
+        unknowns = following
+        residual = residuals(design, given, unknowns)
+        iteration += 1
+    return Solution(unknowns, residual, iteration, change, np.ones(residual.size))
+
+
+def solve_robust(
+    design: Design, start: Solution, moved: Gauge, given: ErrorValues, kind: Robust, sigma: float | None
+) -> Solution:
+    """Reweight and solve until no weight changes; sigma: scale of a reading of weight 1 (mm), None: from the medians.
+
+    Tukey's function is not convex: Huber's solution is where it starts, and for it the scale is estimated.
+    """
+    roots = np.ones(start.residual.size) if design.roots is None else design.roots
+    found = start
+    stages: tuple[Robust, ...] = ("huber",) if kind == "huber" else ("huber", "tukey")
+    for stage in stages:
+        for _ in range(MOST_REWEIGHTINGS):
+            scale = scale_of(roots * found.residual) if sigma is None else sigma
+            if scale == 0.0:
+                return replace(found, scale=0.0)  # most readings are met exactly: nothing to weigh by
+            weight = weights(roots * found.residual / scale, stage)
+            settled = float(np.abs(weight - found.weight).max()) < SETTLED
+            if settled:
+                break
+            weighted = Design(design.layout, design.observed, roots * np.sqrt(weight))
+            triangle, _ = weighted.triangle()
+            following = solve(weighted, factors(triangle), moved, given, found.unknowns)
+            found = replace(following, weight=weight, scale=scale, iterations=found.iterations + following.iterations)
+    return found
+
+
+def residuals(design: Design, given: ErrorValues, unknowns: FloatArray) -> FloatArray:
+    """(n_readings,), mm: reading less what the exact model with scaled unknowns expects."""
+    plan, observed = design.layout, design.observed
+    model = plan.machine.with_values(plan.values(unknowns * plan.scale, given))
+    own = unknowns[plan.of_instruments]
+    runs = plan.instruments.set_up(observed.runs, own)
+    expected = expected_readings(model, runs, observed.run, observed.positions)
+    return observed.reading - expected - plan.instruments.added(plan.machine, observed, own)

@@ -1,0 +1,135 @@
+"""The outcome of the global method as error values, covariance and report."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from trueaxis.identify.covariance import Covariance
+from trueaxis.identify.global_fit import describe
+from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
+from trueaxis.identify.global_fit.result import GlobalResult
+from trueaxis.identify.global_fit.robust import DOUBTED, TUNING
+from trueaxis.identify.machine import lever
+from trueaxis.identify.notes import dimension_notes, weak_notes
+from trueaxis.identify.report import (
+    BlockReport,
+    DoubtedReading,
+    Identification,
+    IdentificationReport,
+    NoiseGroupReport,
+    OrderReport,
+)
+
+
+def identification(result: GlobalResult) -> Identification:
+    """Values, report and covariance."""
+    plan = result.layout
+    undetermined = describe.undetermined(result)
+    fitted = plan.values(result.unknowns, result.given)
+    values = replace(
+        fitted,
+        motion_errors={**fitted.motion_errors, **describe.curves(result), **result.given.motion_errors},
+        u=describe.location_u(result),
+        undetermined=undetermined,
+    )
+    block = BlockReport(
+        runs=tuple(run.id for run in result.observed.runs),
+        components=plan.names(),
+        equations=result.held,
+        unknowns=plan.count,
+        rank=result.factors.rank,
+        condition=result.factors.condition,
+    )
+    found = describe.components(result)
+    report = IdentificationReport(
+        machine=plan.machine.name,
+        method="global",
+        squareness=describe.RULES[result.options.squareness],
+        readings=result.observed.reading.size,
+        left_out=(),
+        lever=lever(plan.machine),
+        rank_tolerance=RANK_TOLERANCE,
+        blocks=(block,),
+        iterations=result.iterations,
+        last_change=result.change,
+        residual_rms_um=float(np.sqrt(np.mean(result.residual**2))) * 1e3,
+        freedom=result.noise.freedom,
+        noise_um=result.noise.um,
+        noise_origin=result.noise.origin,
+        locations=describe.locations(result),
+        components=found,
+        undetermined=undetermined,
+        notes=(
+            *dimension_notes(plan.machine, result.given),
+            *weak_notes(found),
+            *describe.instrument_notes(result),
+        ),
+        instruments=describe.instrument_values(result),
+        noise_groups=tuple(NoiseGroupReport(group.group, group.um, group.freedom) for group in result.groups),
+        noise_ratio=_noise_ratio(result),
+        robust=_robust(result),
+        doubted=_doubted(result),
+        orders=_orders(result),
+    )
+    return Identification(values, report, _covariance(result))
+
+
+def _covariance(result: GlobalResult) -> Covariance | None:
+    """Of the machine's values alone, whatever the instruments' are."""
+    plan = result.layout
+    if result.covariance is None:
+        return None
+    n = plan.of_machine
+    opened = result.gauge.null[:n]
+    return Covariance(
+        machine=plan.machine.name,
+        components=plan.names()[: plan.components.size],
+        bases=tuple(plan.basis_of(place) for place in range(plan.components.size)),
+        locations=plan.names()[plan.components.size :],
+        matrix=result.covariance[:n, :n],
+        open=opened[:, opened.any(axis=0)] * plan.scale[:n, np.newaxis],
+    )
+
+
+def _noise_ratio(result: GlobalResult) -> float | None:
+    if result.noise.origin.startswith("from the residuals") or result.noise.sigma is None or result.noise.freedom <= 0:
+        return None
+    used = result.roots * np.sqrt(result.robust_weight) * result.residual
+    return float(np.sqrt(used @ used / result.noise.freedom)) / result.noise.sigma
+
+
+def _robust(result: GlobalResult) -> str:
+    kind = result.options.robust
+    return f"{kind.capitalize()}, tuning {TUNING[kind]:g}" if kind else ""
+
+
+def _doubted(result: GlobalResult) -> tuple[DoubtedReading, ...]:
+    """The readings that count for less than half, the least first."""
+    observed, weight = result.observed, result.robust_weight
+    rows = np.flatnonzero(weight < DOUBTED)
+    scale = result.noise.sigma or np.nan
+    found = [
+        DoubtedReading(
+            run=observed.runs[observed.run[row]].id,
+            seq=int(row if observed.seq is None else observed.seq[row]),
+            weight=float(weight[row]),
+            residual_um=float(result.residual[row]) * 1e3,
+            z=float(result.roots[row] * result.residual[row] / scale),
+        )
+        for row in rows
+    ]
+    return tuple(sorted(found, key=lambda one: (-abs(one.z), one.run, one.seq)))
+
+
+def _orders(result: GlobalResult) -> OrderReport | None:
+    orders = result.orders
+    if orders is None:
+        return None
+    return OrderReport(
+        orders.degrees,
+        orders.highest,
+        orders.parts,
+        orders.held_out_full_um,
+        orders.held_out_um,
+        orders.held_out_none_um,
+    )
