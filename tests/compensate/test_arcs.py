@@ -28,6 +28,9 @@ HAND = [
     # G18: first axis Z, second X; counter-clockwise seen from +Y runs from Z to X
     ("G18 G2 X0. Z10. I-10. K0.", "ZX", (0, 0), (7.0711, 7.0711), 90),
     ("G18 G3 X0. Z10. I-10. K0.", "ZX", (0, 0), (-7.0711, -7.0711), 270),
+    ("G18 G2 X0. Z10. R10.", "ZX", (0, 0), (7.0711, 7.0711), 90),
+    ("G18 G3 X0. Z10. R10.", "ZX", (10, 10), (2.9289, 2.9289), 90),
+    ("G18 G3 X0. Z10. R-10.", "ZX", (0, 0), (-7.0711, -7.0711), 270),
 ]
 
 
@@ -43,7 +46,7 @@ def test_hand_worked(
     at = execute(bench.run(f"G90 G21\nG0 X10. Y0. Z0.\n{block} F100\n", chord_tolerance=TOLERANCE))
     rows = ["XYZ".index(axis) for axis in plane]
     u, v = at[rows]
-    cu, cv = centre if plane == "XY" else (centre[0], centre[1])
+    cu, cv = centre
     assert np.abs(np.hypot(u - cu, v - cv) - 10.0).max() <= WORD
     middles = np.hypot((u[1:] + u[:-1]) / 2 - cu, (v[1:] + v[:-1]) / 2 - cv)
     assert (10.0 - middles).max() <= TOLERANCE + WORD
@@ -127,3 +130,23 @@ def test_words_that_make_no_arc() -> None:
         arc_of_radius((0, 0, 0), (10, 0, 0), 4.9, (0, 0, 1))
     with pytest.raises(ArcError, match="coincide"):
         arc_of_radius((1, 0, 0), (1, 0, 0), 4.9, (0, 0, 1))
+
+
+@pytest.mark.parametrize(
+    ("plane", "rows", "words"), [(17, (0, 1, 2), "IJ"), (18, (2, 0, 1), "KI"), (19, (1, 2, 0), "JK")]
+)
+@pytest.mark.parametrize("sense", [1, -1])
+def test_helices_in_incremental_inches(
+    bench: Bench, plane: int, rows: tuple[int, int, int], words: str, sense: int
+) -> None:
+    # 3/4 of a turn of 1 inch about the centre at (-1, 0) from the start, in the plane's axes, rising by 0.5 inch
+    u, v, w = ("XYZ"[row] for row in rows)
+    code = 3 if sense > 0 else 2
+    block = f"G{code} {u}-1. {v}{-sense}. {w}.5 {words[0]}-1. {words[1]}0. F5"
+    at = execute(bench.run(f"G20 G90 G0 X2. Y2. Z2.\nG91 G{plane}\n{block}\n", inch_resolution=0.0001))
+    first, second, along = at[list(rows)] / 25.4
+    angle = np.unwrap(np.arctan2(second - 2.0, first - 1.0))
+    assert angle[-1] == pytest.approx(sense * 1.5 * math.pi, abs=1e-3)
+    assert np.abs(np.hypot(first - 1.0, second - 2.0) - 1.0).max() < 1e-4
+    assert along == pytest.approx(2.0 + 0.5 * np.abs(angle) / (1.5 * math.pi), abs=2e-4)
+    assert at[list(rows), -1] / 25.4 == pytest.approx([1.0, 2.0 - sense, 2.5], abs=1e-9)

@@ -18,12 +18,12 @@ ERRORS = ROOT / "machines" / "dmu60p_errors.json"
 PROGRAM = "%\nG21 G90\nG0 X420. Y350. Z100.\nG1 F1000\nG2 X420. Y350. I-150. J0.\nM30\n%\n"
 
 
-def command(folder: Path, text: str | None, *options: str) -> int:
+def command(folder: Path, text: str | None, *options: str, machine: Path = MACHINE) -> int:
     parser = argparse.ArgumentParser()
     compensate.add_parser(parser.add_subparsers())
     if text is not None:
         (folder / "in.nc").write_text(text)
-    arguments = ["compensate", str(MACHINE), "--errors", str(ERRORS), str(folder / "in.nc")]
+    arguments = ["compensate", str(machine), "--errors", str(ERRORS), str(folder / "in.nc")]
     arguments += ["--out", str(folder / "out.nc"), "--kernels", str(ROOT / "generated"), *options]
     args = parser.parse_args(arguments)
     return int(args.run(args))
@@ -140,5 +140,13 @@ def test_help_reads_well(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         parser.parse_args(["compensate", "--help"])
     shown = capsys.readouterr().out
-    for words in ("--ball", "machine coordinates", "exit status", "default 0.001", "default iterative"):
+    for words in (
+        "--ball",
+        "machine coordinates",
+        "exit status",
+        "default 0.001",
+        "default iterative",
+        "singular",
+        "default keep",
+    ):
         assert words in shown

@@ -1,5 +1,7 @@
 """Compensation with rotary axes, judged by chains of matrices in forty digits."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -15,8 +17,12 @@ from trueaxis.runtime.model import MachineModel
 
 TOOL = np.array([[4.0], [-3.0], [-120.0]])
 ALONG_Z = (0.0, 0.0, 1.0)
-MACHINES = {name: FiveAxes(text) for name, text in TEXTS.items()}
 URAD = 1e-6
+
+
+@cache
+def machine_of(name: str) -> FiveAxes:
+    return FiveAxes(TEXTS[name])
 
 
 def posed(model: MachineModel, programmed: FloatArray, tool_point: FloatArray = TOOL) -> PoseSolution:
@@ -25,7 +31,7 @@ def posed(model: MachineModel, programmed: FloatArray, tool_point: FloatArray = 
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_tool_point_and_tool_axis_get_where_they_belong(name: str) -> None:
-    machine = MACHINES[name]
+    machine = machine_of(name)
     programmed = machine.programmed(25)
     found = posed(machine.model, programmed)
     assert not found.singular.any()
@@ -43,7 +49,7 @@ def test_tool_point_and_tool_axis_get_where_they_belong(name: str) -> None:
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_linear_axes_alone_leave_the_rotary_ones_and_put_the_point_right(name: str) -> None:
-    machine = MACHINES[name]
+    machine = machine_of(name)
     programmed = machine.programmed(10)
     found = solve(programmed, programmed, machine.model, TOOL, 1e-8)
     assert (found.commands[3:] == programmed[3:]).all()
@@ -61,7 +67,7 @@ def test_linear_axes_alone_leave_the_rotary_ones_and_put_the_point_right(name: s
 )
 @settings(max_examples=60, deadline=None)
 def test_any_pose(name: str, linear: list[float], rotary: list[float], tool: list[float]) -> None:
-    machine, tool_point = MACHINES[name], np.array(tool)[:, None]
+    machine, tool_point = machine_of(name), np.array(tool)[:, None]
     programmed = np.array([*linear, *rotary])[:, None]
     found = posed(machine.model, programmed, tool_point)
     assert np.isfinite(found.commands).all()
@@ -90,7 +96,7 @@ def test_a_machine_without_errors_keeps_its_commands(name: str) -> None:
 def test_at_a_singular_pose_one_axis_keeps_and_the_other_corrects(name: str) -> None:
     # B (head-head) or A (table-table) at 0: C turns about the tool axis, and the tilting axis, row 3, tilts the tool in
     # one plane of the workpiece frame, across e: (-sin C, cos C, 0) under the head, (cos C, -sin C, 0) on the table
-    machine = MACHINES[name]
+    machine = machine_of(name)
     programmed = machine.programmed(40)
     programmed[3] = 0.0
     found = posed(machine.model, programmed)
@@ -108,7 +114,7 @@ def test_at_a_singular_pose_one_axis_keeps_and_the_other_corrects(name: str) -> 
 
 
 def test_turns_do_not_jump_on_the_way_through_a_singular_pose() -> None:
-    machine = MACHINES["head-head"]
+    machine = machine_of("head-head")
     programmed = np.repeat(np.array([[10.0], [20.0], [30.0], [0.0], [15.0]]), 4001, axis=1)
     programmed[3] = np.linspace(-2.0, 2.0, 4001)
     found = posed(machine.model, programmed)
@@ -124,7 +130,7 @@ def test_turns_do_not_jump_on_the_way_through_a_singular_pose() -> None:
 
 def test_the_jacobian_is_the_derivative() -> None:
     # against turns of the error-free tool axis worked out by hand: n = Rz(C) Ry(B) e_z on a fork head
-    axis = ToolAxis(MACHINES["head-head"].model, ALONG_Z)
+    axis = ToolAxis(machine_of("head-head").model, ALONG_Z)
     b, c = np.radians(37.0), np.radians(-112.0)
     at = np.array([[1.0], [2.0], [3.0], [37.0], [-112.0]])
     by_b = [np.cos(c) * np.cos(b), np.sin(c) * np.cos(b), -np.sin(b)]
@@ -184,7 +190,7 @@ def test_what_is_not_finite_stays_where_it_is() -> None:
 
 
 def test_once_is_the_first_correction() -> None:
-    machine = MACHINES["head and table"]
+    machine = machine_of("head and table")
     programmed = machine.programmed(10)
     tool_axis = ToolAxis(machine.model, ALONG_Z)
     found = solve_pose(programmed, machine.model, TOOL, tool_axis, 1e-8, 1e-11, "ordinary")

@@ -19,6 +19,7 @@ FAULTY = [
     "G2 I0. J0.",
     "G2 X5. Y1. I2. K1.", "G80 X5.", "G4 X1. Y1.", "H1", "D3", "X9999.", "G91 X-2000.", "/ X5.", "G68.2", "G96 S100",
     "X" + "9" * 400, "=", "$1", "G1 X5. E5.", "T1 Q5.", "G50 X1. G1", "G2 X3. Y1. I1. J0. P2",
+    "G2 X3. Y1. I1. J0. P2 M8", "G4 G1 X5.", "G4 P1 X5.", ":7 G54", ":7 X9999.", ":O", "% G70", "%PART G71", "M126",
 ]  # fmt: skip
 
 
@@ -40,7 +41,7 @@ def test_each_is_a_fault_of_its_line(bench: Bench, block: str) -> None:
         "G64", "G61", "G61.1", "G97 S100", "G69", "G50", "G50.1", "G15", "G98", "G91.1",
         "D0", "H0", "G4 P1.5", "G4 X1.", "T5", "M6 T5", "S1000 M3", "M123", "M19 P5", "G64 P0.01",
         "(M98 G41)", ";G41",
-        "/ M8", "", "N5", "%", "G40 G49 G80 G17", "F100", "G9",
+        "/ M8", "", "N5", "%", "G40 G49 G80 G17", "F100", "G9", ":20 M8",
     ],
 )  # fmt: skip
 def test_the_harmless_comes_back(bench: Bench, block: str) -> None:
@@ -83,6 +84,7 @@ def test_one_line_without_end(bench: Bench) -> None:
         (HEAD + "M30\nG1 X5.\n", 4, "after the end"),
         ("%\n" + HEAD + "%\nG1 X5.\n", 5, "after the end"),
         (HEAD + "O2\nG1 X5.\n", 3, "program number after motions"),
+        (HEAD + ":2\nG1 X5.\n", 3, "program number after motions"),
         (HEAD + "G80\nX5.\n", 4, "no motion"),
     ],
 )

@@ -72,3 +72,9 @@ def test_whole_numbers_are_whole_millimetres_and_said_so(bench: Bench) -> None:
 
 def test_dwell_is_no_position(bench: Bench) -> None:
     assert execute(bench.run("G0 X1. Y1. Z1.\nG4 X5.\nG91 X1.\n", shifted()))[0] == pytest.approx([0.98, 1.98])
+
+
+def test_a_block_numbered_by_a_colon_is_a_block(bench: Bench) -> None:
+    assert bench.run(":1234\nG0 X1. Y2. Z3.\n:20 G1 X5. F9\n", shifted()) == (
+        b":1234\nG0 X0.980 Y2.000 Z3.000\n:20 G1 X4.980 F9\n"
+    )

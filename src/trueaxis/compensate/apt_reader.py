@@ -44,6 +44,10 @@ class AptReader:
         self._circle: tuple[int, Vector, Vector, float] | None = None
         self._along: list[tuple[int, Vector]] = []
         self._ended = 0
+        missing = [axis for axis in axes if axis not in LINEAR and axis not in settings.start]
+        if missing:
+            remedy = f"give it by --start {''.join(f'{axis}0' for axis in missing)} (with its value)"
+            faults.add(0, f"a CL file does not say where {' '.join(missing)} stands", remedy)
         if not set(LINEAR) <= set(axes):
             faults.add(0, f"a CL file gives X Y Z, and this machine has only {' '.join(axes)}")
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from trueaxis.compensate.apt_statements import Statement
+from trueaxis.compensate.nc_codes import FAULTY_M
 
 # kept as comments in the written program, of no influence on positions
 TEXT = frozenset({"PARTNO", "PPRINT", "REMARK", "TOOL PATH", "END-OF-PATH"})
@@ -100,7 +101,7 @@ def _coolant(statement: Statement) -> str | None:
 
 def _auxiliary(statement: Statement) -> str | None:
     number = number_of(statement.minor[0]) if statement.minor else None
-    return None if number is None or number in (91, 92, 96, 97, 98, 99, 128, 130, 198) else f"M{number}"
+    return None if number is None or number in FAULTY_M else f"M{number}"
 
 
 # statements that become words; None from the function: the statement cannot be understood

@@ -36,6 +36,7 @@ class Meaning:
     radius: float | None = None
     program_number: bool = False
     undotted: bool = False
+    parameters: set[str] = field(default_factory=set)
     complaints: list[tuple[str, str]] = field(default_factory=list)
 
     @property
@@ -73,6 +74,12 @@ def interpret(block: Block, machine_axes: tuple[str, ...]) -> Meaning:
             others.append(word)
     for word in others:
         _other(word, meaning, machine_axes)
+    if (
+        meaning.dwell
+        and any(word.letter == "X" for word in others)
+        and (meaning.parameters or meaning.motion is not None)
+    ):
+        meaning.complain("X in a block of G4 (dwell): a time, or where to go", "give the motion a block of its own")
     if meaning.codes & codes.CANCELS_WITH_AXES and meaning.positions:
         if meaning.motion is not None:
             meaning.complain(
@@ -126,6 +133,8 @@ def _miscellaneous(value: float, meaning: Meaning) -> None:
 
 def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     letter = word.letter
+    if letter in _PARAMETERS:
+        meaning.parameters.add(letter)
     if meaning.dwell and letter in _DWELL:
         return
     if letter in _AXES:

@@ -65,8 +65,11 @@ FAULTY_M: dict[int, str] = {
     97: "calls or repeats parts of programs",
     98: "calls a subprogram",
     99: "returns or repeats from the start",
+    114: "moves the linear axes with the rotary ones",
+    126: "changes the way on which rotary axes turn",
     128: "moves the linear axes with the rotary ones",
     130: "gives positions in an untilted frame",
+    144: "changes positions by kinematics that are not in the program",
     198: "calls a subprogram",
 }
 M_END_OF_PROGRAM = frozenset({2, 30})

@@ -24,6 +24,8 @@ _PLAIN = re.compile(
     rf"([ \t]*+(?:F[ \t]*+(?:\d++\.?+\d*+|\.\d++))?+[ \t]*+)(\r*+\n?+)"
 )
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
+_ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
+_UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 
 
@@ -95,17 +97,21 @@ class NcReader:
         body = line.rstrip("\r\n")
         begin = 3 if number == 1 and body.startswith(BYTE_ORDER_MARK) else 0
         text = body[begin:].strip()
-        if not text or text[0] in "%:":
+        if not text or text[0] == "%":
             self._mark(number, text)
             return line
         lead = len(body) - len(body[begin:].lstrip(" \t"))
-        optional = body[lead] == "/"
+        aligned = _ALIGNMENT.match(body, lead)
+        if aligned:
+            lead = aligned.end()
+        optional = body[lead : lead + 1] == "/"
         if optional:
             if self._settings.block_delete == "skip":
                 return line
             lead += 2 if body[lead + 1 : lead + 2].isdigit() else 1
         block = lex(body, lead)
         meaning = interpret(block, self._axes)
+        meaning.program_number |= aligned is not None and not block.words
         if optional and self._settings.block_delete == "fault" and (meaning.positions or meaning.changes_modes):
             meaning.complain(
                 "whether this block with / is run depends on a switch", "say --block-delete run or --block-delete skip"
@@ -124,7 +130,8 @@ class NcReader:
             state.percents += 1
             if state.percents == 2 and not state.ended:
                 state.ended = number
-            if text.lstrip("% ") and not re.fullmatch(r"[\w .\-()]*", text[1:], re.ASCII):
+            name = text[1:]
+            if not re.fullmatch(r"[\w .\-()]*", name, re.ASCII) or _UNITS_IN_MARK.search(name):
                 self._faults.add(number, f"{text[:20]!r} is no program mark")
 
     def _modes(self, number: int, meaning: Meaning) -> None:
@@ -230,6 +237,10 @@ class NcReader:
         a, b = self._vector(start), self._vector(end)
         normal = tuple(sense if axis == across else 0.0 for axis in "XYZ")
         scale = MM_PER_INCH if state.inch else 1.0
+        if meaning.parameters:
+            raise ArcError(
+                f"{' '.join(sorted(meaning.parameters))} in the block of an arc: turns of it are not followed"
+            )
         if meaning.radius is not None:
             if meaning.centre:
                 raise ArcError("an arc has either R or I J K")
