@@ -2,19 +2,29 @@
 
 import argparse
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
+from trueaxis.measure import readings as readings_files
+from trueaxis.measure import setup as setup_file
 from trueaxis.measure.data import read_data
+from trueaxis.measure.readings import Readings, dump_readings
+from trueaxis.plan.candidates import Candidate
+from trueaxis.plan.extended import setup_text, with_runs
 from trueaxis.plan.instruments import Assumptions
 from trueaxis.plan.method import PlanOptions, judge, plan_of, planned
+from trueaxis.plan.propose import propose
+from trueaxis.plan.repair import repair
 from trueaxis.plan.report_text import report_json, report_text
-from trueaxis.runtime.errors import read_errors
+from trueaxis.runtime.curves import Curve, PolynomialCurve
+from trueaxis.runtime.errors import ErrorValues, read_errors
 from trueaxis.runtime.input_files import gathering
 from trueaxis.runtime.model import load_model
-from trueaxis.spec import read_machine
+from trueaxis.spec import Machine, read_machine
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -26,6 +36,8 @@ error, combinations that stay open, location errors that are redundant. Where th
 mend it are sought; --propose N seeks the runs that would add most. Exit code 1 where the runs determine nothing."""
 
 HIGHEST_DEGREE = 30
+MOST_PROPOSED = 100
+INSTRUMENTS = ("laser", "ballbar", "probe")
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -42,6 +54,9 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--known", type=Path, metavar="E.json", help="values known beforehand: dimensions, location errors, components"
     )
     parser.add_argument(
+        "--location-errors-only", action="store_true", help="motion errors are no unknowns: known, or left at zero"
+    )
+    parser.add_argument(
         "--ideal-instruments", action="store_true",
         help="nothing is unknown of the instruments; else straightness lines (offset and slope), ball bars (centre and "
         "length) and probes (zero, centre of the sphere) have unknowns of their own",
@@ -51,6 +66,16 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="laser lines along which two axes move are where they are, too: offset and slope unknown",
     )  # fmt: skip
     parser.add_argument("--unknown-zeros", action="store_true", help="the zero of laser and probe at home is not exact")
+    parser.add_argument(
+        "--propose", type=_count, metavar="N", help="choose the N runs that would add most; with --out, write them"
+    )
+    parser.add_argument(
+        "--propose-with", nargs="+", choices=INSTRUMENTS, default=[], metavar="NAME",
+        help="of the runs to propose: laser, ballbar, probe (default: those of the plan)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="another folder, to be written: the plan with the proposed runs"
+    )
     parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON, too")
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
@@ -75,13 +100,40 @@ def run(args: argparse.Namespace) -> int:
     if found:
         raise InputError(found)
     assumed = Assumptions(args.ideal_instruments, args.unknown_linkage_lines, args.unknown_zeros)
+    if args.location_errors_only:
+        known = _no_motion_errors(machine, known)
     options = PlanOptions(args.noise_um, args.degree, assumed, known)
     plan = plan_of(model, planned(str(args.data), data.setup.runs, data.readings), options)
     report = judge(plan)
+    report = replace(report, repair=repair(plan, report))
+    contents: dict[Path, bytes | str] = {}
+    if args.propose is not None:
+        extended = propose(plan, args.propose, args.propose_with)
+        report = replace(report, proposal=extended.proposal)
+        if args.out is not None:
+            contents = _extended(args, extended.runs, data.readings)
     if args.report is not None:
-        write_files({args.report: report_json(report)})
+        contents[args.report] = report_json(report)
+    write_files(contents)
     print(report_text(report), end="")
+    if contents:
+        print(f"written: {', '.join(str(path) for path in contents)}")
     return 1 if report.nothing_determined else 0
+
+
+def _no_motion_errors(machine: Machine, known: ErrorValues | None) -> ErrorValues:
+    """Every component known, at zero where nothing else is said."""
+    known = known or ErrorValues(machine.name)
+    zeros: dict[str, Curve] = dict.fromkeys(machine.components, PolynomialCurve((), ()))
+    return replace(known, motion_errors={**zeros, **known.motion_errors})
+
+
+def _extended(args: argparse.Namespace, runs: Sequence[Candidate], given: Readings) -> dict[Path, bytes | str]:
+    setup = args.data / setup_file.FILE_NAME
+    return {
+        args.out / setup_file.FILE_NAME: setup_text(setup.read_text(encoding="utf-8"), runs, str(setup)),
+        args.out / readings_files.FILE_NAME: dump_readings(with_runs(given, runs)),
+    }
 
 
 def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
@@ -91,6 +143,15 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
             if getattr(args, option):
                 name = f"--{option.replace('_', '-')}"
                 found.append(Fault(name, "", "does not go with --ideal-instruments", "one of them"))
+    if args.out is None:
+        return found
+    if args.propose is None:
+        found.append(Fault("--out", "", "is for proposed runs", "--propose N as well"))
+    other = args.out / readings_files.PARQUET_NAME
+    if args.out.resolve() == args.data.resolve():
+        found.append(Fault(str(args.out), "", "is the folder of the plan itself", "another folder for --out"))
+    elif other.exists():
+        found.append(Fault(str(other), "", f"would stand beside the new {readings_files.FILE_NAME}", "remove it"))
     return found
 
 
@@ -98,6 +159,13 @@ def _size(text: str) -> float:
     value = float(text)
     if not (math.isfinite(value) and value > 0.0):
         raise argparse.ArgumentTypeError(f"{text} is not a size: above 0")
+    return value
+
+
+def _count(text: str) -> int:
+    value = int(text)
+    if not 1 <= value <= MOST_PROPOSED:
+        raise argparse.ArgumentTypeError(f"{text} is not a number of runs: 1 to {MOST_PROPOSED}")
     return value
 
 

@@ -144,11 +144,9 @@ def _overlapping(vectors: Sequence[_Vector]) -> list[list[_Vector]]:
 
 
 def _not_seen(whole: System) -> list[str]:
-    layout = whole.layout
-    axes = {axis for axis, basis in zip(layout.machine.axes, layout.bases, strict=True) if basis is None}
-    held = {name for place, name in enumerate(layout.names()) if whole.seen[_unknowns_of(whole, place)].any()}
-    every = [*layout.machine.components, *layout.machine.location_errors]
-    return [name for name in every if name not in held and (name in layout.names() or name[2:] in axes)]
+    held = {name for place, name in enumerate(whole.layout.names()) if whole.seen[_unknowns_of(whole, place)].any()}
+    every = (*whole.layout.machine.components, *whole.layout.machine.location_errors)
+    return [name for name in every if name not in held | whole.given]
 
 
 def _count(whole: System, names: Sequence[str]) -> int:

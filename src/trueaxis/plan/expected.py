@@ -25,12 +25,11 @@ def curves(whole: System, settled: Settled, spread: FloatArray) -> tuple[CurveRe
     """Every component of the machine, in its order."""
     layout = whole.layout
     place_of = {int(component): place for place, component in enumerate(layout.components)}
-    axes = {axis for axis, basis in zip(layout.machine.axes, layout.bases, strict=True) if basis is None}
     found = []
     for index, name in enumerate(layout.machine.components):
         place = place_of.get(index)
         if place is None:
-            state: State = "not seen" if name[2] in axes else "given"
+            state: State = "given" if name in whole.given else "not seen"
             found.append(CurveReport(name, state, 0, 0, None, None, unit_of(name)))
             continue
         mine = np.arange(layout.count)[layout.of_component(place)]

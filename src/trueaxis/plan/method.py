@@ -67,7 +67,8 @@ def plan_of(machine: IdentifiedMachine, observed: Observations, options: PlanOpt
     given = options.known or ErrorValues(machine.name)
     machine = machine.with_values(given)
     unknowns = instrument_unknowns(machine, observed, options.assumed)
-    whole = system(Design(layout(machine, observed, given, options.degree), observed), unknowns)
+    named = frozenset([*given.motion_errors, *given.parameters])
+    whole = system(Design(layout(machine, observed, given, options.degree), observed), unknowns, named)
     return Plan(machine, observed, options, given, whole, settle(whole.layout, whole.factors.null, "least-squares"))
 
 

@@ -99,9 +99,7 @@ class LocationSet:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """A target point to be moved: rank and condition of the whole afterwards; worst: the largest u of a translation or,
-    times the lever, of a rotation, mm (None: not all is determined).
-    """
+    """A target point to be moved, mm, in the frame of its body; rank and condition of the whole afterwards."""
 
     run: str
     carrier: str
@@ -135,14 +133,16 @@ class Added:
 @dataclass(frozen=True, slots=True)
 class Proposal:
     """The runs that add most: from how many candidates, of which kind; prior_um: size of the errors expected;
-    curves, locations: as in the plan, with the runs added.
+    unknowns, rank, settled, condition, curves, locations: as in the plan, with the runs added.
     """
 
     added: tuple[Added, ...]
     candidates: str
     prior_um: float
     exchanges: int
+    unknowns: int
     rank: int
+    settled: int
     condition: float
     curves: tuple[CurveReport, ...]
     locations: tuple[LocationReport, ...]

@@ -35,8 +35,10 @@ def report_text(report: PlanReport) -> str:
         lines += _wrapped(f"{one.assumed}{count}: {', '.join(one.runs)}", "  ")
     lines += ["", *_order(report)]
     per = f"standard uncertainty for readings of {report.noise_um:g} um"
-    lines += ["", f"motion errors, largest {per}, over the positions measured:"]
-    lines += [_curve(curve) for curve in report.curves]
+    curves = [curve for curve in report.curves if curve.state != "given"]
+    if curves:
+        lines += ["", f"motion errors, largest {per}, over the positions measured:"]
+        lines += [_curve(curve) for curve in curves]
     if report.locations:
         lines += ["", f"location errors, {per}:"]
         lines += [_location(location) for location in report.locations]
@@ -159,12 +161,16 @@ def _proposal(proposal: Proposal, report: PlanReport) -> list[str]:
     lines += [line for number, one in enumerate(proposal.added, 1) for line in _added(number, one)]
     lines += _wrapped(proposal.candidates, "  ")
     lines += _wrapped(
-        f"with them: rank {proposal.rank} of {report.unknowns}, condition {proposal.condition:.4g}; standard "
+        f"with them: rank {proposal.rank} of {proposal.unknowns}, {proposal.settled} more settled by convention, "
+        f"condition {proposal.condition:.4g}; standard "
         "uncertainties before and after:",
         "  ",
     )
-    lines += [_before_after(*pair) for pair in zip(report.curves, proposal.curves, strict=True)]
-    return lines + [_before_after(*pair) for pair in zip(report.locations, proposal.locations, strict=True)]
+    pairs: list[tuple[CurveReport | LocationReport, CurveReport | LocationReport]] = [
+        *zip(report.curves, proposal.curves, strict=True),
+        *zip(report.locations, proposal.locations, strict=True),
+    ]
+    return lines + [_before_after(*pair) for pair in pairs if pair[0].state != "given"]
 
 
 def _added(number: int, one: Added) -> list[str]:

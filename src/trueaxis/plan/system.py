@@ -20,7 +20,8 @@ class System:
     """The design matrix of a plan, folded.
 
     triangle: (n, n) triangular factor after the instruments' unknowns are eliminated; factors: of it; seen: (n,),
-    unknowns that a reading holds at all; instruments: rank of the instruments' columns.
+    unknowns that a reading holds at all; instruments: rank of the instruments' columns; given: components and
+    location errors known beforehand.
     """
 
     layout: Layout
@@ -30,9 +31,10 @@ class System:
     factors: Factors
     seen: npt.NDArray[np.bool_]
     instruments: int
+    given: frozenset[str]
 
 
-def system(design: Design, unknowns: Sequence[Unknowns]) -> System:
+def system(design: Design, unknowns: Sequence[Unknowns], given: frozenset[str] = frozenset()) -> System:
     """Fold the design matrix; memory as bounded as its pieces, besides the columns of the instruments."""
     n = design.layout.count
     bases = [_orthonormal(one.columns) for one in unknowns]
@@ -50,7 +52,7 @@ def system(design: Design, unknowns: Sequence[Unknowns]) -> System:
         left = piece - bases[group][local] @ shares[group] if group >= 0 else piece
         triangle = folded(triangle, left)
     rank = sum(basis.shape[1] for basis in bases)
-    return System(design.layout, design, tuple(unknowns), triangle, factors(triangle), seen, rank)
+    return System(design.layout, design, tuple(unknowns), triangle, factors(triangle), seen, rank, given)
 
 
 def folded(triangle: FloatArray, rows: FloatArray) -> FloatArray:
