@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from tempfile import mkdtemp
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -83,11 +83,12 @@ class FiveAxes:
 
 @cache
 def _empty(text: str) -> MachineModel:
-    folder = Path(mkdtemp())
-    spec = folder / "test.toml"
     files = render(model_of(text), "test.toml")
-    write_files({spec: text, **{folder / "test" / name: content for name, content in files.items()}})
-    return load_model(spec, None, folder, backend="numpy")
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        spec = folder / "test.toml"
+        write_files({spec: text, **{folder / "test" / file: content for file, content in files.items()}})
+        return load_model(spec, None, folder, backend="numpy")
 
 
 def constant(text: str, errors: Mapping[str, float]) -> MachineModel:

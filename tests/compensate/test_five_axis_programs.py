@@ -1,11 +1,14 @@
 """Programs with rotary words through the whole command, on checked-in kernels, judged by chains in forty digits."""
 
 import json
+import tempfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from tests.compensate.analytic_machine import FloatArray
 from tests.compensate.control import Bench, execute
@@ -232,3 +235,44 @@ def test_another_tool_axis(bench: Bench) -> None:
     bench.run("G0 X10. Y20. Z30. A-40. C10.\n", machine.model, orientation="correct", tool_axis=(0.0, 0.5, 0.5))
     assert bench.report.singular.points == 0
     assert bench.report.good
+
+
+VALUES = st.one_of(st.none(), st.integers(-3000, 3000), st.just(0))
+BLOCKS = st.lists(
+    st.tuples(
+        st.sampled_from(["G0", "G1", "G91 G1", "G90 G1", "G91 G20 G1", "G90 G21 G0", ""]), st.tuples(*[VALUES] * 5)
+    ),
+    min_size=1,
+    max_size=8,
+)
+
+
+@settings(max_examples=40, deadline=None)
+@given(BLOCKS, st.sampled_from(["head-head", "table-table", "all reversed"]), st.sampled_from(["keep", "correct"]))
+def test_any_program_ends_with_the_tool_where_it_belongs(
+    blocks: list[tuple[str, tuple[int | None, ...]]], name: str, orientation: str
+) -> None:
+    machine = FiveAxes(TEXTS[name])
+    axes = machine.model.axes
+    lines = ["G90 G21 G0 " + " ".join(f"{axis}0.0" for axis in axes)]
+    for code, values in blocks:
+        # words of up to 1 inch and 9 deg, so that poses near and at the singular one are frequent
+        scale = [3000.0 if axis in "XYZ" else 333.0 for axis in axes]
+        words = [f"{a}{v / s:.3f}" for a, v, s in zip(axes, values, scale, strict=True) if v is not None]
+        lines.append(" ".join([code, *words]).strip())
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(Path(folder))
+        text = bench.run("\n".join(lines), machine.model, orientation=orientation, words="nearest")
+    wanted = execute("\n".join(lines).encode(), axes)[:, -1:]
+    got = execute(text, axes)[:, -1:]
+    point, axis = machine.off(got, wanted, np.zeros((3, 1)))
+    assert bench.report.not_converged.points == 0
+    assert point[0] < 0.0009
+    tilt = np.sin(np.radians(wanted[3, 0]))
+    if orientation == "keep":
+        assert got[3:] == pytest.approx(wanted[3:], abs=5.1e-5)
+    elif abs(tilt) > 0.0101:
+        assert axis[0] < 1.3e-6
+    else:
+        assert bench.report.singular.points > 0
+        assert np.abs(got - wanted)[3:].max() < 2.0

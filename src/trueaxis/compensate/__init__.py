@@ -6,11 +6,12 @@ A program goes through these stages, a bounded batch of blocks at a time:
     nc_reader, apt_reader
                 lines -> items: text that moves nothing, and moves; what is not followed is a fault
     path        moves -> points; arcs become chords within the chord tolerance
-    subdivide   lines are cut where the errors along them are not straight enough
-    solve       Eqs. (55), (56): commands that bring the tool where an error-free machine would
+    subdivide   lines are cut where the errors along them are not straight enough (along)
+    solve       Eqs. (55), (56): commands that bring the tool where an error-free machine would, by the linear axes
+    solve_pose  the same by all axes, the tool axis too (orientation)
     executed    commands -> words: nearest, or chosen along the ball bar (word_choice, middles)
     writer      moves -> blocks with new axis words
-    program     all of it, and the figures of the report
+    program     all of it; tally: the figures of the report
 
 Programs are in axis positions (machine coordinates). The solver leaves less than a hundredth of the tolerance; what
 is left of the error after it is the rounding of words. With words of 0.001 mm, |E| of Eq. (6) is then

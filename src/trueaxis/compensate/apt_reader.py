@@ -12,7 +12,7 @@ from trueaxis.compensate.apt_statements import Statement, statements
 from trueaxis.compensate.arcs import Arc, ArcError, Vector
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.machine import LINEAR
-from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
+from trueaxis.compensate.moves import TOOL_CHANGE, Item, Kind, Move, Notes, Start
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
 _PER_MINUTE = {"MMPM": False, "PERMIN": None, "IPM": True}
@@ -119,7 +119,7 @@ class AptReader:
             self._faults.add(statement.line, f"{statement.text.strip()[:60]!r} cannot be made an NC block")
             return
         if statement.major == "LOADTL":
-            self._notes.add(statement.line, "M6 is taken to leave the axes where they are")
+            self._notes.add(statement.line, TOOL_CHANGE)
         yield text + _EOL
 
     def _system(self, statement: Statement) -> Iterator[Item]:

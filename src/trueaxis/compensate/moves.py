@@ -60,6 +60,8 @@ class Start(NamedTuple):
 
 Item = str | Move | Start
 
+TOOL_CHANGE = "M6 is taken to leave the axes where they are, and --tool-point to hold for the new tool too"
+
 
 @dataclass(slots=True)
 class Notes:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.arcs import Arc, ArcError, Vector, arc_about, arc_of_radius
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
+from trueaxis.compensate.moves import TOOL_CHANGE, Item, Kind, Move, Notes, Start
 from trueaxis.compensate.nc_block import Meaning, interpret
 from trueaxis.compensate.nc_lexer import NUMBER, Block, lex
 from trueaxis.compensate.nc_state import NcState
@@ -149,7 +149,7 @@ class NcReader:
         if meaning.program_number and state.moved and not state.ended:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
         if codes.M_TOOL_CHANGE in meaning.miscellaneous:
-            self._notes.add(number, "M6 is taken to leave the axes where they are")
+            self._notes.add(number, TOOL_CHANGE)
         if meaning.undotted:
             self._notes.add(number, "numbers without a decimal point are read as whole mm, inches or degrees")
 
