@@ -1,6 +1,6 @@
 /* Generated from machines/headhead_mill.toml, do not edit; regenerate with: trueaxis derive machines/headhead_mill.toml
  * Kernels of Five-axis gantry mill with a fork head: geometric error model in C17.
- * Spec: sha256 884de821e6b57890cadda336b0ad6624aa022d184b0e96c19cc87a372820bf33
+ * Spec: sha256 6c45bf8c51eb4a9377b8bc8680569d3bb73d572df352aa3afb546c2376b62e16
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
  * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
@@ -28,15 +28,15 @@ int headhead_mill_kernel_abi(void)
 
 const char *headhead_mill_spec_hash(void)
 {
-    return "884de821e6b57890cadda336b0ad6624aa022d184b0e96c19cc87a372820bf33";
+    return "6c45bf8c51eb4a9377b8bc8680569d3bb73d572df352aa3afb546c2376b62e16";
 }
 
 /*
  * Ideal position of a tool point in the workpiece frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 53 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; tool point in the workpiece frame, without errors (px py pz)
  */
@@ -99,12 +99,12 @@ void headhead_mill_tool_in_workpiece_ideal(
 
 /*
  * Deviation of a tool point in the workpiece frame, exact.
- * Source: Eqs. (1)-(4). Operations: 167 per point.
+ * Source: Eqs. (1)-(4). Operations: 173 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -134,6 +134,9 @@ void headhead_mill_tool_in_workpiece_deviation(
     const double EZ0B = parameters[14];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
+    const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -203,65 +206,68 @@ void headhead_mill_tool_in_workpiece_deviation(
             const double w7 = q_Ty + ry;
             const double w8 = q_By + w7;
             const double w9 = cos_c*w8 + sin_c*w6;
-            const double w10 = -EAB*w1 + ECB*w0 + EYB;
-            const double w11 = EBB*w1 - ECB*w7 + EXB;
-            const double w12 = EAB*w7 - EBB*w0 + EZB;
-            const double w13 = cos_b*w11 + sin_b*w12;
-            const double w14 = cos_b*w12 - sin_b*w11;
-            const double w15 = -EA0B*(w14 + w2) + EC0B*(w13 + w5) + w10;
-            const double w16 = w15 + w8;
-            const double w17 = w10 + w7;
-            const double w18 = -EC0B*w17 + EX0B + w13;
-            const double w19 = w18 + w6;
-            const double w20 = EA0B*w17 + EZ0B + w14;
-            const double w21 = EAC*w16 - EBC*w19 + EZC + w20;
-            const double w22 = w21 + w3;
-            const double w23 = w20 + w3;
-            const double w24 = EBC*w23 - ECC*w16 + EXC + w18;
-            const double w25 = -EAC*w23 + ECC*w19 + EYC + w15;
-            const double w26 = cos_c*w25 + sin_c*w24;
-            const double w27 = -EA0C*w22 + EY0C + w26;
-            const double w28 = w27 + w9;
-            const double w29 = cos_c*w6 - sin_c*w8;
-            const double w30 = cos_c*w24 - sin_c*w25;
-            const double w31 = EB0C*w22 + EX0C + w30;
-            const double w32 = w29 + w31;
-            const double w33 = EA0C*(w26 + w9) - EB0C*(w29 + w30) + w21;
-            const double w34 = EAZ*w28 - EBZ*w32 + EZZ + w33;
-            const double w35 = w34 + w4;
-            const double w36 = w3 + w33;
-            const double w37 = -EAZ*w36 + ECZ*w32 + EYZ + w27;
-            const double w38 = -EA0Z*w35 + w37;
-            const double w39 = w38 + w9;
-            const double w40 = EBZ*w36 - ECZ*w28 + EXZ + w31;
-            const double w41 = EB0Z*w35 + w40;
-            const double w42 = w29 + w41;
-            const double w43 = EA0Z*(w37 + w9) - EB0Z*(w29 + w40) + w34;
-            const double w44 = EAY*w39 - EBY*w42 + EZY + w43;
-            const double w45 = w4 + w44;
-            const double w46 = w9 + y;
-            const double w47 = w4 + w43;
-            const double w48 = EBY*w47 - ECY*w39 + EXY + w41;
-            const double w49 = -EAY*w47 + ECY*w42 + EYY + w38;
-            const double w50 = EC0Y*(w29 + w48) + w49;
-            const double w51 = w46 + w50;
-            const double w52 = -EC0Y*(w46 + w49) + w48;
-            const double w53 = w29 + w52;
-            deviation[0 * stride + i] = EBX*w45 - ECX*w51 + EXX + w52;
-            deviation[1 * stride + i] = -EAX*w45 + ECX*w53 + EYX + w50;
-            deviation[2 * stride + i] = EAX*w51 - EBX*w53 + EZX + w44;
+            const double w10 = EZ0T + w1;
+            const double w11 = EX0T + w0;
+            const double w12 = -EAB*w10 + ECB*w11 + EY0T + EYB;
+            const double w13 = EY0T + w7;
+            const double w14 = EBB*w10 - ECB*w13 + EX0T + EXB;
+            const double w15 = EAB*w13 - EBB*w11 + EZ0T + EZB;
+            const double w16 = cos_b*w14 + sin_b*w15;
+            const double w17 = cos_b*w15 - sin_b*w14;
+            const double w18 = -EA0B*(w17 + w2) + EC0B*(w16 + w5) + w12;
+            const double w19 = w18 + w8;
+            const double w20 = w12 + w7;
+            const double w21 = -EC0B*w20 + EX0B + w16;
+            const double w22 = w21 + w6;
+            const double w23 = EA0B*w20 + EZ0B + w17;
+            const double w24 = EAC*w19 - EBC*w22 + EZC + w23;
+            const double w25 = w24 + w3;
+            const double w26 = w23 + w3;
+            const double w27 = EBC*w26 - ECC*w19 + EXC + w21;
+            const double w28 = -EAC*w26 + ECC*w22 + EYC + w18;
+            const double w29 = cos_c*w28 + sin_c*w27;
+            const double w30 = -EA0C*w25 + EY0C + w29;
+            const double w31 = w30 + w9;
+            const double w32 = cos_c*w6 - sin_c*w8;
+            const double w33 = cos_c*w27 - sin_c*w28;
+            const double w34 = EB0C*w25 + EX0C + w33;
+            const double w35 = w32 + w34;
+            const double w36 = EA0C*(w29 + w9) - EB0C*(w32 + w33) + w24;
+            const double w37 = EAZ*w31 - EBZ*w35 + EZZ + w36;
+            const double w38 = w37 + w4;
+            const double w39 = w3 + w36;
+            const double w40 = -EAZ*w39 + ECZ*w35 + EYZ + w30;
+            const double w41 = -EA0Z*w38 + w40;
+            const double w42 = w41 + w9;
+            const double w43 = EBZ*w39 - ECZ*w31 + EXZ + w34;
+            const double w44 = EB0Z*w38 + w43;
+            const double w45 = w32 + w44;
+            const double w46 = EA0Z*(w40 + w9) - EB0Z*(w32 + w43) + w37;
+            const double w47 = EAY*w42 - EBY*w45 + EZY + w46;
+            const double w48 = w4 + w47;
+            const double w49 = w9 + y;
+            const double w50 = w4 + w46;
+            const double w51 = EBY*w50 - ECY*w42 + EXY + w44;
+            const double w52 = -EAY*w50 + ECY*w45 + EYY + w41;
+            const double w53 = EC0Y*(w32 + w51) + w52;
+            const double w54 = w49 + w53;
+            const double w55 = -EC0Y*(w49 + w52) + w51;
+            const double w56 = w32 + w55;
+            deviation[0 * stride + i] = EBX*w48 - ECX*w54 + EXX + w55;
+            deviation[1 * stride + i] = -EAX*w48 + ECX*w56 + EYX + w53;
+            deviation[2 * stride + i] = EAX*w54 - EBX*w56 + EZX + w47;
         }
     }
 }
 
 /*
  * Deviation of a tool point in the workpiece frame, to first order in the errors.
- * Source: Eqs. (1)-(4). Operations: 144 per point.
+ * Source: Eqs. (1)-(4). Operations: 147 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -291,6 +297,9 @@ void headhead_mill_tool_in_workpiece_deviation_first_order(
     const double EZ0B = parameters[14];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
+    const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -361,12 +370,12 @@ void headhead_mill_tool_in_workpiece_deviation_first_order(
             const double w8 = q_By + w7;
             const double w9 = cos_c*w8 + sin_c*w6;
             const double w10 = w9 + y;
-            const double w11 = EBB*w1 - ECB*w7 + EXB;
-            const double w12 = EAB*w7 - EBB*w0 + EZB;
+            const double w11 = EBB*w1 - ECB*w7 + EX0T + EXB;
+            const double w12 = EAB*w7 - EBB*w0 + EZ0T + EZB;
             const double w13 = cos_b*w11 + sin_b*w12;
             const double w14 = -EC0B*w7 + EX0B + w13;
             const double w15 = EBC*w3 - ECC*w8 + EXC + w14;
-            const double w16 = -EAB*w1 + ECB*w0 + EYB;
+            const double w16 = -EAB*w1 + ECB*w0 + EY0T + EYB;
             const double w17 = -EA0B*w2 + EC0B*w5 + w16;
             const double w18 = -EAC*w3 + ECC*w6 + EYC + w17;
             const double w19 = cos_c*w15 - sin_c*w18;
@@ -400,11 +409,11 @@ void headhead_mill_tool_in_workpiece_deviation_first_order(
  * Sensitivity of a tool point in the workpiece frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 129 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
- * out sensitivity: 123 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
- *     each location error (dx_EXX dx_EYX .. dz_EC0B, last index fastest)
+ * out sensitivity: 132 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
+ *     each location error (dx_EXX dx_EYX .. dz_EZ0T, last index fastest)
  */
 void headhead_mill_tool_in_workpiece_sensitivity(
     size_t n, size_t stride,
@@ -479,7 +488,10 @@ void headhead_mill_tool_in_workpiece_sensitivity(
             const double dy_EC0B = dx_EXB*q_Tx + dx_EXB*rx + dx_EZB*q_Tz + dx_EZB*rz - w11 - w12;
             const double dy_ECX = cos_c*q_Bx + dy_EC0B - q_By*sin_c;
             const double dy_EAZ = -dx_EBZ;
+            const double dy_EXB = cos_b*sin_c;
+            const double dy_EZB = sin_b*sin_c;
             const double dz_EBX = -dy_ECX;
+            const double dz_EXB = -sin_b;
             const double dz_EA0B = q_Ty + ry;
             const double w13 = cos_b*q_Tx + cos_b*rx + q_Tz*sin_b + rz*sin_b;
             sensitivity[0 * stride + i] = 1.0;
@@ -523,57 +535,57 @@ void headhead_mill_tool_in_workpiece_sensitivity(
             sensitivity[38 * stride + i] = 0.0;
             sensitivity[39 * stride + i] = dx_EA0B;
             sensitivity[40 * stride + i] = -w10;
-            sensitivity[41 * stride + i] = 0.0;
-            sensitivity[42 * stride + i] = 1.0;
-            sensitivity[43 * stride + i] = 0.0;
-            sensitivity[44 * stride + i] = dy_EAX;
-            sensitivity[45 * stride + i] = 0.0;
-            sensitivity[46 * stride + i] = dy_ECX;
-            sensitivity[47 * stride + i] = 0.0;
-            sensitivity[48 * stride + i] = 1.0;
-            sensitivity[49 * stride + i] = 0.0;
-            sensitivity[50 * stride + i] = dy_EAX;
-            sensitivity[51 * stride + i] = 0.0;
-            sensitivity[52 * stride + i] = dy_ECX;
-            sensitivity[53 * stride + i] = 0.0;
-            sensitivity[54 * stride + i] = 1.0;
-            sensitivity[55 * stride + i] = 0.0;
-            sensitivity[56 * stride + i] = dy_EAZ;
-            sensitivity[57 * stride + i] = 0.0;
-            sensitivity[58 * stride + i] = dy_ECX;
-            sensitivity[59 * stride + i] = cos_b*sin_c;
-            sensitivity[60 * stride + i] = cos_c;
-            sensitivity[61 * stride + i] = sin_b*sin_c;
-            sensitivity[62 * stride + i] = -cos_c*q_Tz - cos_c*rz + q_Ty*sin_b*sin_c + ry*sin_b*sin_c;
-            sensitivity[63 * stride + i] = dx_EA0B;
-            sensitivity[64 * stride + i] = -cos_b*w11 - cos_b*w12 + cos_c*q_Tx + cos_c*rx;
-            sensitivity[65 * stride + i] = sin_c;
-            sensitivity[66 * stride + i] = cos_c;
-            sensitivity[67 * stride + i] = 0.0;
-            sensitivity[68 * stride + i] = -dx_EBC;
-            sensitivity[69 * stride + i] = dx_EAC;
-            sensitivity[70 * stride + i] = dy_ECX;
-            sensitivity[71 * stride + i] = dy_ECX;
-            sensitivity[72 * stride + i] = dy_EAX;
-            sensitivity[73 * stride + i] = 0.0;
-            sensitivity[74 * stride + i] = 0.0;
-            sensitivity[75 * stride + i] = 1.0;
-            sensitivity[76 * stride + i] = dy_EAZ;
+            sensitivity[41 * stride + i] = dx_EXB;
+            sensitivity[42 * stride + i] = dx_EYB;
+            sensitivity[43 * stride + i] = dx_EZB;
+            sensitivity[44 * stride + i] = 0.0;
+            sensitivity[45 * stride + i] = 1.0;
+            sensitivity[46 * stride + i] = 0.0;
+            sensitivity[47 * stride + i] = dy_EAX;
+            sensitivity[48 * stride + i] = 0.0;
+            sensitivity[49 * stride + i] = dy_ECX;
+            sensitivity[50 * stride + i] = 0.0;
+            sensitivity[51 * stride + i] = 1.0;
+            sensitivity[52 * stride + i] = 0.0;
+            sensitivity[53 * stride + i] = dy_EAX;
+            sensitivity[54 * stride + i] = 0.0;
+            sensitivity[55 * stride + i] = dy_ECX;
+            sensitivity[56 * stride + i] = 0.0;
+            sensitivity[57 * stride + i] = 1.0;
+            sensitivity[58 * stride + i] = 0.0;
+            sensitivity[59 * stride + i] = dy_EAZ;
+            sensitivity[60 * stride + i] = 0.0;
+            sensitivity[61 * stride + i] = dy_ECX;
+            sensitivity[62 * stride + i] = dy_EXB;
+            sensitivity[63 * stride + i] = cos_c;
+            sensitivity[64 * stride + i] = dy_EZB;
+            sensitivity[65 * stride + i] = -cos_c*q_Tz - cos_c*rz + q_Ty*sin_b*sin_c + ry*sin_b*sin_c;
+            sensitivity[66 * stride + i] = dx_EA0B;
+            sensitivity[67 * stride + i] = -cos_b*w11 - cos_b*w12 + cos_c*q_Tx + cos_c*rx;
+            sensitivity[68 * stride + i] = sin_c;
+            sensitivity[69 * stride + i] = cos_c;
+            sensitivity[70 * stride + i] = 0.0;
+            sensitivity[71 * stride + i] = -dx_EBC;
+            sensitivity[72 * stride + i] = dx_EAC;
+            sensitivity[73 * stride + i] = dy_ECX;
+            sensitivity[74 * stride + i] = dy_ECX;
+            sensitivity[75 * stride + i] = dy_EAX;
+            sensitivity[76 * stride + i] = 0.0;
             sensitivity[77 * stride + i] = 0.0;
-            sensitivity[78 * stride + i] = sin_c;
-            sensitivity[79 * stride + i] = 0.0;
-            sensitivity[80 * stride + i] = -dx_EBB;
-            sensitivity[81 * stride + i] = dy_EC0B;
+            sensitivity[78 * stride + i] = 1.0;
+            sensitivity[79 * stride + i] = dy_EAZ;
+            sensitivity[80 * stride + i] = 0.0;
+            sensitivity[81 * stride + i] = sin_c;
             sensitivity[82 * stride + i] = 0.0;
-            sensitivity[83 * stride + i] = 0.0;
-            sensitivity[84 * stride + i] = 1.0;
-            sensitivity[85 * stride + i] = dz_EAX;
-            sensitivity[86 * stride + i] = dz_EBX;
-            sensitivity[87 * stride + i] = 0.0;
+            sensitivity[83 * stride + i] = -dx_EBB;
+            sensitivity[84 * stride + i] = dy_EC0B;
+            sensitivity[85 * stride + i] = dy_EXB;
+            sensitivity[86 * stride + i] = cos_c;
+            sensitivity[87 * stride + i] = dy_EZB;
             sensitivity[88 * stride + i] = 0.0;
             sensitivity[89 * stride + i] = 0.0;
             sensitivity[90 * stride + i] = 1.0;
-            sensitivity[91 * stride + i] = dz_EAY;
+            sensitivity[91 * stride + i] = dz_EAX;
             sensitivity[92 * stride + i] = dz_EBX;
             sensitivity[93 * stride + i] = 0.0;
             sensitivity[94 * stride + i] = 0.0;
@@ -582,29 +594,38 @@ void headhead_mill_tool_in_workpiece_sensitivity(
             sensitivity[97 * stride + i] = dz_EAY;
             sensitivity[98 * stride + i] = dz_EBX;
             sensitivity[99 * stride + i] = 0.0;
-            sensitivity[100 * stride + i] = -sin_b;
+            sensitivity[100 * stride + i] = 0.0;
             sensitivity[101 * stride + i] = 0.0;
-            sensitivity[102 * stride + i] = cos_b;
-            sensitivity[103 * stride + i] = cos_b*q_Ty + cos_b*ry;
-            sensitivity[104 * stride + i] = -w13;
-            sensitivity[105 * stride + i] = q_Ty*sin_b + ry*sin_b;
-            sensitivity[106 * stride + i] = 0.0;
+            sensitivity[102 * stride + i] = 1.0;
+            sensitivity[103 * stride + i] = dz_EAY;
+            sensitivity[104 * stride + i] = dz_EBX;
+            sensitivity[105 * stride + i] = 0.0;
+            sensitivity[106 * stride + i] = dz_EXB;
             sensitivity[107 * stride + i] = 0.0;
-            sensitivity[108 * stride + i] = 1.0;
-            sensitivity[109 * stride + i] = dz_EA0B + q_By;
-            sensitivity[110 * stride + i] = -q_Bx - w13;
-            sensitivity[111 * stride + i] = 0.0;
+            sensitivity[108 * stride + i] = cos_b;
+            sensitivity[109 * stride + i] = cos_b*q_Ty + cos_b*ry;
+            sensitivity[110 * stride + i] = -w13;
+            sensitivity[111 * stride + i] = q_Ty*sin_b + ry*sin_b;
             sensitivity[112 * stride + i] = 0.0;
-            sensitivity[113 * stride + i] = dz_EAY;
-            sensitivity[114 * stride + i] = dz_EBX;
-            sensitivity[115 * stride + i] = 0.0;
-            sensitivity[116 * stride + i] = 0.0;
-            sensitivity[117 * stride + i] = dz_EAY;
-            sensitivity[118 * stride + i] = dz_EBX;
-            sensitivity[119 * stride + i] = 0.0;
-            sensitivity[120 * stride + i] = 1.0;
-            sensitivity[121 * stride + i] = dz_EA0B;
+            sensitivity[113 * stride + i] = 0.0;
+            sensitivity[114 * stride + i] = 1.0;
+            sensitivity[115 * stride + i] = dz_EA0B + q_By;
+            sensitivity[116 * stride + i] = -q_Bx - w13;
+            sensitivity[117 * stride + i] = 0.0;
+            sensitivity[118 * stride + i] = 0.0;
+            sensitivity[119 * stride + i] = dz_EAY;
+            sensitivity[120 * stride + i] = dz_EBX;
+            sensitivity[121 * stride + i] = 0.0;
             sensitivity[122 * stride + i] = 0.0;
+            sensitivity[123 * stride + i] = dz_EAY;
+            sensitivity[124 * stride + i] = dz_EBX;
+            sensitivity[125 * stride + i] = 0.0;
+            sensitivity[126 * stride + i] = 1.0;
+            sensitivity[127 * stride + i] = dz_EA0B;
+            sensitivity[128 * stride + i] = 0.0;
+            sensitivity[129 * stride + i] = dz_EXB;
+            sensitivity[130 * stride + i] = 0.0;
+            sensitivity[131 * stride + i] = cos_b;
         }
     }
 }
@@ -613,8 +634,8 @@ void headhead_mill_tool_in_workpiece_sensitivity(
  * Ideal position of a tool point in the bed frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 53 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; tool point in the bed frame, without errors (px py pz)
  */
@@ -677,12 +698,12 @@ void headhead_mill_tool_in_bed_ideal(
 
 /*
  * Deviation of a tool point in the bed frame, exact.
- * Source: Eqs. (1)-(4). Operations: 167 per point.
+ * Source: Eqs. (1)-(4). Operations: 173 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -712,6 +733,9 @@ void headhead_mill_tool_in_bed_deviation(
     const double EZ0B = parameters[14];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
+    const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -781,65 +805,68 @@ void headhead_mill_tool_in_bed_deviation(
             const double w7 = q_Ty + ry;
             const double w8 = q_By + w7;
             const double w9 = cos_c*w8 + sin_c*w6;
-            const double w10 = -EAB*w1 + ECB*w0 + EYB;
-            const double w11 = EBB*w1 - ECB*w7 + EXB;
-            const double w12 = EAB*w7 - EBB*w0 + EZB;
-            const double w13 = cos_b*w11 + sin_b*w12;
-            const double w14 = cos_b*w12 - sin_b*w11;
-            const double w15 = -EA0B*(w14 + w2) + EC0B*(w13 + w5) + w10;
-            const double w16 = w15 + w8;
-            const double w17 = w10 + w7;
-            const double w18 = -EC0B*w17 + EX0B + w13;
-            const double w19 = w18 + w6;
-            const double w20 = EA0B*w17 + EZ0B + w14;
-            const double w21 = EAC*w16 - EBC*w19 + EZC + w20;
-            const double w22 = w21 + w3;
-            const double w23 = w20 + w3;
-            const double w24 = EBC*w23 - ECC*w16 + EXC + w18;
-            const double w25 = -EAC*w23 + ECC*w19 + EYC + w15;
-            const double w26 = cos_c*w25 + sin_c*w24;
-            const double w27 = -EA0C*w22 + EY0C + w26;
-            const double w28 = w27 + w9;
-            const double w29 = cos_c*w6 - sin_c*w8;
-            const double w30 = cos_c*w24 - sin_c*w25;
-            const double w31 = EB0C*w22 + EX0C + w30;
-            const double w32 = w29 + w31;
-            const double w33 = EA0C*(w26 + w9) - EB0C*(w29 + w30) + w21;
-            const double w34 = EAZ*w28 - EBZ*w32 + EZZ + w33;
-            const double w35 = w34 + w4;
-            const double w36 = w3 + w33;
-            const double w37 = -EAZ*w36 + ECZ*w32 + EYZ + w27;
-            const double w38 = -EA0Z*w35 + w37;
-            const double w39 = w38 + w9;
-            const double w40 = EBZ*w36 - ECZ*w28 + EXZ + w31;
-            const double w41 = EB0Z*w35 + w40;
-            const double w42 = w29 + w41;
-            const double w43 = EA0Z*(w37 + w9) - EB0Z*(w29 + w40) + w34;
-            const double w44 = EAY*w39 - EBY*w42 + EZY + w43;
-            const double w45 = w4 + w44;
-            const double w46 = w9 + y;
-            const double w47 = w4 + w43;
-            const double w48 = EBY*w47 - ECY*w39 + EXY + w41;
-            const double w49 = -EAY*w47 + ECY*w42 + EYY + w38;
-            const double w50 = EC0Y*(w29 + w48) + w49;
-            const double w51 = w46 + w50;
-            const double w52 = -EC0Y*(w46 + w49) + w48;
-            const double w53 = w29 + w52;
-            deviation[0 * stride + i] = EBX*w45 - ECX*w51 + EXX + w52;
-            deviation[1 * stride + i] = -EAX*w45 + ECX*w53 + EYX + w50;
-            deviation[2 * stride + i] = EAX*w51 - EBX*w53 + EZX + w44;
+            const double w10 = EZ0T + w1;
+            const double w11 = EX0T + w0;
+            const double w12 = -EAB*w10 + ECB*w11 + EY0T + EYB;
+            const double w13 = EY0T + w7;
+            const double w14 = EBB*w10 - ECB*w13 + EX0T + EXB;
+            const double w15 = EAB*w13 - EBB*w11 + EZ0T + EZB;
+            const double w16 = cos_b*w14 + sin_b*w15;
+            const double w17 = cos_b*w15 - sin_b*w14;
+            const double w18 = -EA0B*(w17 + w2) + EC0B*(w16 + w5) + w12;
+            const double w19 = w18 + w8;
+            const double w20 = w12 + w7;
+            const double w21 = -EC0B*w20 + EX0B + w16;
+            const double w22 = w21 + w6;
+            const double w23 = EA0B*w20 + EZ0B + w17;
+            const double w24 = EAC*w19 - EBC*w22 + EZC + w23;
+            const double w25 = w24 + w3;
+            const double w26 = w23 + w3;
+            const double w27 = EBC*w26 - ECC*w19 + EXC + w21;
+            const double w28 = -EAC*w26 + ECC*w22 + EYC + w18;
+            const double w29 = cos_c*w28 + sin_c*w27;
+            const double w30 = -EA0C*w25 + EY0C + w29;
+            const double w31 = w30 + w9;
+            const double w32 = cos_c*w6 - sin_c*w8;
+            const double w33 = cos_c*w27 - sin_c*w28;
+            const double w34 = EB0C*w25 + EX0C + w33;
+            const double w35 = w32 + w34;
+            const double w36 = EA0C*(w29 + w9) - EB0C*(w32 + w33) + w24;
+            const double w37 = EAZ*w31 - EBZ*w35 + EZZ + w36;
+            const double w38 = w37 + w4;
+            const double w39 = w3 + w36;
+            const double w40 = -EAZ*w39 + ECZ*w35 + EYZ + w30;
+            const double w41 = -EA0Z*w38 + w40;
+            const double w42 = w41 + w9;
+            const double w43 = EBZ*w39 - ECZ*w31 + EXZ + w34;
+            const double w44 = EB0Z*w38 + w43;
+            const double w45 = w32 + w44;
+            const double w46 = EA0Z*(w40 + w9) - EB0Z*(w32 + w43) + w37;
+            const double w47 = EAY*w42 - EBY*w45 + EZY + w46;
+            const double w48 = w4 + w47;
+            const double w49 = w9 + y;
+            const double w50 = w4 + w46;
+            const double w51 = EBY*w50 - ECY*w42 + EXY + w44;
+            const double w52 = -EAY*w50 + ECY*w45 + EYY + w41;
+            const double w53 = EC0Y*(w32 + w51) + w52;
+            const double w54 = w49 + w53;
+            const double w55 = -EC0Y*(w49 + w52) + w51;
+            const double w56 = w32 + w55;
+            deviation[0 * stride + i] = EBX*w48 - ECX*w54 + EXX + w55;
+            deviation[1 * stride + i] = -EAX*w48 + ECX*w56 + EYX + w53;
+            deviation[2 * stride + i] = EAX*w54 - EBX*w56 + EZX + w47;
         }
     }
 }
 
 /*
  * Deviation of a tool point in the bed frame, to first order in the errors.
- * Source: Eqs. (1)-(4). Operations: 144 per point.
+ * Source: Eqs. (1)-(4). Operations: 147 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -869,6 +896,9 @@ void headhead_mill_tool_in_bed_deviation_first_order(
     const double EZ0B = parameters[14];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
+    const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -939,12 +969,12 @@ void headhead_mill_tool_in_bed_deviation_first_order(
             const double w8 = q_By + w7;
             const double w9 = cos_c*w8 + sin_c*w6;
             const double w10 = w9 + y;
-            const double w11 = EBB*w1 - ECB*w7 + EXB;
-            const double w12 = EAB*w7 - EBB*w0 + EZB;
+            const double w11 = EBB*w1 - ECB*w7 + EX0T + EXB;
+            const double w12 = EAB*w7 - EBB*w0 + EZ0T + EZB;
             const double w13 = cos_b*w11 + sin_b*w12;
             const double w14 = -EC0B*w7 + EX0B + w13;
             const double w15 = EBC*w3 - ECC*w8 + EXC + w14;
-            const double w16 = -EAB*w1 + ECB*w0 + EYB;
+            const double w16 = -EAB*w1 + ECB*w0 + EY0T + EYB;
             const double w17 = -EA0B*w2 + EC0B*w5 + w16;
             const double w18 = -EAC*w3 + ECC*w6 + EYC + w17;
             const double w19 = cos_c*w15 - sin_c*w18;
@@ -978,11 +1008,11 @@ void headhead_mill_tool_in_bed_deviation_first_order(
  * Sensitivity of a tool point in the bed frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 129 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
- * out sensitivity: 123 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
- *     each location error (dx_EXX dx_EYX .. dz_EC0B, last index fastest)
+ * out sensitivity: 132 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
+ *     each location error (dx_EXX dx_EYX .. dz_EZ0T, last index fastest)
  */
 void headhead_mill_tool_in_bed_sensitivity(
     size_t n, size_t stride,
@@ -1057,7 +1087,10 @@ void headhead_mill_tool_in_bed_sensitivity(
             const double dy_EC0B = dx_EXB*q_Tx + dx_EXB*rx + dx_EZB*q_Tz + dx_EZB*rz - w11 - w12;
             const double dy_ECX = cos_c*q_Bx + dy_EC0B - q_By*sin_c;
             const double dy_EAZ = -dx_EBZ;
+            const double dy_EXB = cos_b*sin_c;
+            const double dy_EZB = sin_b*sin_c;
             const double dz_EBX = -dy_ECX;
+            const double dz_EXB = -sin_b;
             const double dz_EA0B = q_Ty + ry;
             const double w13 = cos_b*q_Tx + cos_b*rx + q_Tz*sin_b + rz*sin_b;
             sensitivity[0 * stride + i] = 1.0;
@@ -1101,57 +1134,57 @@ void headhead_mill_tool_in_bed_sensitivity(
             sensitivity[38 * stride + i] = 0.0;
             sensitivity[39 * stride + i] = dx_EA0B;
             sensitivity[40 * stride + i] = -w10;
-            sensitivity[41 * stride + i] = 0.0;
-            sensitivity[42 * stride + i] = 1.0;
-            sensitivity[43 * stride + i] = 0.0;
-            sensitivity[44 * stride + i] = dy_EAX;
-            sensitivity[45 * stride + i] = 0.0;
-            sensitivity[46 * stride + i] = dy_ECX;
-            sensitivity[47 * stride + i] = 0.0;
-            sensitivity[48 * stride + i] = 1.0;
-            sensitivity[49 * stride + i] = 0.0;
-            sensitivity[50 * stride + i] = dy_EAX;
-            sensitivity[51 * stride + i] = 0.0;
-            sensitivity[52 * stride + i] = dy_ECX;
-            sensitivity[53 * stride + i] = 0.0;
-            sensitivity[54 * stride + i] = 1.0;
-            sensitivity[55 * stride + i] = 0.0;
-            sensitivity[56 * stride + i] = dy_EAZ;
-            sensitivity[57 * stride + i] = 0.0;
-            sensitivity[58 * stride + i] = dy_ECX;
-            sensitivity[59 * stride + i] = cos_b*sin_c;
-            sensitivity[60 * stride + i] = cos_c;
-            sensitivity[61 * stride + i] = sin_b*sin_c;
-            sensitivity[62 * stride + i] = -cos_c*q_Tz - cos_c*rz + q_Ty*sin_b*sin_c + ry*sin_b*sin_c;
-            sensitivity[63 * stride + i] = dx_EA0B;
-            sensitivity[64 * stride + i] = -cos_b*w11 - cos_b*w12 + cos_c*q_Tx + cos_c*rx;
-            sensitivity[65 * stride + i] = sin_c;
-            sensitivity[66 * stride + i] = cos_c;
-            sensitivity[67 * stride + i] = 0.0;
-            sensitivity[68 * stride + i] = -dx_EBC;
-            sensitivity[69 * stride + i] = dx_EAC;
-            sensitivity[70 * stride + i] = dy_ECX;
-            sensitivity[71 * stride + i] = dy_ECX;
-            sensitivity[72 * stride + i] = dy_EAX;
-            sensitivity[73 * stride + i] = 0.0;
-            sensitivity[74 * stride + i] = 0.0;
-            sensitivity[75 * stride + i] = 1.0;
-            sensitivity[76 * stride + i] = dy_EAZ;
+            sensitivity[41 * stride + i] = dx_EXB;
+            sensitivity[42 * stride + i] = dx_EYB;
+            sensitivity[43 * stride + i] = dx_EZB;
+            sensitivity[44 * stride + i] = 0.0;
+            sensitivity[45 * stride + i] = 1.0;
+            sensitivity[46 * stride + i] = 0.0;
+            sensitivity[47 * stride + i] = dy_EAX;
+            sensitivity[48 * stride + i] = 0.0;
+            sensitivity[49 * stride + i] = dy_ECX;
+            sensitivity[50 * stride + i] = 0.0;
+            sensitivity[51 * stride + i] = 1.0;
+            sensitivity[52 * stride + i] = 0.0;
+            sensitivity[53 * stride + i] = dy_EAX;
+            sensitivity[54 * stride + i] = 0.0;
+            sensitivity[55 * stride + i] = dy_ECX;
+            sensitivity[56 * stride + i] = 0.0;
+            sensitivity[57 * stride + i] = 1.0;
+            sensitivity[58 * stride + i] = 0.0;
+            sensitivity[59 * stride + i] = dy_EAZ;
+            sensitivity[60 * stride + i] = 0.0;
+            sensitivity[61 * stride + i] = dy_ECX;
+            sensitivity[62 * stride + i] = dy_EXB;
+            sensitivity[63 * stride + i] = cos_c;
+            sensitivity[64 * stride + i] = dy_EZB;
+            sensitivity[65 * stride + i] = -cos_c*q_Tz - cos_c*rz + q_Ty*sin_b*sin_c + ry*sin_b*sin_c;
+            sensitivity[66 * stride + i] = dx_EA0B;
+            sensitivity[67 * stride + i] = -cos_b*w11 - cos_b*w12 + cos_c*q_Tx + cos_c*rx;
+            sensitivity[68 * stride + i] = sin_c;
+            sensitivity[69 * stride + i] = cos_c;
+            sensitivity[70 * stride + i] = 0.0;
+            sensitivity[71 * stride + i] = -dx_EBC;
+            sensitivity[72 * stride + i] = dx_EAC;
+            sensitivity[73 * stride + i] = dy_ECX;
+            sensitivity[74 * stride + i] = dy_ECX;
+            sensitivity[75 * stride + i] = dy_EAX;
+            sensitivity[76 * stride + i] = 0.0;
             sensitivity[77 * stride + i] = 0.0;
-            sensitivity[78 * stride + i] = sin_c;
-            sensitivity[79 * stride + i] = 0.0;
-            sensitivity[80 * stride + i] = -dx_EBB;
-            sensitivity[81 * stride + i] = dy_EC0B;
+            sensitivity[78 * stride + i] = 1.0;
+            sensitivity[79 * stride + i] = dy_EAZ;
+            sensitivity[80 * stride + i] = 0.0;
+            sensitivity[81 * stride + i] = sin_c;
             sensitivity[82 * stride + i] = 0.0;
-            sensitivity[83 * stride + i] = 0.0;
-            sensitivity[84 * stride + i] = 1.0;
-            sensitivity[85 * stride + i] = dz_EAX;
-            sensitivity[86 * stride + i] = dz_EBX;
-            sensitivity[87 * stride + i] = 0.0;
+            sensitivity[83 * stride + i] = -dx_EBB;
+            sensitivity[84 * stride + i] = dy_EC0B;
+            sensitivity[85 * stride + i] = dy_EXB;
+            sensitivity[86 * stride + i] = cos_c;
+            sensitivity[87 * stride + i] = dy_EZB;
             sensitivity[88 * stride + i] = 0.0;
             sensitivity[89 * stride + i] = 0.0;
             sensitivity[90 * stride + i] = 1.0;
-            sensitivity[91 * stride + i] = dz_EAY;
+            sensitivity[91 * stride + i] = dz_EAX;
             sensitivity[92 * stride + i] = dz_EBX;
             sensitivity[93 * stride + i] = 0.0;
             sensitivity[94 * stride + i] = 0.0;
@@ -1160,29 +1193,38 @@ void headhead_mill_tool_in_bed_sensitivity(
             sensitivity[97 * stride + i] = dz_EAY;
             sensitivity[98 * stride + i] = dz_EBX;
             sensitivity[99 * stride + i] = 0.0;
-            sensitivity[100 * stride + i] = -sin_b;
+            sensitivity[100 * stride + i] = 0.0;
             sensitivity[101 * stride + i] = 0.0;
-            sensitivity[102 * stride + i] = cos_b;
-            sensitivity[103 * stride + i] = cos_b*q_Ty + cos_b*ry;
-            sensitivity[104 * stride + i] = -w13;
-            sensitivity[105 * stride + i] = q_Ty*sin_b + ry*sin_b;
-            sensitivity[106 * stride + i] = 0.0;
+            sensitivity[102 * stride + i] = 1.0;
+            sensitivity[103 * stride + i] = dz_EAY;
+            sensitivity[104 * stride + i] = dz_EBX;
+            sensitivity[105 * stride + i] = 0.0;
+            sensitivity[106 * stride + i] = dz_EXB;
             sensitivity[107 * stride + i] = 0.0;
-            sensitivity[108 * stride + i] = 1.0;
-            sensitivity[109 * stride + i] = dz_EA0B + q_By;
-            sensitivity[110 * stride + i] = -q_Bx - w13;
-            sensitivity[111 * stride + i] = 0.0;
+            sensitivity[108 * stride + i] = cos_b;
+            sensitivity[109 * stride + i] = cos_b*q_Ty + cos_b*ry;
+            sensitivity[110 * stride + i] = -w13;
+            sensitivity[111 * stride + i] = q_Ty*sin_b + ry*sin_b;
             sensitivity[112 * stride + i] = 0.0;
-            sensitivity[113 * stride + i] = dz_EAY;
-            sensitivity[114 * stride + i] = dz_EBX;
-            sensitivity[115 * stride + i] = 0.0;
-            sensitivity[116 * stride + i] = 0.0;
-            sensitivity[117 * stride + i] = dz_EAY;
-            sensitivity[118 * stride + i] = dz_EBX;
-            sensitivity[119 * stride + i] = 0.0;
-            sensitivity[120 * stride + i] = 1.0;
-            sensitivity[121 * stride + i] = dz_EA0B;
+            sensitivity[113 * stride + i] = 0.0;
+            sensitivity[114 * stride + i] = 1.0;
+            sensitivity[115 * stride + i] = dz_EA0B + q_By;
+            sensitivity[116 * stride + i] = -q_Bx - w13;
+            sensitivity[117 * stride + i] = 0.0;
+            sensitivity[118 * stride + i] = 0.0;
+            sensitivity[119 * stride + i] = dz_EAY;
+            sensitivity[120 * stride + i] = dz_EBX;
+            sensitivity[121 * stride + i] = 0.0;
             sensitivity[122 * stride + i] = 0.0;
+            sensitivity[123 * stride + i] = dz_EAY;
+            sensitivity[124 * stride + i] = dz_EBX;
+            sensitivity[125 * stride + i] = 0.0;
+            sensitivity[126 * stride + i] = 1.0;
+            sensitivity[127 * stride + i] = dz_EA0B;
+            sensitivity[128 * stride + i] = 0.0;
+            sensitivity[129 * stride + i] = dz_EXB;
+            sensitivity[130 * stride + i] = 0.0;
+            sensitivity[131 * stride + i] = cos_b;
         }
     }
 }
@@ -1191,8 +1233,8 @@ void headhead_mill_tool_in_bed_sensitivity(
  * Ideal position of a workpiece point in the bed frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 0 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; workpiece point in the bed frame, without errors (px py pz)
  */
@@ -1223,8 +1265,8 @@ void headhead_mill_workpiece_in_bed_ideal(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -1255,8 +1297,8 @@ void headhead_mill_workpiece_in_bed_deviation(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -1285,11 +1327,11 @@ void headhead_mill_workpiece_in_bed_deviation_first_order(
  * Sensitivity of a workpiece point in the bed frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 0 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
- * out sensitivity: 123 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
- *     each location error (dx_EXX dx_EYX .. dz_EC0B, last index fastest)
+ * out sensitivity: 132 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
+ *     each location error (dx_EXX dx_EYX .. dz_EZ0T, last index fastest)
  */
 void headhead_mill_workpiece_in_bed_sensitivity(
     size_t n, size_t stride,
@@ -1427,6 +1469,15 @@ void headhead_mill_workpiece_in_bed_sensitivity(
         sensitivity[120 * stride + i] = 0.0;
         sensitivity[121 * stride + i] = 0.0;
         sensitivity[122 * stride + i] = 0.0;
+        sensitivity[123 * stride + i] = 0.0;
+        sensitivity[124 * stride + i] = 0.0;
+        sensitivity[125 * stride + i] = 0.0;
+        sensitivity[126 * stride + i] = 0.0;
+        sensitivity[127 * stride + i] = 0.0;
+        sensitivity[128 * stride + i] = 0.0;
+        sensitivity[129 * stride + i] = 0.0;
+        sensitivity[130 * stride + i] = 0.0;
+        sensitivity[131 * stride + i] = 0.0;
     }
 }
 
@@ -1434,8 +1485,8 @@ void headhead_mill_workpiece_in_bed_sensitivity(
  * Ideal position of a bed point in the workpiece frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 0 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; bed point in the workpiece frame, without errors (px py pz)
  */
@@ -1466,8 +1517,8 @@ void headhead_mill_bed_in_workpiece_ideal(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -1498,8 +1549,8 @@ void headhead_mill_bed_in_workpiece_deviation(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -1528,11 +1579,11 @@ void headhead_mill_bed_in_workpiece_deviation_first_order(
  * Sensitivity of a bed point in the workpiece frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 0 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
- * out sensitivity: 123 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
- *     each location error (dx_EXX dx_EYX .. dz_EC0B, last index fastest)
+ * out sensitivity: 132 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
+ *     each location error (dx_EXX dx_EYX .. dz_EZ0T, last index fastest)
  */
 void headhead_mill_bed_in_workpiece_sensitivity(
     size_t n, size_t stride,
@@ -1670,17 +1721,26 @@ void headhead_mill_bed_in_workpiece_sensitivity(
         sensitivity[120 * stride + i] = 0.0;
         sensitivity[121 * stride + i] = 0.0;
         sensitivity[122 * stride + i] = 0.0;
+        sensitivity[123 * stride + i] = 0.0;
+        sensitivity[124 * stride + i] = 0.0;
+        sensitivity[125 * stride + i] = 0.0;
+        sensitivity[126 * stride + i] = 0.0;
+        sensitivity[127 * stride + i] = 0.0;
+        sensitivity[128 * stride + i] = 0.0;
+        sensitivity[129 * stride + i] = 0.0;
+        sensitivity[130 * stride + i] = 0.0;
+        sensitivity[131 * stride + i] = 0.0;
     }
 }
 
 /*
  * Actual position of the tool point in the workpiece frame, exact.
- * Source: Eq. (4). Operations: 171 per point.
+ * Source: Eq. (4). Operations: 177 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
  */
@@ -1710,6 +1770,9 @@ void headhead_mill_tool_in_workpiece_position(
     const double EZ0B = parameters[14];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
+    const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -1780,69 +1843,72 @@ void headhead_mill_tool_in_workpiece_position(
             const double w7 = q_Ty + ry;
             const double w8 = q_By + w7;
             const double w9 = cos_c*w8 + sin_c*w6;
-            const double w10 = -EAB*w1 + ECB*w0 + EYB;
-            const double w11 = EBB*w1 - ECB*w7 + EXB;
-            const double w12 = EAB*w7 - EBB*w0 + EZB;
-            const double w13 = cos_b*w11 + sin_b*w12;
-            const double w14 = cos_b*w12 - sin_b*w11;
-            const double w15 = -EA0B*(w14 + w2) + EC0B*(w13 + w5) + w10;
-            const double w16 = w15 + w8;
-            const double w17 = w10 + w7;
-            const double w18 = -EC0B*w17 + EX0B + w13;
-            const double w19 = w18 + w6;
-            const double w20 = EA0B*w17 + EZ0B + w14;
-            const double w21 = EAC*w16 - EBC*w19 + EZC + w20;
-            const double w22 = w21 + w3;
-            const double w23 = w20 + w3;
-            const double w24 = EBC*w23 - ECC*w16 + EXC + w18;
-            const double w25 = -EAC*w23 + ECC*w19 + EYC + w15;
-            const double w26 = cos_c*w25 + sin_c*w24;
-            const double w27 = -EA0C*w22 + EY0C + w26;
-            const double w28 = w27 + w9;
-            const double w29 = cos_c*w6 - sin_c*w8;
-            const double w30 = cos_c*w24 - sin_c*w25;
-            const double w31 = EB0C*w22 + EX0C + w30;
-            const double w32 = w29 + w31;
-            const double w33 = EA0C*(w26 + w9) - EB0C*(w29 + w30) + w21;
-            const double w34 = EAZ*w28 - EBZ*w32 + EZZ + w33;
-            const double w35 = w34 + w4;
-            const double w36 = w3 + w33;
-            const double w37 = -EAZ*w36 + ECZ*w32 + EYZ + w27;
-            const double w38 = -EA0Z*w35 + w37;
-            const double w39 = w38 + w9;
-            const double w40 = EBZ*w36 - ECZ*w28 + EXZ + w31;
-            const double w41 = EB0Z*w35 + w40;
-            const double w42 = w29 + w41;
-            const double w43 = EA0Z*(w37 + w9) - EB0Z*(w29 + w40) + w34;
-            const double w44 = EAY*w39 - EBY*w42 + EZY + w43;
-            const double w45 = w4 + w44;
-            const double w46 = w9 + y;
-            const double w47 = w4 + w43;
-            const double w48 = EBY*w47 - ECY*w39 + EXY + w41;
-            const double w49 = -EAY*w47 + ECY*w42 + EYY + w38;
-            const double w50 = EC0Y*(w29 + w48) + w49;
-            const double w51 = w46 + w50;
-            const double w52 = -EC0Y*(w46 + w49) + w48;
-            const double w53 = EBX*w45 - ECX*w51 + EXX + w52;
-            const double w54 = w29 + x;
-            const double w55 = w29 + w52;
-            const double w56 = -EAX*w45 + ECX*w55 + EYX + w50;
-            const double w57 = EAX*w51 - EBX*w55 + EZX + w44;
-            position[0 * stride + i] = w53 + w54;
-            position[1 * stride + i] = w46 + w56;
-            position[2 * stride + i] = w4 + w57;
+            const double w10 = EZ0T + w1;
+            const double w11 = EX0T + w0;
+            const double w12 = -EAB*w10 + ECB*w11 + EY0T + EYB;
+            const double w13 = EY0T + w7;
+            const double w14 = EBB*w10 - ECB*w13 + EX0T + EXB;
+            const double w15 = EAB*w13 - EBB*w11 + EZ0T + EZB;
+            const double w16 = cos_b*w14 + sin_b*w15;
+            const double w17 = cos_b*w15 - sin_b*w14;
+            const double w18 = -EA0B*(w17 + w2) + EC0B*(w16 + w5) + w12;
+            const double w19 = w18 + w8;
+            const double w20 = w12 + w7;
+            const double w21 = -EC0B*w20 + EX0B + w16;
+            const double w22 = w21 + w6;
+            const double w23 = EA0B*w20 + EZ0B + w17;
+            const double w24 = EAC*w19 - EBC*w22 + EZC + w23;
+            const double w25 = w24 + w3;
+            const double w26 = w23 + w3;
+            const double w27 = EBC*w26 - ECC*w19 + EXC + w21;
+            const double w28 = -EAC*w26 + ECC*w22 + EYC + w18;
+            const double w29 = cos_c*w28 + sin_c*w27;
+            const double w30 = -EA0C*w25 + EY0C + w29;
+            const double w31 = w30 + w9;
+            const double w32 = cos_c*w6 - sin_c*w8;
+            const double w33 = cos_c*w27 - sin_c*w28;
+            const double w34 = EB0C*w25 + EX0C + w33;
+            const double w35 = w32 + w34;
+            const double w36 = EA0C*(w29 + w9) - EB0C*(w32 + w33) + w24;
+            const double w37 = EAZ*w31 - EBZ*w35 + EZZ + w36;
+            const double w38 = w37 + w4;
+            const double w39 = w3 + w36;
+            const double w40 = -EAZ*w39 + ECZ*w35 + EYZ + w30;
+            const double w41 = -EA0Z*w38 + w40;
+            const double w42 = w41 + w9;
+            const double w43 = EBZ*w39 - ECZ*w31 + EXZ + w34;
+            const double w44 = EB0Z*w38 + w43;
+            const double w45 = w32 + w44;
+            const double w46 = EA0Z*(w40 + w9) - EB0Z*(w32 + w43) + w37;
+            const double w47 = EAY*w42 - EBY*w45 + EZY + w46;
+            const double w48 = w4 + w47;
+            const double w49 = w9 + y;
+            const double w50 = w4 + w46;
+            const double w51 = EBY*w50 - ECY*w42 + EXY + w44;
+            const double w52 = -EAY*w50 + ECY*w45 + EYY + w41;
+            const double w53 = EC0Y*(w32 + w51) + w52;
+            const double w54 = w49 + w53;
+            const double w55 = -EC0Y*(w49 + w52) + w51;
+            const double w56 = EBX*w48 - ECX*w54 + EXX + w55;
+            const double w57 = w32 + x;
+            const double w58 = w32 + w55;
+            const double w59 = -EAX*w48 + ECX*w58 + EYX + w53;
+            const double w60 = EAX*w54 - EBX*w58 + EZX + w47;
+            position[0 * stride + i] = w56 + w57;
+            position[1 * stride + i] = w49 + w59;
+            position[2 * stride + i] = w4 + w60;
         }
     }
 }
 
 /*
  * Actual position of the tool point in the workpiece frame, to first order.
- * Source: Eq. (4). Operations: 148 per point.
+ * Source: Eq. (4). Operations: 151 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
  */
@@ -1872,6 +1938,9 @@ void headhead_mill_tool_in_workpiece_position_first_order(
     const double EZ0B = parameters[14];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
+    const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -1943,12 +2012,12 @@ void headhead_mill_tool_in_workpiece_position_first_order(
             const double w8 = q_By + w7;
             const double w9 = cos_c*w8 + sin_c*w6;
             const double w10 = w9 + y;
-            const double w11 = EBB*w1 - ECB*w7 + EXB;
-            const double w12 = EAB*w7 - EBB*w0 + EZB;
+            const double w11 = EBB*w1 - ECB*w7 + EX0T + EXB;
+            const double w12 = EAB*w7 - EBB*w0 + EZ0T + EZB;
             const double w13 = cos_b*w11 + sin_b*w12;
             const double w14 = -EC0B*w7 + EX0B + w13;
             const double w15 = EBC*w3 - ECC*w8 + EXC + w14;
-            const double w16 = -EAB*w1 + ECB*w0 + EYB;
+            const double w16 = -EAB*w1 + ECB*w0 + EY0T + EYB;
             const double w17 = -EA0B*w2 + EC0B*w5 + w16;
             const double w18 = -EAC*w3 + ECC*w6 + EYC + w17;
             const double w19 = cos_c*w15 - sin_c*w18;
@@ -2036,8 +2105,8 @@ void headhead_mill_tool_orientation_ideal(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in direction: 3 rows of stride, 1; unit vector in the tool frame, (0, 0, 1) for the tool axis (tx ty tz)
  * out deviation: 3 rows of stride, 1; the vector in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -2158,8 +2227,8 @@ void headhead_mill_tool_orientation_deviation(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in direction: 3 rows of stride, 1; unit vector in the tool frame, (0, 0, 1) for the tool axis (tx ty tz)
  * out deviation: 3 rows of stride, 1; the vector in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -2261,12 +2330,12 @@ void headhead_mill_tool_orientation_deviation_first_order(
 
 /*
  * Deviation of the tool point under polynomial error curves, exact.
- * Source: Eqs. (1)-(4), (44). Operations: 553 per point, 4 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 556 per point, 7 once per call.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in curves: 210 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECC_7, last index fastest)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -2506,6 +2575,9 @@ void headhead_mill_tool_in_workpiece_deviation_curves(
     const double EZ0B = parameters[14];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
+    const double EZ0T = parameters[19];
     const double rx = point[0];
     const double ry = point[1];
     const double rz = point[2];
@@ -2513,6 +2585,9 @@ void headhead_mill_tool_in_workpiece_deviation_curves(
     const double w1 = q_Tz + rz;
     const double w7 = q_Ty + ry;
     const double w8 = q_By + w7;
+    const double w10 = EZ0T + w1;
+    const double w11 = EX0T + w0;
+    const double w16 = EY0T + w7;
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -2548,95 +2623,95 @@ void headhead_mill_tool_in_workpiece_deviation_curves(
             const double w5 = cos_b*w0 + sin_b*w1;
             const double w6 = q_Bx + w5;
             const double w9 = cos_c*w8 + sin_c*w6;
-            const double w10 = b*(EYB_1 + b*(EYB_2 + b*(EYB_3 + b*(EYB_4 + b*(EYB_5 + b*(EYB_6 + EYB_7*b))))));
-            const double w11 = b*(EAB_1 + b*(EAB_2 + b*(EAB_3 + b*(EAB_4 + b*(EAB_5 + b*(EAB_6 + EAB_7*b))))));
-            const double w12 = b*(ECB_1 + b*(ECB_2 + b*(ECB_3 + b*(ECB_4 + b*(ECB_5 + b*(ECB_6 + ECB_7*b))))));
-            const double w13 = w0*w12 - w1*w11 + w10;
-            const double w14 = b*(EXB_1 + b*(EXB_2 + b*(EXB_3 + b*(EXB_4 + b*(EXB_5 + b*(EXB_6 + EXB_7*b))))));
-            const double w15 = b*(EBB_1 + b*(EBB_2 + b*(EBB_3 + b*(EBB_4 + b*(EBB_5 + b*(EBB_6 + EBB_7*b))))));
-            const double w16 = w1*w15 - w12*w7 + w14;
-            const double w17 = b*(EZB_1 + b*(EZB_2 + b*(EZB_3 + b*(EZB_4 + b*(EZB_5 + b*(EZB_6 + EZB_7*b))))));
-            const double w18 = -w0*w15 + w11*w7 + w17;
-            const double w19 = cos_b*w16 + sin_b*w18;
-            const double w20 = cos_b*w18 - sin_b*w16;
-            const double w21 = -EA0B*(w2 + w20) + EC0B*(w19 + w5) + w13;
-            const double w22 = w21 + w8;
-            const double w23 = w13 + w7;
-            const double w24 = -EC0B*w23 + EX0B + w19;
-            const double w25 = w24 + w6;
-            const double w26 = c*(EZC_1 + c*(EZC_2 + c*(EZC_3 + c*(EZC_4 + c*(EZC_5 + c*(EZC_6 + EZC_7*c))))));
-            const double w27 = c*(EAC_1 + c*(EAC_2 + c*(EAC_3 + c*(EAC_4 + c*(EAC_5 + c*(EAC_6 + EAC_7*c))))));
-            const double w28 = c*(EBC_1 + c*(EBC_2 + c*(EBC_3 + c*(EBC_4 + c*(EBC_5 + c*(EBC_6 + EBC_7*c))))));
-            const double w29 = EA0B*w23 + EZ0B + w20;
-            const double w30 = w22*w27 - w25*w28 + w26 + w29;
-            const double w31 = w3 + w30;
-            const double w32 = w29 + w3;
-            const double w33 = c*(EXC_1 + c*(EXC_2 + c*(EXC_3 + c*(EXC_4 + c*(EXC_5 + c*(EXC_6 + EXC_7*c))))));
-            const double w34 = c*(ECC_1 + c*(ECC_2 + c*(ECC_3 + c*(ECC_4 + c*(ECC_5 + c*(ECC_6 + ECC_7*c))))));
-            const double w35 = -w22*w34 + w24 + w28*w32 + w33;
-            const double w36 = c*(EYC_1 + c*(EYC_2 + c*(EYC_3 + c*(EYC_4 + c*(EYC_5 + c*(EYC_6 + EYC_7*c))))));
-            const double w37 = w21 + w25*w34 - w27*w32 + w36;
-            const double w38 = cos_c*w37 + sin_c*w35;
-            const double w39 = -EA0C*w31 + EY0C + w38;
-            const double w40 = w39 + w9;
-            const double w41 = cos_c*w6 - sin_c*w8;
-            const double w42 = cos_c*w35 - sin_c*w37;
-            const double w43 = EB0C*w31 + EX0C + w42;
-            const double w44 = w41 + w43;
-            const double w45 = z*(EZZ_1 + z*(EZZ_2 + z*(EZZ_3 + z*(EZZ_4 + z*(EZZ_5 + z*(EZZ_6 + EZZ_7*z))))));
-            const double w46 = z*(EAZ_1 + z*(EAZ_2 + z*(EAZ_3 + z*(EAZ_4 + z*(EAZ_5 + z*(EAZ_6 + EAZ_7*z))))));
-            const double w47 = z*(EBZ_1 + z*(EBZ_2 + z*(EBZ_3 + z*(EBZ_4 + z*(EBZ_5 + z*(EBZ_6 + EBZ_7*z))))));
-            const double w48 = EA0C*(w38 + w9) - EB0C*(w41 + w42) + w30;
-            const double w49 = w40*w46 - w44*w47 + w45 + w48;
-            const double w50 = w4 + w49;
-            const double w51 = w3 + w48;
-            const double w52 = z*(EYZ_1 + z*(EYZ_2 + z*(EYZ_3 + z*(EYZ_4 + z*(EYZ_5 + z*(EYZ_6 + EYZ_7*z))))));
-            const double w53 = z*(ECZ_1 + z*(ECZ_2 + z*(ECZ_3 + z*(ECZ_4 + z*(ECZ_5 + z*(ECZ_6 + ECZ_7*z))))));
-            const double w54 = w39 + w44*w53 - w46*w51 + w52;
-            const double w55 = -EA0Z*w50 + w54;
-            const double w56 = w55 + w9;
-            const double w57 = z*(EXZ_1 + z*(EXZ_2 + z*(EXZ_3 + z*(EXZ_4 + z*(EXZ_5 + z*(EXZ_6 + EXZ_7*z))))));
-            const double w58 = -w40*w53 + w43 + w47*w51 + w57;
-            const double w59 = EB0Z*w50 + w58;
-            const double w60 = w41 + w59;
-            const double w61 = y*(EZY_1 + y*(EZY_2 + y*(EZY_3 + y*(EZY_4 + y*(EZY_5 + y*(EZY_6 + EZY_7*y))))));
-            const double w62 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))));
-            const double w63 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + y*(EBY_6 + EBY_7*y))))));
-            const double w64 = EA0Z*(w54 + w9) - EB0Z*(w41 + w58) + w49;
-            const double w65 = w56*w62 - w60*w63 + w61 + w64;
-            const double w66 = w4 + w65;
-            const double w67 = w9 + y;
-            const double w68 = w4 + w64;
-            const double w69 = y*(EXY_1 + y*(EXY_2 + y*(EXY_3 + y*(EXY_4 + y*(EXY_5 + y*(EXY_6 + EXY_7*y))))));
-            const double w70 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
-            const double w71 = -w56*w70 + w59 + w63*w68 + w69;
-            const double w72 = y*(EYY_1 + y*(EYY_2 + y*(EYY_3 + y*(EYY_4 + y*(EYY_5 + y*(EYY_6 + EYY_7*y))))));
-            const double w73 = w55 + w60*w70 - w62*w68 + w72;
-            const double w74 = EC0Y*(w41 + w71) + w73;
-            const double w75 = w67 + w74;
-            const double w76 = x*(EXX_1 + x*(EXX_2 + x*(EXX_3 + x*(EXX_4 + x*(EXX_5 + x*(EXX_6 + EXX_7*x))))));
-            const double w77 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))));
-            const double w78 = x*(ECX_1 + x*(ECX_2 + x*(ECX_3 + x*(ECX_4 + x*(ECX_5 + x*(ECX_6 + ECX_7*x))))));
-            const double w79 = -EC0Y*(w67 + w73) + w71;
-            const double w80 = w41 + w79;
-            const double w81 = x*(EYX_1 + x*(EYX_2 + x*(EYX_3 + x*(EYX_4 + x*(EYX_5 + x*(EYX_6 + EYX_7*x))))));
-            const double w82 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + x*(EAX_6 + EAX_7*x))))));
-            const double w83 = x*(EZX_1 + x*(EZX_2 + x*(EZX_3 + x*(EZX_4 + x*(EZX_5 + x*(EZX_6 + EZX_7*x))))));
-            deviation[0 * stride + i] = w66*w77 - w75*w78 + w76 + w79;
-            deviation[1 * stride + i] = -w66*w82 + w74 + w78*w80 + w81;
-            deviation[2 * stride + i] = w65 + w75*w82 - w77*w80 + w83;
+            const double w12 = b*(EYB_1 + b*(EYB_2 + b*(EYB_3 + b*(EYB_4 + b*(EYB_5 + b*(EYB_6 + EYB_7*b))))));
+            const double w13 = b*(EAB_1 + b*(EAB_2 + b*(EAB_3 + b*(EAB_4 + b*(EAB_5 + b*(EAB_6 + EAB_7*b))))));
+            const double w14 = b*(ECB_1 + b*(ECB_2 + b*(ECB_3 + b*(ECB_4 + b*(ECB_5 + b*(ECB_6 + ECB_7*b))))));
+            const double w15 = EY0T - w10*w13 + w11*w14 + w12;
+            const double w17 = b*(EXB_1 + b*(EXB_2 + b*(EXB_3 + b*(EXB_4 + b*(EXB_5 + b*(EXB_6 + EXB_7*b))))));
+            const double w18 = b*(EBB_1 + b*(EBB_2 + b*(EBB_3 + b*(EBB_4 + b*(EBB_5 + b*(EBB_6 + EBB_7*b))))));
+            const double w19 = EX0T + w10*w18 - w14*w16 + w17;
+            const double w20 = b*(EZB_1 + b*(EZB_2 + b*(EZB_3 + b*(EZB_4 + b*(EZB_5 + b*(EZB_6 + EZB_7*b))))));
+            const double w21 = EZ0T - w11*w18 + w13*w16 + w20;
+            const double w22 = cos_b*w19 + sin_b*w21;
+            const double w23 = cos_b*w21 - sin_b*w19;
+            const double w24 = -EA0B*(w2 + w23) + EC0B*(w22 + w5) + w15;
+            const double w25 = w24 + w8;
+            const double w26 = w15 + w7;
+            const double w27 = -EC0B*w26 + EX0B + w22;
+            const double w28 = w27 + w6;
+            const double w29 = c*(EZC_1 + c*(EZC_2 + c*(EZC_3 + c*(EZC_4 + c*(EZC_5 + c*(EZC_6 + EZC_7*c))))));
+            const double w30 = c*(EAC_1 + c*(EAC_2 + c*(EAC_3 + c*(EAC_4 + c*(EAC_5 + c*(EAC_6 + EAC_7*c))))));
+            const double w31 = c*(EBC_1 + c*(EBC_2 + c*(EBC_3 + c*(EBC_4 + c*(EBC_5 + c*(EBC_6 + EBC_7*c))))));
+            const double w32 = EA0B*w26 + EZ0B + w23;
+            const double w33 = w25*w30 - w28*w31 + w29 + w32;
+            const double w34 = w3 + w33;
+            const double w35 = w3 + w32;
+            const double w36 = c*(EXC_1 + c*(EXC_2 + c*(EXC_3 + c*(EXC_4 + c*(EXC_5 + c*(EXC_6 + EXC_7*c))))));
+            const double w37 = c*(ECC_1 + c*(ECC_2 + c*(ECC_3 + c*(ECC_4 + c*(ECC_5 + c*(ECC_6 + ECC_7*c))))));
+            const double w38 = -w25*w37 + w27 + w31*w35 + w36;
+            const double w39 = c*(EYC_1 + c*(EYC_2 + c*(EYC_3 + c*(EYC_4 + c*(EYC_5 + c*(EYC_6 + EYC_7*c))))));
+            const double w40 = w24 + w28*w37 - w30*w35 + w39;
+            const double w41 = cos_c*w40 + sin_c*w38;
+            const double w42 = -EA0C*w34 + EY0C + w41;
+            const double w43 = w42 + w9;
+            const double w44 = cos_c*w6 - sin_c*w8;
+            const double w45 = cos_c*w38 - sin_c*w40;
+            const double w46 = EB0C*w34 + EX0C + w45;
+            const double w47 = w44 + w46;
+            const double w48 = z*(EZZ_1 + z*(EZZ_2 + z*(EZZ_3 + z*(EZZ_4 + z*(EZZ_5 + z*(EZZ_6 + EZZ_7*z))))));
+            const double w49 = z*(EAZ_1 + z*(EAZ_2 + z*(EAZ_3 + z*(EAZ_4 + z*(EAZ_5 + z*(EAZ_6 + EAZ_7*z))))));
+            const double w50 = z*(EBZ_1 + z*(EBZ_2 + z*(EBZ_3 + z*(EBZ_4 + z*(EBZ_5 + z*(EBZ_6 + EBZ_7*z))))));
+            const double w51 = EA0C*(w41 + w9) - EB0C*(w44 + w45) + w33;
+            const double w52 = w43*w49 - w47*w50 + w48 + w51;
+            const double w53 = w4 + w52;
+            const double w54 = w3 + w51;
+            const double w55 = z*(EYZ_1 + z*(EYZ_2 + z*(EYZ_3 + z*(EYZ_4 + z*(EYZ_5 + z*(EYZ_6 + EYZ_7*z))))));
+            const double w56 = z*(ECZ_1 + z*(ECZ_2 + z*(ECZ_3 + z*(ECZ_4 + z*(ECZ_5 + z*(ECZ_6 + ECZ_7*z))))));
+            const double w57 = w42 + w47*w56 - w49*w54 + w55;
+            const double w58 = -EA0Z*w53 + w57;
+            const double w59 = w58 + w9;
+            const double w60 = z*(EXZ_1 + z*(EXZ_2 + z*(EXZ_3 + z*(EXZ_4 + z*(EXZ_5 + z*(EXZ_6 + EXZ_7*z))))));
+            const double w61 = -w43*w56 + w46 + w50*w54 + w60;
+            const double w62 = EB0Z*w53 + w61;
+            const double w63 = w44 + w62;
+            const double w64 = y*(EZY_1 + y*(EZY_2 + y*(EZY_3 + y*(EZY_4 + y*(EZY_5 + y*(EZY_6 + EZY_7*y))))));
+            const double w65 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))));
+            const double w66 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + y*(EBY_6 + EBY_7*y))))));
+            const double w67 = EA0Z*(w57 + w9) - EB0Z*(w44 + w61) + w52;
+            const double w68 = w59*w65 - w63*w66 + w64 + w67;
+            const double w69 = w4 + w68;
+            const double w70 = w9 + y;
+            const double w71 = w4 + w67;
+            const double w72 = y*(EXY_1 + y*(EXY_2 + y*(EXY_3 + y*(EXY_4 + y*(EXY_5 + y*(EXY_6 + EXY_7*y))))));
+            const double w73 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
+            const double w74 = -w59*w73 + w62 + w66*w71 + w72;
+            const double w75 = y*(EYY_1 + y*(EYY_2 + y*(EYY_3 + y*(EYY_4 + y*(EYY_5 + y*(EYY_6 + EYY_7*y))))));
+            const double w76 = w58 + w63*w73 - w65*w71 + w75;
+            const double w77 = EC0Y*(w44 + w74) + w76;
+            const double w78 = w70 + w77;
+            const double w79 = x*(EXX_1 + x*(EXX_2 + x*(EXX_3 + x*(EXX_4 + x*(EXX_5 + x*(EXX_6 + EXX_7*x))))));
+            const double w80 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))));
+            const double w81 = x*(ECX_1 + x*(ECX_2 + x*(ECX_3 + x*(ECX_4 + x*(ECX_5 + x*(ECX_6 + ECX_7*x))))));
+            const double w82 = -EC0Y*(w70 + w76) + w74;
+            const double w83 = w44 + w82;
+            const double w84 = x*(EYX_1 + x*(EYX_2 + x*(EYX_3 + x*(EYX_4 + x*(EYX_5 + x*(EYX_6 + EYX_7*x))))));
+            const double w85 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + x*(EAX_6 + EAX_7*x))))));
+            const double w86 = x*(EZX_1 + x*(EZX_2 + x*(EZX_3 + x*(EZX_4 + x*(EZX_5 + x*(EZX_6 + EZX_7*x))))));
+            deviation[0 * stride + i] = w69*w80 - w78*w81 + w79 + w82;
+            deviation[1 * stride + i] = -w69*w85 + w77 + w81*w83 + w84;
+            deviation[2 * stride + i] = w68 + w78*w85 - w80*w83 + w86;
         }
     }
 }
 
 /*
  * Deviation of the tool point under polynomial error curves, to first order.
- * Source: Eqs. (1)-(4), (44). Operations: 530 per point, 4 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 533 per point, 4 once per call.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in curves: 210 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECC_7, last index fastest)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -2876,6 +2951,9 @@ void headhead_mill_tool_in_workpiece_deviation_first_order_curves(
     const double EZ0B = parameters[14];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
+    const double EZ0T = parameters[19];
     const double rx = point[0];
     const double ry = point[1];
     const double rz = point[2];
@@ -2934,17 +3012,17 @@ void headhead_mill_tool_in_workpiece_deviation_first_order_curves(
             const double w23 = b*(EXB_1 + b*(EXB_2 + b*(EXB_3 + b*(EXB_4 + b*(EXB_5 + b*(EXB_6 + EXB_7*b))))));
             const double w24 = b*(EBB_1 + b*(EBB_2 + b*(EBB_3 + b*(EBB_4 + b*(EBB_5 + b*(EBB_6 + EBB_7*b))))));
             const double w25 = b*(ECB_1 + b*(ECB_2 + b*(ECB_3 + b*(ECB_4 + b*(ECB_5 + b*(ECB_6 + ECB_7*b))))));
-            const double w26 = -w10*w25 + w23 + w24*w4;
+            const double w26 = EX0T - w10*w25 + w23 + w24*w4;
             const double w27 = b*(EZB_1 + b*(EZB_2 + b*(EZB_3 + b*(EZB_4 + b*(EZB_5 + b*(EZB_6 + EZB_7*b))))));
             const double w28 = b*(EAB_1 + b*(EAB_2 + b*(EAB_3 + b*(EAB_4 + b*(EAB_5 + b*(EAB_6 + EAB_7*b))))));
-            const double w29 = w10*w28 - w24*w3 + w27;
+            const double w29 = EZ0T + w10*w28 - w24*w3 + w27;
             const double w30 = cos_b*w26 + sin_b*w29;
             const double w31 = -EC0B*w10 + EX0B + w30;
             const double w32 = -w11*w22 + w20 + w21*w6 + w31;
             const double w33 = c*(EYC_1 + c*(EYC_2 + c*(EYC_3 + c*(EYC_4 + c*(EYC_5 + c*(EYC_6 + EYC_7*c))))));
             const double w34 = c*(EAC_1 + c*(EAC_2 + c*(EAC_3 + c*(EAC_4 + c*(EAC_5 + c*(EAC_6 + EAC_7*c))))));
             const double w35 = b*(EYB_1 + b*(EYB_2 + b*(EYB_3 + b*(EYB_4 + b*(EYB_5 + b*(EYB_6 + EYB_7*b))))));
-            const double w36 = w25*w3 - w28*w4 + w35;
+            const double w36 = EY0T + w25*w3 - w28*w4 + w35;
             const double w37 = -EA0B*w5 + EC0B*w8 + w36;
             const double w38 = w22*w9 + w33 - w34*w6 + w37;
             const double w39 = cos_c*w32 - sin_c*w38;
@@ -2986,12 +3064,12 @@ void headhead_mill_tool_in_workpiece_deviation_first_order_curves(
 
 /*
  * Positioning error of a ball bar between a tool ball and a workpiece ball, exact.
- * Source: Eqs. (5), (6). Operations: 204 per point.
+ * Source: Eqs. (5), (6). Operations: 210 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * in ball: 3 rows of stride, mm; point in the workpiece frame (bx by bz)
  * in length: 1 rows of stride, mm; ideal length of the ball bar (length)
@@ -3025,6 +3103,9 @@ void headhead_mill_ballbar_error(
     const double EZ0B = parameters[14];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
+    const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -3099,68 +3180,71 @@ void headhead_mill_ballbar_error(
             const double w7 = q_Ty + ry;
             const double w8 = q_By + w7;
             const double w9 = cos_c*w8 + sin_c*w6;
-            const double w10 = -EAB*w1 + ECB*w0 + EYB;
-            const double w11 = EBB*w1 - ECB*w7 + EXB;
-            const double w12 = EAB*w7 - EBB*w0 + EZB;
-            const double w13 = cos_b*w11 + sin_b*w12;
-            const double w14 = cos_b*w12 - sin_b*w11;
-            const double w15 = -EA0B*(w14 + w2) + EC0B*(w13 + w5) + w10;
-            const double w16 = w15 + w8;
-            const double w17 = w10 + w7;
-            const double w18 = -EC0B*w17 + EX0B + w13;
-            const double w19 = w18 + w6;
-            const double w20 = EA0B*w17 + EZ0B + w14;
-            const double w21 = EAC*w16 - EBC*w19 + EZC + w20;
-            const double w22 = w21 + w3;
-            const double w23 = w20 + w3;
-            const double w24 = EBC*w23 - ECC*w16 + EXC + w18;
-            const double w25 = -EAC*w23 + ECC*w19 + EYC + w15;
-            const double w26 = cos_c*w25 + sin_c*w24;
-            const double w27 = -EA0C*w22 + EY0C + w26;
-            const double w28 = w27 + w9;
-            const double w29 = cos_c*w6 - sin_c*w8;
-            const double w30 = cos_c*w24 - sin_c*w25;
-            const double w31 = EB0C*w22 + EX0C + w30;
-            const double w32 = w29 + w31;
-            const double w33 = EA0C*(w26 + w9) - EB0C*(w29 + w30) + w21;
-            const double w34 = EAZ*w28 - EBZ*w32 + EZZ + w33;
-            const double w35 = w34 + w4;
-            const double w36 = w3 + w33;
-            const double w37 = -EAZ*w36 + ECZ*w32 + EYZ + w27;
-            const double w38 = -EA0Z*w35 + w37;
-            const double w39 = w38 + w9;
-            const double w40 = EBZ*w36 - ECZ*w28 + EXZ + w31;
-            const double w41 = EB0Z*w35 + w40;
-            const double w42 = w29 + w41;
-            const double w43 = EA0Z*(w37 + w9) - EB0Z*(w29 + w40) + w34;
-            const double w44 = EAY*w39 - EBY*w42 + EZY + w43;
-            const double w45 = w4 + w44;
-            const double w46 = w9 + y;
-            const double w47 = w4 + w43;
-            const double w48 = EBY*w47 - ECY*w39 + EXY + w41;
-            const double w49 = -EAY*w47 + ECY*w42 + EYY + w38;
-            const double w50 = EC0Y*(w29 + w48) + w49;
-            const double w51 = w46 + w50;
-            const double w52 = -EC0Y*(w46 + w49) + w48;
-            const double w53 = EBX*w45 - ECX*w51 + EXX + w52;
-            const double w54 = w29 + w52;
-            const double w55 = -EAX*w45 + ECX*w54 + EYX + w50;
-            const double w56 = EAX*w51 - EBX*w54 + EZX + w44;
-            const double w57 = w29 + x;
-            const double w58 = -bx + w57;
-            const double w59 = -by + w46;
-            const double w60 = -bz + w4;
-            const double w61 = w53 + w58;
-            const double w62 = w55 + w59;
-            const double w63 = w56 + w60;
-            const double w64 = sqrt((w58*w58) + (w59*w59) + (w60*w60));
-            const double w65 = sqrt((w61*w61) + (w62*w62) + (w63*w63));
-            const double e = -length_ + w64 + (w53*(w58 + w61) + w55*(w59 + w62) + w56*(w60 + w63))/(w64 + w65);
-            const double w66 = e/w65;
+            const double w10 = EZ0T + w1;
+            const double w11 = EX0T + w0;
+            const double w12 = -EAB*w10 + ECB*w11 + EY0T + EYB;
+            const double w13 = EY0T + w7;
+            const double w14 = EBB*w10 - ECB*w13 + EX0T + EXB;
+            const double w15 = EAB*w13 - EBB*w11 + EZ0T + EZB;
+            const double w16 = cos_b*w14 + sin_b*w15;
+            const double w17 = cos_b*w15 - sin_b*w14;
+            const double w18 = -EA0B*(w17 + w2) + EC0B*(w16 + w5) + w12;
+            const double w19 = w18 + w8;
+            const double w20 = w12 + w7;
+            const double w21 = -EC0B*w20 + EX0B + w16;
+            const double w22 = w21 + w6;
+            const double w23 = EA0B*w20 + EZ0B + w17;
+            const double w24 = EAC*w19 - EBC*w22 + EZC + w23;
+            const double w25 = w24 + w3;
+            const double w26 = w23 + w3;
+            const double w27 = EBC*w26 - ECC*w19 + EXC + w21;
+            const double w28 = -EAC*w26 + ECC*w22 + EYC + w18;
+            const double w29 = cos_c*w28 + sin_c*w27;
+            const double w30 = -EA0C*w25 + EY0C + w29;
+            const double w31 = w30 + w9;
+            const double w32 = cos_c*w6 - sin_c*w8;
+            const double w33 = cos_c*w27 - sin_c*w28;
+            const double w34 = EB0C*w25 + EX0C + w33;
+            const double w35 = w32 + w34;
+            const double w36 = EA0C*(w29 + w9) - EB0C*(w32 + w33) + w24;
+            const double w37 = EAZ*w31 - EBZ*w35 + EZZ + w36;
+            const double w38 = w37 + w4;
+            const double w39 = w3 + w36;
+            const double w40 = -EAZ*w39 + ECZ*w35 + EYZ + w30;
+            const double w41 = -EA0Z*w38 + w40;
+            const double w42 = w41 + w9;
+            const double w43 = EBZ*w39 - ECZ*w31 + EXZ + w34;
+            const double w44 = EB0Z*w38 + w43;
+            const double w45 = w32 + w44;
+            const double w46 = EA0Z*(w40 + w9) - EB0Z*(w32 + w43) + w37;
+            const double w47 = EAY*w42 - EBY*w45 + EZY + w46;
+            const double w48 = w4 + w47;
+            const double w49 = w9 + y;
+            const double w50 = w4 + w46;
+            const double w51 = EBY*w50 - ECY*w42 + EXY + w44;
+            const double w52 = -EAY*w50 + ECY*w45 + EYY + w41;
+            const double w53 = EC0Y*(w32 + w51) + w52;
+            const double w54 = w49 + w53;
+            const double w55 = -EC0Y*(w49 + w52) + w51;
+            const double w56 = EBX*w48 - ECX*w54 + EXX + w55;
+            const double w57 = w32 + w55;
+            const double w58 = -EAX*w48 + ECX*w57 + EYX + w53;
+            const double w59 = EAX*w54 - EBX*w57 + EZX + w47;
+            const double w60 = w32 + x;
+            const double w61 = -bx + w60;
+            const double w62 = -by + w49;
+            const double w63 = -bz + w4;
+            const double w64 = w56 + w61;
+            const double w65 = w58 + w62;
+            const double w66 = w59 + w63;
+            const double w67 = sqrt((w61*w61) + (w62*w62) + (w63*w63));
+            const double w68 = sqrt((w64*w64) + (w65*w65) + (w66*w66));
+            const double e = -length_ + w67 + (w56*(w61 + w64) + w58*(w62 + w65) + w59*(w63 + w66))/(w67 + w68);
+            const double w69 = e/w68;
             error[0 * stride + i] = e;
-            error[1 * stride + i] = w61*w66;
-            error[2 * stride + i] = w62*w66;
-            error[3 * stride + i] = w63*w66;
+            error[1 * stride + i] = w64*w69;
+            error[2 * stride + i] = w65*w69;
+            error[3 * stride + i] = w66*w69;
         }
     }
 }
@@ -3197,8 +3281,8 @@ void headhead_mill_correction(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3245,8 +3329,8 @@ void headhead_mill_motion_X(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3294,8 +3378,8 @@ void headhead_mill_motion_Y(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3340,12 +3424,12 @@ void headhead_mill_motion_Z(
 
 /*
  * Motion equation of B: displacement of the tool point since home, to first order.
- * Source: Eqs. (7)-(11). Operations: 80 per point.
+ * Source: Eqs. (7)-(11). Operations: 89 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3368,6 +3452,8 @@ void headhead_mill_motion_B(
     const double EB0C = parameters[12];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -3402,26 +3488,28 @@ void headhead_mill_motion_B(
             const double w5 = -w4;
             const double w6 = cos_b*q_Tz + cos_b*rTz - w1 - w2;
             const double w7 = cos_b*q_Ty + cos_b*rTy;
-            const double w8 = cos_b*q_Tx + cos_b*rTx + q_Tz*sin_b + rTz*sin_b;
-            const double w9 = -q_Tx - rTx + w8;
-            const double w10 = -w9;
-            displacement[0 * stride + i] = EAB*w0 + EB0C*w5 + EB0Z*w5 + EBB*w6 - ECB*w7 + EXB*cos_b + EZB*sin_b + w9;
-            displacement[1 * stride + i] = EA0B*w4 + EA0C*w4 + EA0Z*w4 - EAB*w3 + EC0B*w9 + EC0Y*w9 + ECB*(q_Tx + rTx) +
-                EYB;
-            displacement[2 * stride + i] = EAB*w7 + EB0C*w10 + EB0Z*w10 - EBB*w8 + ECB*w0 - EXB*sin_b + EZB*cos_b - q_Tz
-                - rTz + w6;
+            const double w8 = cos_b - 1.0;
+            const double w9 = cos_b*q_Tx + cos_b*rTx + q_Tz*sin_b + rTz*sin_b;
+            const double w10 = -q_Tx - rTx + w9;
+            const double w11 = -w10;
+            displacement[0 * stride + i] = EAB*w0 + EB0C*w5 + EB0Z*w5 + EBB*w6 - ECB*w7 + EX0T*w8 + EXB*cos_b +
+                EZ0T*sin_b + EZB*sin_b + w10;
+            displacement[1 * stride + i] = EA0B*w4 + EA0C*w4 + EA0Z*w4 - EAB*w3 + EC0B*w10 + EC0Y*w10 + ECB*(q_Tx + rTx)
+                + EYB;
+            displacement[2 * stride + i] = EAB*w7 + EB0C*w11 + EB0Z*w11 - EBB*w9 + ECB*w0 - EX0T*sin_b - EXB*sin_b +
+                EZ0T*w8 + EZB*cos_b - q_Tz - rTz + w6;
         }
     }
 }
 
 /*
  * Motion equation of C: displacement of the tool point since home, to first order.
- * Source: Eqs. (7)-(11). Operations: 110 per point.
+ * Source: Eqs. (7)-(11). Operations: 118 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3448,6 +3536,8 @@ void headhead_mill_motion_C(
     const double EX0B = parameters[13];
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
+    const double EX0T = parameters[17];
+    const double EY0T = parameters[18];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -3482,19 +3572,20 @@ void headhead_mill_motion_C(
             const double w5 = -q_Ty - rTy + w4;
             const double w6 = cos_c*q_By + q_Bx*sin_c;
             const double w7 = -q_By + w5 + w6;
-            const double w8 = q_By*sin_c;
-            const double w9 = q_Ty*sin_c;
-            const double w10 = rTy*sin_c;
-            const double w11 = cos_c*q_Bx + cos_c*q_Tx + cos_c*rTx - w10 - w8 - w9;
-            const double w12 = q_Tx + rTx;
-            const double w13 = -cos_c*q_Tx - cos_c*rTx + w10 + w9;
-            const double w14 = q_Bx + w12;
-            const double w15 = -cos_c*q_Bx + w13 + w14 + w8;
-            displacement[0 * stride + i] = EA0B*w0 + EAC*w1 + EBC*w3 - EC0B*w5 - EC0Y*w7 + ECC*(-w4 - w6) + EX0B*(cos_c
-                - 1.0) + EXC*cos_c - EYC*sin_c - q_Bx - q_Tx - rTx + w11;
-            displacement[1 * stride + i] = EA0B*(q_Tz + rTz - w2) - EAC*w3 + EBC*w1 + EC0B*(-w12 - w13) - EC0Y*w15 +
-                ECC*w11 + EX0B*sin_c + EXC*sin_c + EYC*cos_c + w7;
-            displacement[2 * stride + i] = EA0C*w7 + EA0Z*w7 + EAC*(q_By + q_Ty + rTy) + EB0C*w15 + EB0Z*w15 - EBC*w14 +
+            const double w8 = cos_c - 1.0;
+            const double w9 = q_By*sin_c;
+            const double w10 = q_Ty*sin_c;
+            const double w11 = rTy*sin_c;
+            const double w12 = cos_c*q_Bx + cos_c*q_Tx + cos_c*rTx - w10 - w11 - w9;
+            const double w13 = q_Tx + rTx;
+            const double w14 = -cos_c*q_Tx - cos_c*rTx + w10 + w11;
+            const double w15 = q_Bx + w13;
+            const double w16 = -cos_c*q_Bx + w14 + w15 + w9;
+            displacement[0 * stride + i] = EA0B*w0 + EAC*w1 + EBC*w3 - EC0B*w5 - EC0Y*w7 + ECC*(-w4 - w6) + EX0B*w8 +
+                EX0T*w8 + EXC*cos_c - EY0T*sin_c - EYC*sin_c - q_Bx - q_Tx - rTx + w12;
+            displacement[1 * stride + i] = EA0B*(q_Tz + rTz - w2) - EAC*w3 + EBC*w1 + EC0B*(-w13 - w14) - EC0Y*w16 +
+                ECC*w12 + EX0B*sin_c + EX0T*sin_c + EXC*sin_c + EY0T*w8 + EYC*cos_c + w7;
+            displacement[2 * stride + i] = EA0C*w7 + EA0Z*w7 + EAC*(q_By + q_Ty + rTy) + EB0C*w16 + EB0Z*w16 - EBC*w15 +
                 EZC;
         }
     }
@@ -3506,8 +3597,8 @@ void headhead_mill_motion_C(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3565,8 +3656,8 @@ void headhead_mill_motion_XY(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3625,8 +3716,8 @@ void headhead_mill_motion_XZ(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 17 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
- *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B)
+ * in parameters: 20 values, mm, rad; home positions and location errors (q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z
+ *     EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T EZ0T)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */

@@ -1,6 +1,6 @@
 /* Generated from machines/headhead_mill.toml, do not edit; regenerate with: trueaxis derive machines/headhead_mill.toml
  * Kernels of Five-axis gantry mill with a fork head: geometric error model in C17.
- * Spec: sha256 884de821e6b57890cadda336b0ad6624aa022d184b0e96c19cc87a372820bf33
+ * Spec: sha256 6c45bf8c51eb4a9377b8bc8680569d3bb73d572df352aa3afb546c2376b62e16
  *
  * Every function computes n points; row k of an array that has a value per point holds point i at [k * stride + i],
  * n <= stride. Arrays must not overlap. Lengths mm, angles rad, rotary axes deg. Rows and units: kernels.c.

@@ -8,7 +8,7 @@ deviation (3, n). An array that is the same at all points may have n = 1. Length
 import numpy as np
 
 ABI = 1
-SPEC_HASH = "884de821e6b57890cadda336b0ad6624aa022d184b0e96c19cc87a372820bf33"
+SPEC_HASH = "6c45bf8c51eb4a9377b8bc8680569d3bb73d572df352aa3afb546c2376b62e16"
 
 META = {'machine': 'headhead_mill',
  'title': 'Five-axis gantry mill with a fork head',
@@ -125,7 +125,10 @@ META = {'machine': 'headhead_mill',
                 'EX0B',
                 'EZ0B',
                 'EA0B',
-                'EC0B'],
+                'EC0B',
+                'EX0T',
+                'EY0T',
+                'EZ0T'],
  'parameter_units': ['mm',
                      'mm',
                      'mm',
@@ -142,7 +145,10 @@ META = {'machine': 'headhead_mill',
                      'mm',
                      'mm',
                      'rad',
-                     'rad'],
+                     'rad',
+                     'mm',
+                     'mm',
+                     'mm'],
  'parameter_descriptions': ['home position along X, body 7 (B head) on body 6',
                             'home position along Y, body 7 (B head) on body 6',
                             'home position along Z, body 7 (B head) on body 6',
@@ -159,9 +165,25 @@ META = {'machine': 'headhead_mill',
                             'location error, displacement along X, body 7 (B head) on body 6',
                             'location error, displacement along Z, body 7 (B head) on body 6',
                             'location error, rotation about X, body 7 (B head) on body 6',
-                            'location error, rotation about Z, body 7 (B head) on body 6'],
+                            'location error, rotation about Z, body 7 (B head) on body 6',
+                            'location error, displacement along X, body 8 (tool) on body 7',
+                            'location error, displacement along Y, body 8 (tool) on body 7',
+                            'location error, displacement along Z, body 8 (tool) on body 7'],
  'dimensions': ['q_Bx', 'q_By', 'q_Bz', 'q_Tx', 'q_Ty', 'q_Tz'],
- 'location_errors': ['EC0Y', 'EA0Z', 'EB0Z', 'EX0C', 'EY0C', 'EA0C', 'EB0C', 'EX0B', 'EZ0B', 'EA0B', 'EC0B'],
+ 'location_errors': ['EC0Y',
+                     'EA0Z',
+                     'EB0Z',
+                     'EX0C',
+                     'EY0C',
+                     'EA0C',
+                     'EB0C',
+                     'EX0B',
+                     'EZ0B',
+                     'EA0B',
+                     'EC0B',
+                     'EX0T',
+                     'EY0T',
+                     'EZ0T'],
  'curve_degree': 7,
  'squareness': [{'axes': ['X', 'Y'], 'location_errors': {'EC0Y': -1.0}},
                 {'axes': ['X', 'Z'], 'location_errors': {'EB0Z': 1.0}},
@@ -171,7 +193,7 @@ META = {'machine': 'headhead_mill',
                                                       'per_point': True,
                                                       'unit': 'mm, rotary axes deg'},
                                                      {'name': 'parameters',
-                                                      'shape': [17],
+                                                      'shape': [20],
                                                       'per_point': False,
                                                       'unit': 'mm, rad'},
                                                      {'name': 'point',
@@ -193,7 +215,7 @@ META = {'machine': 'headhead_mill',
                                                           'per_point': True,
                                                           'unit': 'mm, rad'},
                                                          {'name': 'parameters',
-                                                          'shape': [17],
+                                                          'shape': [20],
                                                           'per_point': False,
                                                           'unit': 'mm, rad'},
                                                          {'name': 'point',
@@ -204,7 +226,7 @@ META = {'machine': 'headhead_mill',
                                                            'shape': [3],
                                                            'per_point': True,
                                                            'unit': 'mm'}],
-                                              'operations': 167,
+                                              'operations': 173,
                                               'operations_per_call': 0},
               'tool_in_workpiece_deviation_first_order': {'inputs': [{'name': 'positions',
                                                                       'shape': [5],
@@ -215,7 +237,7 @@ META = {'machine': 'headhead_mill',
                                                                       'per_point': True,
                                                                       'unit': 'mm, rad'},
                                                                      {'name': 'parameters',
-                                                                      'shape': [17],
+                                                                      'shape': [20],
                                                                       'per_point': False,
                                                                       'unit': 'mm, rad'},
                                                                      {'name': 'point',
@@ -226,14 +248,14 @@ META = {'machine': 'headhead_mill',
                                                                        'shape': [3],
                                                                        'per_point': True,
                                                                        'unit': 'mm'}],
-                                                          'operations': 144,
+                                                          'operations': 147,
                                                           'operations_per_call': 0},
               'tool_in_workpiece_sensitivity': {'inputs': [{'name': 'positions',
                                                             'shape': [5],
                                                             'per_point': True,
                                                             'unit': 'mm, rotary axes deg'},
                                                            {'name': 'parameters',
-                                                            'shape': [17],
+                                                            'shape': [20],
                                                             'per_point': False,
                                                             'unit': 'mm, rad'},
                                                            {'name': 'point',
@@ -241,7 +263,7 @@ META = {'machine': 'headhead_mill',
                                                             'per_point': True,
                                                             'unit': 'mm'}],
                                                 'outputs': [{'name': 'sensitivity',
-                                                             'shape': [3, 41],
+                                                             'shape': [3, 44],
                                                              'per_point': True,
                                                              'unit': 'mm/mm, mm/rad'}],
                                                 'operations': 129,
@@ -251,7 +273,7 @@ META = {'machine': 'headhead_mill',
                                                 'per_point': True,
                                                 'unit': 'mm, rotary axes deg'},
                                                {'name': 'parameters',
-                                                'shape': [17],
+                                                'shape': [20],
                                                 'per_point': False,
                                                 'unit': 'mm, rad'},
                                                {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -267,7 +289,7 @@ META = {'machine': 'headhead_mill',
                                                     'per_point': True,
                                                     'unit': 'mm, rad'},
                                                    {'name': 'parameters',
-                                                    'shape': [17],
+                                                    'shape': [20],
                                                     'per_point': False,
                                                     'unit': 'mm, rad'},
                                                    {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -275,7 +297,7 @@ META = {'machine': 'headhead_mill',
                                                      'shape': [3],
                                                      'per_point': True,
                                                      'unit': 'mm'}],
-                                        'operations': 167,
+                                        'operations': 173,
                                         'operations_per_call': 0},
               'tool_in_bed_deviation_first_order': {'inputs': [{'name': 'positions',
                                                                 'shape': [5],
@@ -286,7 +308,7 @@ META = {'machine': 'headhead_mill',
                                                                 'per_point': True,
                                                                 'unit': 'mm, rad'},
                                                                {'name': 'parameters',
-                                                                'shape': [17],
+                                                                'shape': [20],
                                                                 'per_point': False,
                                                                 'unit': 'mm, rad'},
                                                                {'name': 'point',
@@ -297,14 +319,14 @@ META = {'machine': 'headhead_mill',
                                                                  'shape': [3],
                                                                  'per_point': True,
                                                                  'unit': 'mm'}],
-                                                    'operations': 144,
+                                                    'operations': 147,
                                                     'operations_per_call': 0},
               'tool_in_bed_sensitivity': {'inputs': [{'name': 'positions',
                                                       'shape': [5],
                                                       'per_point': True,
                                                       'unit': 'mm, rotary axes deg'},
                                                      {'name': 'parameters',
-                                                      'shape': [17],
+                                                      'shape': [20],
                                                       'per_point': False,
                                                       'unit': 'mm, rad'},
                                                      {'name': 'point',
@@ -312,7 +334,7 @@ META = {'machine': 'headhead_mill',
                                                       'per_point': True,
                                                       'unit': 'mm'}],
                                           'outputs': [{'name': 'sensitivity',
-                                                       'shape': [3, 41],
+                                                       'shape': [3, 44],
                                                        'per_point': True,
                                                        'unit': 'mm/mm, mm/rad'}],
                                           'operations': 129,
@@ -322,7 +344,7 @@ META = {'machine': 'headhead_mill',
                                                      'per_point': True,
                                                      'unit': 'mm, rotary axes deg'},
                                                     {'name': 'parameters',
-                                                     'shape': [17],
+                                                     'shape': [20],
                                                      'per_point': False,
                                                      'unit': 'mm, rad'},
                                                     {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -341,7 +363,7 @@ META = {'machine': 'headhead_mill',
                                                          'per_point': True,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'parameters',
-                                                         'shape': [17],
+                                                         'shape': [20],
                                                          'per_point': False,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'point',
@@ -363,7 +385,7 @@ META = {'machine': 'headhead_mill',
                                                                      'per_point': True,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'parameters',
-                                                                     'shape': [17],
+                                                                     'shape': [20],
                                                                      'per_point': False,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'point',
@@ -381,7 +403,7 @@ META = {'machine': 'headhead_mill',
                                                            'per_point': True,
                                                            'unit': 'mm, rotary axes deg'},
                                                           {'name': 'parameters',
-                                                           'shape': [17],
+                                                           'shape': [20],
                                                            'per_point': False,
                                                            'unit': 'mm, rad'},
                                                           {'name': 'point',
@@ -389,7 +411,7 @@ META = {'machine': 'headhead_mill',
                                                            'per_point': True,
                                                            'unit': 'mm'}],
                                                'outputs': [{'name': 'sensitivity',
-                                                            'shape': [3, 41],
+                                                            'shape': [3, 44],
                                                             'per_point': True,
                                                             'unit': 'mm/mm, mm/rad'}],
                                                'operations': 0,
@@ -399,7 +421,7 @@ META = {'machine': 'headhead_mill',
                                                      'per_point': True,
                                                      'unit': 'mm, rotary axes deg'},
                                                     {'name': 'parameters',
-                                                     'shape': [17],
+                                                     'shape': [20],
                                                      'per_point': False,
                                                      'unit': 'mm, rad'},
                                                     {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -418,7 +440,7 @@ META = {'machine': 'headhead_mill',
                                                          'per_point': True,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'parameters',
-                                                         'shape': [17],
+                                                         'shape': [20],
                                                          'per_point': False,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'point',
@@ -440,7 +462,7 @@ META = {'machine': 'headhead_mill',
                                                                      'per_point': True,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'parameters',
-                                                                     'shape': [17],
+                                                                     'shape': [20],
                                                                      'per_point': False,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'point',
@@ -458,7 +480,7 @@ META = {'machine': 'headhead_mill',
                                                            'per_point': True,
                                                            'unit': 'mm, rotary axes deg'},
                                                           {'name': 'parameters',
-                                                           'shape': [17],
+                                                           'shape': [20],
                                                            'per_point': False,
                                                            'unit': 'mm, rad'},
                                                           {'name': 'point',
@@ -466,7 +488,7 @@ META = {'machine': 'headhead_mill',
                                                            'per_point': True,
                                                            'unit': 'mm'}],
                                                'outputs': [{'name': 'sensitivity',
-                                                            'shape': [3, 41],
+                                                            'shape': [3, 44],
                                                             'per_point': True,
                                                             'unit': 'mm/mm, mm/rad'}],
                                                'operations': 0,
@@ -480,7 +502,7 @@ META = {'machine': 'headhead_mill',
                                                          'per_point': True,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'parameters',
-                                                         'shape': [17],
+                                                         'shape': [20],
                                                          'per_point': False,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'point',
@@ -491,7 +513,7 @@ META = {'machine': 'headhead_mill',
                                                           'shape': [3],
                                                           'per_point': True,
                                                           'unit': 'mm'}],
-                                             'operations': 171,
+                                             'operations': 177,
                                              'operations_per_call': 0},
               'tool_in_workpiece_position_first_order': {'inputs': [{'name': 'positions',
                                                                      'shape': [5],
@@ -502,7 +524,7 @@ META = {'machine': 'headhead_mill',
                                                                      'per_point': True,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'parameters',
-                                                                     'shape': [17],
+                                                                     'shape': [20],
                                                                      'per_point': False,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'point',
@@ -513,7 +535,7 @@ META = {'machine': 'headhead_mill',
                                                                       'shape': [3],
                                                                       'per_point': True,
                                                                       'unit': 'mm'}],
-                                                         'operations': 148,
+                                                         'operations': 151,
                                                          'operations_per_call': 0},
               'tool_orientation_ideal': {'inputs': [{'name': 'positions',
                                                      'shape': [5],
@@ -535,7 +557,7 @@ META = {'machine': 'headhead_mill',
                                                          'per_point': True,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'parameters',
-                                                         'shape': [17],
+                                                         'shape': [20],
                                                          'per_point': False,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'direction',
@@ -557,7 +579,7 @@ META = {'machine': 'headhead_mill',
                                                                      'per_point': True,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'parameters',
-                                                                     'shape': [17],
+                                                                     'shape': [20],
                                                                      'per_point': False,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'direction',
@@ -579,7 +601,7 @@ META = {'machine': 'headhead_mill',
                                                                  'per_point': False,
                                                                  'unit': 'mm/mm^k, rad/mm^k (deg^k for rotary axes)'},
                                                                 {'name': 'parameters',
-                                                                 'shape': [17],
+                                                                 'shape': [20],
                                                                  'per_point': False,
                                                                  'unit': 'mm, rad'},
                                                                 {'name': 'point',
@@ -590,8 +612,8 @@ META = {'machine': 'headhead_mill',
                                                                   'shape': [3],
                                                                   'per_point': True,
                                                                   'unit': 'mm'}],
-                                                     'operations': 553,
-                                                     'operations_per_call': 4},
+                                                     'operations': 556,
+                                                     'operations_per_call': 7},
               'tool_in_workpiece_deviation_first_order_curves': {'inputs': [{'name': 'positions',
                                                                              'shape': [5],
                                                                              'per_point': True,
@@ -602,7 +624,7 @@ META = {'machine': 'headhead_mill',
                                                                              'unit': 'mm/mm^k, rad/mm^k (deg^k for '
                                                                                      'rotary axes)'},
                                                                             {'name': 'parameters',
-                                                                             'shape': [17],
+                                                                             'shape': [20],
                                                                              'per_point': False,
                                                                              'unit': 'mm, rad'},
                                                                             {'name': 'point',
@@ -613,7 +635,7 @@ META = {'machine': 'headhead_mill',
                                                                               'shape': [3],
                                                                               'per_point': True,
                                                                               'unit': 'mm'}],
-                                                                 'operations': 530,
+                                                                 'operations': 533,
                                                                  'operations_per_call': 4},
               'ballbar_error': {'inputs': [{'name': 'positions',
                                             'shape': [5],
@@ -621,14 +643,14 @@ META = {'machine': 'headhead_mill',
                                             'unit': 'mm, rotary axes deg'},
                                            {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
                                            {'name': 'parameters',
-                                            'shape': [17],
+                                            'shape': [20],
                                             'per_point': False,
                                             'unit': 'mm, rad'},
                                            {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'ball', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'length', 'shape': [1], 'per_point': True, 'unit': 'mm'}],
                                 'outputs': [{'name': 'error', 'shape': [4], 'per_point': True, 'unit': 'mm'}],
-                                'operations': 204,
+                                'operations': 210,
                                 'operations_per_call': 0},
               'correction': {'inputs': [{'name': 'positions',
                                          'shape': [5],
@@ -643,7 +665,7 @@ META = {'machine': 'headhead_mill',
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [17], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [20], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'operations': 19,
@@ -653,7 +675,7 @@ META = {'machine': 'headhead_mill',
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [17], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [20], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'operations': 21,
@@ -663,7 +685,7 @@ META = {'machine': 'headhead_mill',
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [17], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [20], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'operations': 23,
@@ -673,27 +695,27 @@ META = {'machine': 'headhead_mill',
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [17], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [20], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                           'operations': 80,
+                           'operations': 89,
                            'operations_per_call': 0},
               'motion_C': {'inputs': [{'name': 'positions',
                                        'shape': [5],
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [17], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [20], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                           'operations': 110,
+                           'operations': 118,
                            'operations_per_call': 0},
               'motion_XY': {'inputs': [{'name': 'positions',
                                         'shape': [5],
                                         'per_point': True,
                                         'unit': 'mm, rotary axes deg'},
                                        {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                       {'name': 'parameters', 'shape': [17], 'per_point': False, 'unit': 'mm, rad'},
+                                       {'name': 'parameters', 'shape': [20], 'per_point': False, 'unit': 'mm, rad'},
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'operations': 40,
@@ -703,7 +725,7 @@ META = {'machine': 'headhead_mill',
                                         'per_point': True,
                                         'unit': 'mm, rotary axes deg'},
                                        {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                       {'name': 'parameters', 'shape': [17], 'per_point': False, 'unit': 'mm, rad'},
+                                       {'name': 'parameters', 'shape': [20], 'per_point': False, 'unit': 'mm, rad'},
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'operations': 42,
@@ -713,7 +735,7 @@ META = {'machine': 'headhead_mill',
                                         'per_point': True,
                                         'unit': 'mm, rotary axes deg'},
                                        {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                       {'name': 'parameters', 'shape': [17], 'per_point': False, 'unit': 'mm, rad'},
+                                       {'name': 'parameters', 'shape': [20], 'per_point': False, 'unit': 'mm, rad'},
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'operations': 44,
@@ -745,7 +767,7 @@ def tool_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -789,12 +811,12 @@ def tool_in_workpiece_ideal(positions, parameters, point):
 def tool_in_workpiece_deviation(positions, errors, parameters, point):
     """Deviation of a tool point in the workpiece frame, exact.
 
-    Source: Eqs. (1)-(4). Operations: 167 per point.
+    Source: Eqs. (1)-(4). Operations: 173 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -820,6 +842,9 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
     EZ0B = float(parameters[14])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
+    EZ0T = float(parameters[19])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -875,65 +900,68 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
         w7 = q_Ty + ry
         w8 = q_By + w7
         w9 = cos_c*w8 + sin_c*w6
-        w10 = -EAB*w1 + ECB*w0 + EYB
-        w11 = EBB*w1 - ECB*w7 + EXB
-        w12 = EAB*w7 - EBB*w0 + EZB
-        w13 = cos_b*w11 + sin_b*w12
-        w14 = cos_b*w12 - sin_b*w11
-        w15 = -EA0B*(w14 + w2) + EC0B*(w13 + w5) + w10
-        w16 = w15 + w8
-        w17 = w10 + w7
-        w18 = -EC0B*w17 + EX0B + w13
-        w19 = w18 + w6
-        w20 = EA0B*w17 + EZ0B + w14
-        w21 = EAC*w16 - EBC*w19 + EZC + w20
-        w22 = w21 + w3
-        w23 = w20 + w3
-        w24 = EBC*w23 - ECC*w16 + EXC + w18
-        w25 = -EAC*w23 + ECC*w19 + EYC + w15
-        w26 = cos_c*w25 + sin_c*w24
-        w27 = -EA0C*w22 + EY0C + w26
-        w28 = w27 + w9
-        w29 = cos_c*w6 - sin_c*w8
-        w30 = cos_c*w24 - sin_c*w25
-        w31 = EB0C*w22 + EX0C + w30
-        w32 = w29 + w31
-        w33 = EA0C*(w26 + w9) - EB0C*(w29 + w30) + w21
-        w34 = EAZ*w28 - EBZ*w32 + EZZ + w33
-        w35 = w34 + w4
-        w36 = w3 + w33
-        w37 = -EAZ*w36 + ECZ*w32 + EYZ + w27
-        w38 = -EA0Z*w35 + w37
-        w39 = w38 + w9
-        w40 = EBZ*w36 - ECZ*w28 + EXZ + w31
-        w41 = EB0Z*w35 + w40
-        w42 = w29 + w41
-        w43 = EA0Z*(w37 + w9) - EB0Z*(w29 + w40) + w34
-        w44 = EAY*w39 - EBY*w42 + EZY + w43
-        w45 = w4 + w44
-        w46 = w9 + y
-        w47 = w4 + w43
-        w48 = EBY*w47 - ECY*w39 + EXY + w41
-        w49 = -EAY*w47 + ECY*w42 + EYY + w38
-        w50 = EC0Y*(w29 + w48) + w49
-        w51 = w46 + w50
-        w52 = -EC0Y*(w46 + w49) + w48
-        deviation[0, at] = EBX*w45 - ECX*w51 + EXX + w52
-        w53 = w29 + w52
-        deviation[1, at] = -EAX*w45 + ECX*w53 + EYX + w50
-        deviation[2, at] = EAX*w51 - EBX*w53 + EZX + w44
+        w10 = EZ0T + w1
+        w11 = EX0T + w0
+        w12 = -EAB*w10 + ECB*w11 + EY0T + EYB
+        w13 = EY0T + w7
+        w14 = EBB*w10 - ECB*w13 + EX0T + EXB
+        w15 = EAB*w13 - EBB*w11 + EZ0T + EZB
+        w16 = cos_b*w14 + sin_b*w15
+        w17 = cos_b*w15 - sin_b*w14
+        w18 = -EA0B*(w17 + w2) + EC0B*(w16 + w5) + w12
+        w19 = w18 + w8
+        w20 = w12 + w7
+        w21 = -EC0B*w20 + EX0B + w16
+        w22 = w21 + w6
+        w23 = EA0B*w20 + EZ0B + w17
+        w24 = EAC*w19 - EBC*w22 + EZC + w23
+        w25 = w24 + w3
+        w26 = w23 + w3
+        w27 = EBC*w26 - ECC*w19 + EXC + w21
+        w28 = -EAC*w26 + ECC*w22 + EYC + w18
+        w29 = cos_c*w28 + sin_c*w27
+        w30 = -EA0C*w25 + EY0C + w29
+        w31 = w30 + w9
+        w32 = cos_c*w6 - sin_c*w8
+        w33 = cos_c*w27 - sin_c*w28
+        w34 = EB0C*w25 + EX0C + w33
+        w35 = w32 + w34
+        w36 = EA0C*(w29 + w9) - EB0C*(w32 + w33) + w24
+        w37 = EAZ*w31 - EBZ*w35 + EZZ + w36
+        w38 = w37 + w4
+        w39 = w3 + w36
+        w40 = -EAZ*w39 + ECZ*w35 + EYZ + w30
+        w41 = -EA0Z*w38 + w40
+        w42 = w41 + w9
+        w43 = EBZ*w39 - ECZ*w31 + EXZ + w34
+        w44 = EB0Z*w38 + w43
+        w45 = w32 + w44
+        w46 = EA0Z*(w40 + w9) - EB0Z*(w32 + w43) + w37
+        w47 = EAY*w42 - EBY*w45 + EZY + w46
+        w48 = w4 + w47
+        w49 = w9 + y
+        w50 = w4 + w46
+        w51 = EBY*w50 - ECY*w42 + EXY + w44
+        w52 = -EAY*w50 + ECY*w45 + EYY + w41
+        w53 = EC0Y*(w32 + w51) + w52
+        w54 = w49 + w53
+        w55 = -EC0Y*(w49 + w52) + w51
+        deviation[0, at] = EBX*w48 - ECX*w54 + EXX + w55
+        w56 = w32 + w55
+        deviation[1, at] = -EAX*w48 + ECX*w56 + EYX + w53
+        deviation[2, at] = EAX*w54 - EBX*w56 + EZX + w47
     return deviation
 
 
 def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point):
     """Deviation of a tool point in the workpiece frame, to first order in the errors.
 
-    Source: Eqs. (1)-(4). Operations: 144 per point.
+    Source: Eqs. (1)-(4). Operations: 147 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -959,6 +987,9 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
     EZ0B = float(parameters[14])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
+    EZ0T = float(parameters[19])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -1015,12 +1046,12 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
         w8 = q_By + w7
         w9 = cos_c*w8 + sin_c*w6
         w10 = w9 + y
-        w11 = EBB*w1 - ECB*w7 + EXB
-        w12 = EAB*w7 - EBB*w0 + EZB
+        w11 = EBB*w1 - ECB*w7 + EX0T + EXB
+        w12 = EAB*w7 - EBB*w0 + EZ0T + EZB
         w13 = cos_b*w11 + sin_b*w12
         w14 = -EC0B*w7 + EX0B + w13
         w15 = EBC*w3 - ECC*w8 + EXC + w14
-        w16 = -EAB*w1 + ECB*w0 + EYB
+        w16 = -EAB*w1 + ECB*w0 + EY0T + EYB
         w17 = -EA0B*w2 + EC0B*w5 + w16
         w18 = -EAC*w3 + ECC*w6 + EYC + w17
         w19 = cos_c*w15 - sin_c*w18
@@ -1056,14 +1087,14 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
-        sensitivity (3, 41, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+        sensitivity (3, 44, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
     """
     n, positions, point = _points(positions, point)
-    sensitivity = np.zeros((123, n))
+    sensitivity = np.zeros((132, n))
     # constants
     q_Bx = float(parameters[0])
     q_By = float(parameters[1])
@@ -1099,8 +1130,8 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
         w8 = q_Tz*sin_c
         w9 = rz*sin_c
         w10 = cos_b*w6 + cos_b*w7 + sin_b*w8 + sin_b*w9 + w4 + w5
-        sensitivity[91, at] = dz_EAY = cos_c*q_By + q_Bx*sin_c + w10
-        sensitivity[85, at] = dz_EAX = dz_EAY + y
+        sensitivity[97, at] = dz_EAY = cos_c*q_By + q_Bx*sin_c + w10
+        sensitivity[91, at] = dz_EAX = dz_EAY + y
         sensitivity[5, at] = dx_ECX = -dz_EAX
         sensitivity[11, at] = dx_ECY = -dz_EAY
         sensitivity[18, at] = dx_EXB = cos_b*cos_c
@@ -1110,14 +1141,17 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
         sensitivity[39, at] = dx_EA0B = sin_c*w0 + sin_c*w1 - sin_c*w2 - sin_c*w3
         sensitivity[27, at] = dx_EAC = dx_EA0B + q_Bz*sin_c
         sensitivity[28, at] = dx_EBC = cos_c*q_Bz + dx_EBB
-        sensitivity[44, at] = dy_EAX = -dx_EBX
+        sensitivity[47, at] = dy_EAX = -dx_EBX
         w11 = q_Ty*sin_c
         w12 = ry*sin_c
-        sensitivity[81, at] = dy_EC0B = dx_EXB*q_Tx + dx_EXB*rx + dx_EZB*q_Tz + dx_EZB*rz - w11 - w12
-        sensitivity[46, at] = dy_ECX = cos_c*q_Bx + dy_EC0B - q_By*sin_c
-        sensitivity[56, at] = dy_EAZ = -dx_EBZ
-        sensitivity[86, at] = dz_EBX = -dy_ECX
-        sensitivity[121, at] = dz_EA0B = q_Ty + ry
+        sensitivity[84, at] = dy_EC0B = dx_EXB*q_Tx + dx_EXB*rx + dx_EZB*q_Tz + dx_EZB*rz - w11 - w12
+        sensitivity[49, at] = dy_ECX = cos_c*q_Bx + dy_EC0B - q_By*sin_c
+        sensitivity[59, at] = dy_EAZ = -dx_EBZ
+        sensitivity[62, at] = dy_EXB = cos_b*sin_c
+        sensitivity[64, at] = dy_EZB = sin_b*sin_c
+        sensitivity[92, at] = dz_EBX = -dy_ECX
+        sensitivity[106, at] = dz_EXB = -sin_b
+        sensitivity[127, at] = dz_EA0B = q_Ty + ry
         sensitivity[0, at] = 1.0
         sensitivity[6, at] = 1.0
         sensitivity[10, at] = dx_EBX
@@ -1134,50 +1168,55 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
         sensitivity[36, at] = dx_EBZ
         sensitivity[37, at] = cos_c
         sensitivity[40, at] = -w10
-        sensitivity[42, at] = 1.0
-        sensitivity[48, at] = 1.0
-        sensitivity[50, at] = dy_EAX
-        sensitivity[52, at] = dy_ECX
-        sensitivity[54, at] = 1.0
-        sensitivity[58, at] = dy_ECX
-        sensitivity[59, at] = cos_b*sin_c
-        sensitivity[60, at] = cos_c
-        sensitivity[61, at] = sin_b*sin_c
-        sensitivity[62, at] = -cos_c*q_Tz - cos_c*rz + q_Ty*sin_b*sin_c + ry*sin_b*sin_c
-        sensitivity[63, at] = dx_EA0B
-        sensitivity[64, at] = -cos_b*w11 - cos_b*w12 + cos_c*q_Tx + cos_c*rx
-        sensitivity[65, at] = sin_c
-        sensitivity[66, at] = cos_c
-        sensitivity[68, at] = -dx_EBC
-        sensitivity[69, at] = dx_EAC
-        sensitivity[70, at] = dy_ECX
-        sensitivity[71, at] = dy_ECX
-        sensitivity[72, at] = dy_EAX
-        sensitivity[75, at] = 1.0
-        sensitivity[76, at] = dy_EAZ
-        sensitivity[78, at] = sin_c
-        sensitivity[80, at] = -dx_EBB
-        sensitivity[84, at] = 1.0
+        sensitivity[41, at] = dx_EXB
+        sensitivity[42, at] = dx_EYB
+        sensitivity[43, at] = dx_EZB
+        sensitivity[45, at] = 1.0
+        sensitivity[51, at] = 1.0
+        sensitivity[53, at] = dy_EAX
+        sensitivity[55, at] = dy_ECX
+        sensitivity[57, at] = 1.0
+        sensitivity[61, at] = dy_ECX
+        sensitivity[63, at] = cos_c
+        sensitivity[65, at] = -cos_c*q_Tz - cos_c*rz + q_Ty*sin_b*sin_c + ry*sin_b*sin_c
+        sensitivity[66, at] = dx_EA0B
+        sensitivity[67, at] = -cos_b*w11 - cos_b*w12 + cos_c*q_Tx + cos_c*rx
+        sensitivity[68, at] = sin_c
+        sensitivity[69, at] = cos_c
+        sensitivity[71, at] = -dx_EBC
+        sensitivity[72, at] = dx_EAC
+        sensitivity[73, at] = dy_ECX
+        sensitivity[74, at] = dy_ECX
+        sensitivity[75, at] = dy_EAX
+        sensitivity[78, at] = 1.0
+        sensitivity[79, at] = dy_EAZ
+        sensitivity[81, at] = sin_c
+        sensitivity[83, at] = -dx_EBB
+        sensitivity[85, at] = dy_EXB
+        sensitivity[86, at] = cos_c
+        sensitivity[87, at] = dy_EZB
         sensitivity[90, at] = 1.0
-        sensitivity[92, at] = dz_EBX
         sensitivity[96, at] = 1.0
-        sensitivity[97, at] = dz_EAY
         sensitivity[98, at] = dz_EBX
-        sensitivity[100, at] = -sin_b
-        sensitivity[102, at] = cos_b
-        sensitivity[103, at] = cos_b*q_Ty + cos_b*ry
+        sensitivity[102, at] = 1.0
+        sensitivity[103, at] = dz_EAY
+        sensitivity[104, at] = dz_EBX
+        sensitivity[108, at] = cos_b
+        sensitivity[109, at] = cos_b*q_Ty + cos_b*ry
         w13 = cos_b*q_Tx + cos_b*rx + q_Tz*sin_b + rz*sin_b
-        sensitivity[104, at] = -w13
-        sensitivity[105, at] = q_Ty*sin_b + ry*sin_b
-        sensitivity[108, at] = 1.0
-        sensitivity[109, at] = dz_EA0B + q_By
-        sensitivity[110, at] = -q_Bx - w13
-        sensitivity[113, at] = dz_EAY
-        sensitivity[114, at] = dz_EBX
-        sensitivity[117, at] = dz_EAY
-        sensitivity[118, at] = dz_EBX
-        sensitivity[120, at] = 1.0
-    return sensitivity.reshape(3, 41, n)
+        sensitivity[110, at] = -w13
+        sensitivity[111, at] = q_Ty*sin_b + ry*sin_b
+        sensitivity[114, at] = 1.0
+        sensitivity[115, at] = dz_EA0B + q_By
+        sensitivity[116, at] = -q_Bx - w13
+        sensitivity[119, at] = dz_EAY
+        sensitivity[120, at] = dz_EBX
+        sensitivity[123, at] = dz_EAY
+        sensitivity[124, at] = dz_EBX
+        sensitivity[126, at] = 1.0
+        sensitivity[129, at] = dz_EXB
+        sensitivity[131, at] = cos_b
+    return sensitivity.reshape(3, 44, n)
 
 
 def tool_in_bed_ideal(positions, parameters, point):
@@ -1187,7 +1226,7 @@ def tool_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -1231,12 +1270,12 @@ def tool_in_bed_ideal(positions, parameters, point):
 def tool_in_bed_deviation(positions, errors, parameters, point):
     """Deviation of a tool point in the bed frame, exact.
 
-    Source: Eqs. (1)-(4). Operations: 167 per point.
+    Source: Eqs. (1)-(4). Operations: 173 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -1262,6 +1301,9 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
     EZ0B = float(parameters[14])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
+    EZ0T = float(parameters[19])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -1317,65 +1359,68 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
         w7 = q_Ty + ry
         w8 = q_By + w7
         w9 = cos_c*w8 + sin_c*w6
-        w10 = -EAB*w1 + ECB*w0 + EYB
-        w11 = EBB*w1 - ECB*w7 + EXB
-        w12 = EAB*w7 - EBB*w0 + EZB
-        w13 = cos_b*w11 + sin_b*w12
-        w14 = cos_b*w12 - sin_b*w11
-        w15 = -EA0B*(w14 + w2) + EC0B*(w13 + w5) + w10
-        w16 = w15 + w8
-        w17 = w10 + w7
-        w18 = -EC0B*w17 + EX0B + w13
-        w19 = w18 + w6
-        w20 = EA0B*w17 + EZ0B + w14
-        w21 = EAC*w16 - EBC*w19 + EZC + w20
-        w22 = w21 + w3
-        w23 = w20 + w3
-        w24 = EBC*w23 - ECC*w16 + EXC + w18
-        w25 = -EAC*w23 + ECC*w19 + EYC + w15
-        w26 = cos_c*w25 + sin_c*w24
-        w27 = -EA0C*w22 + EY0C + w26
-        w28 = w27 + w9
-        w29 = cos_c*w6 - sin_c*w8
-        w30 = cos_c*w24 - sin_c*w25
-        w31 = EB0C*w22 + EX0C + w30
-        w32 = w29 + w31
-        w33 = EA0C*(w26 + w9) - EB0C*(w29 + w30) + w21
-        w34 = EAZ*w28 - EBZ*w32 + EZZ + w33
-        w35 = w34 + w4
-        w36 = w3 + w33
-        w37 = -EAZ*w36 + ECZ*w32 + EYZ + w27
-        w38 = -EA0Z*w35 + w37
-        w39 = w38 + w9
-        w40 = EBZ*w36 - ECZ*w28 + EXZ + w31
-        w41 = EB0Z*w35 + w40
-        w42 = w29 + w41
-        w43 = EA0Z*(w37 + w9) - EB0Z*(w29 + w40) + w34
-        w44 = EAY*w39 - EBY*w42 + EZY + w43
-        w45 = w4 + w44
-        w46 = w9 + y
-        w47 = w4 + w43
-        w48 = EBY*w47 - ECY*w39 + EXY + w41
-        w49 = -EAY*w47 + ECY*w42 + EYY + w38
-        w50 = EC0Y*(w29 + w48) + w49
-        w51 = w46 + w50
-        w52 = -EC0Y*(w46 + w49) + w48
-        deviation[0, at] = EBX*w45 - ECX*w51 + EXX + w52
-        w53 = w29 + w52
-        deviation[1, at] = -EAX*w45 + ECX*w53 + EYX + w50
-        deviation[2, at] = EAX*w51 - EBX*w53 + EZX + w44
+        w10 = EZ0T + w1
+        w11 = EX0T + w0
+        w12 = -EAB*w10 + ECB*w11 + EY0T + EYB
+        w13 = EY0T + w7
+        w14 = EBB*w10 - ECB*w13 + EX0T + EXB
+        w15 = EAB*w13 - EBB*w11 + EZ0T + EZB
+        w16 = cos_b*w14 + sin_b*w15
+        w17 = cos_b*w15 - sin_b*w14
+        w18 = -EA0B*(w17 + w2) + EC0B*(w16 + w5) + w12
+        w19 = w18 + w8
+        w20 = w12 + w7
+        w21 = -EC0B*w20 + EX0B + w16
+        w22 = w21 + w6
+        w23 = EA0B*w20 + EZ0B + w17
+        w24 = EAC*w19 - EBC*w22 + EZC + w23
+        w25 = w24 + w3
+        w26 = w23 + w3
+        w27 = EBC*w26 - ECC*w19 + EXC + w21
+        w28 = -EAC*w26 + ECC*w22 + EYC + w18
+        w29 = cos_c*w28 + sin_c*w27
+        w30 = -EA0C*w25 + EY0C + w29
+        w31 = w30 + w9
+        w32 = cos_c*w6 - sin_c*w8
+        w33 = cos_c*w27 - sin_c*w28
+        w34 = EB0C*w25 + EX0C + w33
+        w35 = w32 + w34
+        w36 = EA0C*(w29 + w9) - EB0C*(w32 + w33) + w24
+        w37 = EAZ*w31 - EBZ*w35 + EZZ + w36
+        w38 = w37 + w4
+        w39 = w3 + w36
+        w40 = -EAZ*w39 + ECZ*w35 + EYZ + w30
+        w41 = -EA0Z*w38 + w40
+        w42 = w41 + w9
+        w43 = EBZ*w39 - ECZ*w31 + EXZ + w34
+        w44 = EB0Z*w38 + w43
+        w45 = w32 + w44
+        w46 = EA0Z*(w40 + w9) - EB0Z*(w32 + w43) + w37
+        w47 = EAY*w42 - EBY*w45 + EZY + w46
+        w48 = w4 + w47
+        w49 = w9 + y
+        w50 = w4 + w46
+        w51 = EBY*w50 - ECY*w42 + EXY + w44
+        w52 = -EAY*w50 + ECY*w45 + EYY + w41
+        w53 = EC0Y*(w32 + w51) + w52
+        w54 = w49 + w53
+        w55 = -EC0Y*(w49 + w52) + w51
+        deviation[0, at] = EBX*w48 - ECX*w54 + EXX + w55
+        w56 = w32 + w55
+        deviation[1, at] = -EAX*w48 + ECX*w56 + EYX + w53
+        deviation[2, at] = EAX*w54 - EBX*w56 + EZX + w47
     return deviation
 
 
 def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
     """Deviation of a tool point in the bed frame, to first order in the errors.
 
-    Source: Eqs. (1)-(4). Operations: 144 per point.
+    Source: Eqs. (1)-(4). Operations: 147 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -1401,6 +1446,9 @@ def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
     EZ0B = float(parameters[14])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
+    EZ0T = float(parameters[19])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -1457,12 +1505,12 @@ def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
         w8 = q_By + w7
         w9 = cos_c*w8 + sin_c*w6
         w10 = w9 + y
-        w11 = EBB*w1 - ECB*w7 + EXB
-        w12 = EAB*w7 - EBB*w0 + EZB
+        w11 = EBB*w1 - ECB*w7 + EX0T + EXB
+        w12 = EAB*w7 - EBB*w0 + EZ0T + EZB
         w13 = cos_b*w11 + sin_b*w12
         w14 = -EC0B*w7 + EX0B + w13
         w15 = EBC*w3 - ECC*w8 + EXC + w14
-        w16 = -EAB*w1 + ECB*w0 + EYB
+        w16 = -EAB*w1 + ECB*w0 + EY0T + EYB
         w17 = -EA0B*w2 + EC0B*w5 + w16
         w18 = -EAC*w3 + ECC*w6 + EYC + w17
         w19 = cos_c*w15 - sin_c*w18
@@ -1498,14 +1546,14 @@ def tool_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
-        sensitivity (3, 41, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+        sensitivity (3, 44, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
     """
     n, positions, point = _points(positions, point)
-    sensitivity = np.zeros((123, n))
+    sensitivity = np.zeros((132, n))
     # constants
     q_Bx = float(parameters[0])
     q_By = float(parameters[1])
@@ -1541,8 +1589,8 @@ def tool_in_bed_sensitivity(positions, parameters, point):
         w8 = q_Tz*sin_c
         w9 = rz*sin_c
         w10 = cos_b*w6 + cos_b*w7 + sin_b*w8 + sin_b*w9 + w4 + w5
-        sensitivity[91, at] = dz_EAY = cos_c*q_By + q_Bx*sin_c + w10
-        sensitivity[85, at] = dz_EAX = dz_EAY + y
+        sensitivity[97, at] = dz_EAY = cos_c*q_By + q_Bx*sin_c + w10
+        sensitivity[91, at] = dz_EAX = dz_EAY + y
         sensitivity[5, at] = dx_ECX = -dz_EAX
         sensitivity[11, at] = dx_ECY = -dz_EAY
         sensitivity[18, at] = dx_EXB = cos_b*cos_c
@@ -1552,14 +1600,17 @@ def tool_in_bed_sensitivity(positions, parameters, point):
         sensitivity[39, at] = dx_EA0B = sin_c*w0 + sin_c*w1 - sin_c*w2 - sin_c*w3
         sensitivity[27, at] = dx_EAC = dx_EA0B + q_Bz*sin_c
         sensitivity[28, at] = dx_EBC = cos_c*q_Bz + dx_EBB
-        sensitivity[44, at] = dy_EAX = -dx_EBX
+        sensitivity[47, at] = dy_EAX = -dx_EBX
         w11 = q_Ty*sin_c
         w12 = ry*sin_c
-        sensitivity[81, at] = dy_EC0B = dx_EXB*q_Tx + dx_EXB*rx + dx_EZB*q_Tz + dx_EZB*rz - w11 - w12
-        sensitivity[46, at] = dy_ECX = cos_c*q_Bx + dy_EC0B - q_By*sin_c
-        sensitivity[56, at] = dy_EAZ = -dx_EBZ
-        sensitivity[86, at] = dz_EBX = -dy_ECX
-        sensitivity[121, at] = dz_EA0B = q_Ty + ry
+        sensitivity[84, at] = dy_EC0B = dx_EXB*q_Tx + dx_EXB*rx + dx_EZB*q_Tz + dx_EZB*rz - w11 - w12
+        sensitivity[49, at] = dy_ECX = cos_c*q_Bx + dy_EC0B - q_By*sin_c
+        sensitivity[59, at] = dy_EAZ = -dx_EBZ
+        sensitivity[62, at] = dy_EXB = cos_b*sin_c
+        sensitivity[64, at] = dy_EZB = sin_b*sin_c
+        sensitivity[92, at] = dz_EBX = -dy_ECX
+        sensitivity[106, at] = dz_EXB = -sin_b
+        sensitivity[127, at] = dz_EA0B = q_Ty + ry
         sensitivity[0, at] = 1.0
         sensitivity[6, at] = 1.0
         sensitivity[10, at] = dx_EBX
@@ -1576,50 +1627,55 @@ def tool_in_bed_sensitivity(positions, parameters, point):
         sensitivity[36, at] = dx_EBZ
         sensitivity[37, at] = cos_c
         sensitivity[40, at] = -w10
-        sensitivity[42, at] = 1.0
-        sensitivity[48, at] = 1.0
-        sensitivity[50, at] = dy_EAX
-        sensitivity[52, at] = dy_ECX
-        sensitivity[54, at] = 1.0
-        sensitivity[58, at] = dy_ECX
-        sensitivity[59, at] = cos_b*sin_c
-        sensitivity[60, at] = cos_c
-        sensitivity[61, at] = sin_b*sin_c
-        sensitivity[62, at] = -cos_c*q_Tz - cos_c*rz + q_Ty*sin_b*sin_c + ry*sin_b*sin_c
-        sensitivity[63, at] = dx_EA0B
-        sensitivity[64, at] = -cos_b*w11 - cos_b*w12 + cos_c*q_Tx + cos_c*rx
-        sensitivity[65, at] = sin_c
-        sensitivity[66, at] = cos_c
-        sensitivity[68, at] = -dx_EBC
-        sensitivity[69, at] = dx_EAC
-        sensitivity[70, at] = dy_ECX
-        sensitivity[71, at] = dy_ECX
-        sensitivity[72, at] = dy_EAX
-        sensitivity[75, at] = 1.0
-        sensitivity[76, at] = dy_EAZ
-        sensitivity[78, at] = sin_c
-        sensitivity[80, at] = -dx_EBB
-        sensitivity[84, at] = 1.0
+        sensitivity[41, at] = dx_EXB
+        sensitivity[42, at] = dx_EYB
+        sensitivity[43, at] = dx_EZB
+        sensitivity[45, at] = 1.0
+        sensitivity[51, at] = 1.0
+        sensitivity[53, at] = dy_EAX
+        sensitivity[55, at] = dy_ECX
+        sensitivity[57, at] = 1.0
+        sensitivity[61, at] = dy_ECX
+        sensitivity[63, at] = cos_c
+        sensitivity[65, at] = -cos_c*q_Tz - cos_c*rz + q_Ty*sin_b*sin_c + ry*sin_b*sin_c
+        sensitivity[66, at] = dx_EA0B
+        sensitivity[67, at] = -cos_b*w11 - cos_b*w12 + cos_c*q_Tx + cos_c*rx
+        sensitivity[68, at] = sin_c
+        sensitivity[69, at] = cos_c
+        sensitivity[71, at] = -dx_EBC
+        sensitivity[72, at] = dx_EAC
+        sensitivity[73, at] = dy_ECX
+        sensitivity[74, at] = dy_ECX
+        sensitivity[75, at] = dy_EAX
+        sensitivity[78, at] = 1.0
+        sensitivity[79, at] = dy_EAZ
+        sensitivity[81, at] = sin_c
+        sensitivity[83, at] = -dx_EBB
+        sensitivity[85, at] = dy_EXB
+        sensitivity[86, at] = cos_c
+        sensitivity[87, at] = dy_EZB
         sensitivity[90, at] = 1.0
-        sensitivity[92, at] = dz_EBX
         sensitivity[96, at] = 1.0
-        sensitivity[97, at] = dz_EAY
         sensitivity[98, at] = dz_EBX
-        sensitivity[100, at] = -sin_b
-        sensitivity[102, at] = cos_b
-        sensitivity[103, at] = cos_b*q_Ty + cos_b*ry
+        sensitivity[102, at] = 1.0
+        sensitivity[103, at] = dz_EAY
+        sensitivity[104, at] = dz_EBX
+        sensitivity[108, at] = cos_b
+        sensitivity[109, at] = cos_b*q_Ty + cos_b*ry
         w13 = cos_b*q_Tx + cos_b*rx + q_Tz*sin_b + rz*sin_b
-        sensitivity[104, at] = -w13
-        sensitivity[105, at] = q_Ty*sin_b + ry*sin_b
-        sensitivity[108, at] = 1.0
-        sensitivity[109, at] = dz_EA0B + q_By
-        sensitivity[110, at] = -q_Bx - w13
-        sensitivity[113, at] = dz_EAY
-        sensitivity[114, at] = dz_EBX
-        sensitivity[117, at] = dz_EAY
-        sensitivity[118, at] = dz_EBX
-        sensitivity[120, at] = 1.0
-    return sensitivity.reshape(3, 41, n)
+        sensitivity[110, at] = -w13
+        sensitivity[111, at] = q_Ty*sin_b + ry*sin_b
+        sensitivity[114, at] = 1.0
+        sensitivity[115, at] = dz_EA0B + q_By
+        sensitivity[116, at] = -q_Bx - w13
+        sensitivity[119, at] = dz_EAY
+        sensitivity[120, at] = dz_EBX
+        sensitivity[123, at] = dz_EAY
+        sensitivity[124, at] = dz_EBX
+        sensitivity[126, at] = 1.0
+        sensitivity[129, at] = dz_EXB
+        sensitivity[131, at] = cos_b
+    return sensitivity.reshape(3, 44, n)
 
 
 def workpiece_in_bed_ideal(positions, parameters, point):
@@ -1629,7 +1685,7 @@ def workpiece_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the workpiece frame [mm]
 
     Returns:
@@ -1657,7 +1713,7 @@ def workpiece_in_bed_deviation(positions, errors, parameters, point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the workpiece frame [mm]
 
     Returns:
@@ -1679,7 +1735,7 @@ def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point)
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the workpiece frame [mm]
 
     Returns:
@@ -1700,18 +1756,18 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the workpiece frame [mm]
 
     Returns:
-        sensitivity (3, 41, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+        sensitivity (3, 44, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
     """
     n, positions, point = _points(positions, point)
-    sensitivity = np.zeros((123, n))
+    sensitivity = np.zeros((132, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         # per point
-    return sensitivity.reshape(3, 41, n)
+    return sensitivity.reshape(3, 44, n)
 
 
 def bed_in_workpiece_ideal(positions, parameters, point):
@@ -1721,7 +1777,7 @@ def bed_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the bed frame [mm]
 
     Returns:
@@ -1749,7 +1805,7 @@ def bed_in_workpiece_deviation(positions, errors, parameters, point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the bed frame [mm]
 
     Returns:
@@ -1771,7 +1827,7 @@ def bed_in_workpiece_deviation_first_order(positions, errors, parameters, point)
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the bed frame [mm]
 
     Returns:
@@ -1792,29 +1848,29 @@ def bed_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the bed frame [mm]
 
     Returns:
-        sensitivity (3, 41, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+        sensitivity (3, 44, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
     """
     n, positions, point = _points(positions, point)
-    sensitivity = np.zeros((123, n))
+    sensitivity = np.zeros((132, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         # per point
-    return sensitivity.reshape(3, 41, n)
+    return sensitivity.reshape(3, 44, n)
 
 
 def tool_in_workpiece_position(positions, errors, parameters, point):
     """Actual position of the tool point in the workpiece frame, exact.
 
-    Source: Eq. (4). Operations: 171 per point.
+    Source: Eq. (4). Operations: 177 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -1840,6 +1896,9 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
     EZ0B = float(parameters[14])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
+    EZ0T = float(parameters[19])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1896,69 +1955,72 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
         w7 = q_Ty + ry
         w8 = q_By + w7
         w9 = cos_c*w8 + sin_c*w6
-        w10 = -EAB*w1 + ECB*w0 + EYB
-        w11 = EBB*w1 - ECB*w7 + EXB
-        w12 = EAB*w7 - EBB*w0 + EZB
-        w13 = cos_b*w11 + sin_b*w12
-        w14 = cos_b*w12 - sin_b*w11
-        w15 = -EA0B*(w14 + w2) + EC0B*(w13 + w5) + w10
-        w16 = w15 + w8
-        w17 = w10 + w7
-        w18 = -EC0B*w17 + EX0B + w13
-        w19 = w18 + w6
-        w20 = EA0B*w17 + EZ0B + w14
-        w21 = EAC*w16 - EBC*w19 + EZC + w20
-        w22 = w21 + w3
-        w23 = w20 + w3
-        w24 = EBC*w23 - ECC*w16 + EXC + w18
-        w25 = -EAC*w23 + ECC*w19 + EYC + w15
-        w26 = cos_c*w25 + sin_c*w24
-        w27 = -EA0C*w22 + EY0C + w26
-        w28 = w27 + w9
-        w29 = cos_c*w6 - sin_c*w8
-        w30 = cos_c*w24 - sin_c*w25
-        w31 = EB0C*w22 + EX0C + w30
-        w32 = w29 + w31
-        w33 = EA0C*(w26 + w9) - EB0C*(w29 + w30) + w21
-        w34 = EAZ*w28 - EBZ*w32 + EZZ + w33
-        w35 = w34 + w4
-        w36 = w3 + w33
-        w37 = -EAZ*w36 + ECZ*w32 + EYZ + w27
-        w38 = -EA0Z*w35 + w37
-        w39 = w38 + w9
-        w40 = EBZ*w36 - ECZ*w28 + EXZ + w31
-        w41 = EB0Z*w35 + w40
-        w42 = w29 + w41
-        w43 = EA0Z*(w37 + w9) - EB0Z*(w29 + w40) + w34
-        w44 = EAY*w39 - EBY*w42 + EZY + w43
-        w45 = w4 + w44
-        w46 = w9 + y
-        w47 = w4 + w43
-        w48 = EBY*w47 - ECY*w39 + EXY + w41
-        w49 = -EAY*w47 + ECY*w42 + EYY + w38
-        w50 = EC0Y*(w29 + w48) + w49
-        w51 = w46 + w50
-        w52 = -EC0Y*(w46 + w49) + w48
-        w53 = EBX*w45 - ECX*w51 + EXX + w52
-        w54 = w29 + x
-        position[0, at] = w53 + w54
-        w55 = w29 + w52
-        w56 = -EAX*w45 + ECX*w55 + EYX + w50
-        position[1, at] = w46 + w56
-        w57 = EAX*w51 - EBX*w55 + EZX + w44
-        position[2, at] = w4 + w57
+        w10 = EZ0T + w1
+        w11 = EX0T + w0
+        w12 = -EAB*w10 + ECB*w11 + EY0T + EYB
+        w13 = EY0T + w7
+        w14 = EBB*w10 - ECB*w13 + EX0T + EXB
+        w15 = EAB*w13 - EBB*w11 + EZ0T + EZB
+        w16 = cos_b*w14 + sin_b*w15
+        w17 = cos_b*w15 - sin_b*w14
+        w18 = -EA0B*(w17 + w2) + EC0B*(w16 + w5) + w12
+        w19 = w18 + w8
+        w20 = w12 + w7
+        w21 = -EC0B*w20 + EX0B + w16
+        w22 = w21 + w6
+        w23 = EA0B*w20 + EZ0B + w17
+        w24 = EAC*w19 - EBC*w22 + EZC + w23
+        w25 = w24 + w3
+        w26 = w23 + w3
+        w27 = EBC*w26 - ECC*w19 + EXC + w21
+        w28 = -EAC*w26 + ECC*w22 + EYC + w18
+        w29 = cos_c*w28 + sin_c*w27
+        w30 = -EA0C*w25 + EY0C + w29
+        w31 = w30 + w9
+        w32 = cos_c*w6 - sin_c*w8
+        w33 = cos_c*w27 - sin_c*w28
+        w34 = EB0C*w25 + EX0C + w33
+        w35 = w32 + w34
+        w36 = EA0C*(w29 + w9) - EB0C*(w32 + w33) + w24
+        w37 = EAZ*w31 - EBZ*w35 + EZZ + w36
+        w38 = w37 + w4
+        w39 = w3 + w36
+        w40 = -EAZ*w39 + ECZ*w35 + EYZ + w30
+        w41 = -EA0Z*w38 + w40
+        w42 = w41 + w9
+        w43 = EBZ*w39 - ECZ*w31 + EXZ + w34
+        w44 = EB0Z*w38 + w43
+        w45 = w32 + w44
+        w46 = EA0Z*(w40 + w9) - EB0Z*(w32 + w43) + w37
+        w47 = EAY*w42 - EBY*w45 + EZY + w46
+        w48 = w4 + w47
+        w49 = w9 + y
+        w50 = w4 + w46
+        w51 = EBY*w50 - ECY*w42 + EXY + w44
+        w52 = -EAY*w50 + ECY*w45 + EYY + w41
+        w53 = EC0Y*(w32 + w51) + w52
+        w54 = w49 + w53
+        w55 = -EC0Y*(w49 + w52) + w51
+        w56 = EBX*w48 - ECX*w54 + EXX + w55
+        w57 = w32 + x
+        position[0, at] = w56 + w57
+        w58 = w32 + w55
+        w59 = -EAX*w48 + ECX*w58 + EYX + w53
+        position[1, at] = w49 + w59
+        w60 = EAX*w54 - EBX*w58 + EZX + w47
+        position[2, at] = w4 + w60
     return position
 
 
 def tool_in_workpiece_position_first_order(positions, errors, parameters, point):
     """Actual position of the tool point in the workpiece frame, to first order.
 
-    Source: Eq. (4). Operations: 148 per point.
+    Source: Eq. (4). Operations: 151 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -1984,6 +2046,9 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
     EZ0B = float(parameters[14])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
+    EZ0T = float(parameters[19])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2041,12 +2106,12 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
         w8 = q_By + w7
         w9 = cos_c*w8 + sin_c*w6
         w10 = w9 + y
-        w11 = EBB*w1 - ECB*w7 + EXB
-        w12 = EAB*w7 - EBB*w0 + EZB
+        w11 = EBB*w1 - ECB*w7 + EX0T + EXB
+        w12 = EAB*w7 - EBB*w0 + EZ0T + EZB
         w13 = cos_b*w11 + sin_b*w12
         w14 = -EC0B*w7 + EX0B + w13
         w15 = EBC*w3 - ECC*w8 + EXC + w14
-        w16 = -EAB*w1 + ECB*w0 + EYB
+        w16 = -EAB*w1 + ECB*w0 + EY0T + EYB
         w17 = -EA0B*w2 + EC0B*w5 + w16
         w18 = -EAC*w3 + ECC*w6 + EYC + w17
         w19 = cos_c*w15 - sin_c*w18
@@ -2121,7 +2186,7 @@ def tool_orientation_deviation(positions, errors, parameters, direction):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
 
     Returns:
@@ -2225,7 +2290,7 @@ def tool_orientation_deviation_first_order(positions, errors, parameters, direct
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
 
     Returns:
@@ -2309,12 +2374,12 @@ def tool_orientation_deviation_first_order(positions, errors, parameters, direct
 def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, exact.
 
-    Source: Eqs. (1)-(4), (44). Operations: 553 per point, 4 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 556 per point, 7 per call.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         curves (30, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3,): point in the tool frame [mm]
 
     Returns:
@@ -2550,6 +2615,9 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     EZ0B = float(parameters[14])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
+    EZ0T = float(parameters[19])
     rx = float(point[0])
     ry = float(point[1])
     rz = float(point[2])
@@ -2558,6 +2626,9 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     w1 = q_Tz + rz
     w7 = q_Ty + ry
     w8 = q_By + w7
+    w10 = EZ0T + w1
+    w11 = EX0T + w0
+    w16 = EY0T + w7
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2577,95 +2648,95 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
         w5 = cos_b*w0 + sin_b*w1
         w6 = q_Bx + w5
         w9 = cos_c*w8 + sin_c*w6
-        w10 = _polynomial(b, EYB_1, EYB_2, EYB_3, EYB_4, EYB_5, EYB_6, EYB_7)
-        w11 = _polynomial(b, EAB_1, EAB_2, EAB_3, EAB_4, EAB_5, EAB_6, EAB_7)
-        w12 = _polynomial(b, ECB_1, ECB_2, ECB_3, ECB_4, ECB_5, ECB_6, ECB_7)
-        w13 = w0*w12 - w1*w11 + w10
-        w14 = _polynomial(b, EXB_1, EXB_2, EXB_3, EXB_4, EXB_5, EXB_6, EXB_7)
-        w15 = _polynomial(b, EBB_1, EBB_2, EBB_3, EBB_4, EBB_5, EBB_6, EBB_7)
-        w16 = w1*w15 - w12*w7 + w14
-        w17 = _polynomial(b, EZB_1, EZB_2, EZB_3, EZB_4, EZB_5, EZB_6, EZB_7)
-        w18 = -w0*w15 + w11*w7 + w17
-        w19 = cos_b*w16 + sin_b*w18
-        w20 = cos_b*w18 - sin_b*w16
-        w21 = -EA0B*(w2 + w20) + EC0B*(w19 + w5) + w13
-        w22 = w21 + w8
-        w23 = w13 + w7
-        w24 = -EC0B*w23 + EX0B + w19
-        w25 = w24 + w6
-        w26 = _polynomial(c, EZC_1, EZC_2, EZC_3, EZC_4, EZC_5, EZC_6, EZC_7)
-        w27 = _polynomial(c, EAC_1, EAC_2, EAC_3, EAC_4, EAC_5, EAC_6, EAC_7)
-        w28 = _polynomial(c, EBC_1, EBC_2, EBC_3, EBC_4, EBC_5, EBC_6, EBC_7)
-        w29 = EA0B*w23 + EZ0B + w20
-        w30 = w22*w27 - w25*w28 + w26 + w29
-        w31 = w3 + w30
-        w32 = w29 + w3
-        w33 = _polynomial(c, EXC_1, EXC_2, EXC_3, EXC_4, EXC_5, EXC_6, EXC_7)
-        w34 = _polynomial(c, ECC_1, ECC_2, ECC_3, ECC_4, ECC_5, ECC_6, ECC_7)
-        w35 = -w22*w34 + w24 + w28*w32 + w33
-        w36 = _polynomial(c, EYC_1, EYC_2, EYC_3, EYC_4, EYC_5, EYC_6, EYC_7)
-        w37 = w21 + w25*w34 - w27*w32 + w36
-        w38 = cos_c*w37 + sin_c*w35
-        w39 = -EA0C*w31 + EY0C + w38
-        w40 = w39 + w9
-        w41 = cos_c*w6 - sin_c*w8
-        w42 = cos_c*w35 - sin_c*w37
-        w43 = EB0C*w31 + EX0C + w42
-        w44 = w41 + w43
-        w45 = _polynomial(z, EZZ_1, EZZ_2, EZZ_3, EZZ_4, EZZ_5, EZZ_6, EZZ_7)
-        w46 = _polynomial(z, EAZ_1, EAZ_2, EAZ_3, EAZ_4, EAZ_5, EAZ_6, EAZ_7)
-        w47 = _polynomial(z, EBZ_1, EBZ_2, EBZ_3, EBZ_4, EBZ_5, EBZ_6, EBZ_7)
-        w48 = EA0C*(w38 + w9) - EB0C*(w41 + w42) + w30
-        w49 = w40*w46 - w44*w47 + w45 + w48
-        w50 = w4 + w49
-        w51 = w3 + w48
-        w52 = _polynomial(z, EYZ_1, EYZ_2, EYZ_3, EYZ_4, EYZ_5, EYZ_6, EYZ_7)
-        w53 = _polynomial(z, ECZ_1, ECZ_2, ECZ_3, ECZ_4, ECZ_5, ECZ_6, ECZ_7)
-        w54 = w39 + w44*w53 - w46*w51 + w52
-        w55 = -EA0Z*w50 + w54
-        w56 = w55 + w9
-        w57 = _polynomial(z, EXZ_1, EXZ_2, EXZ_3, EXZ_4, EXZ_5, EXZ_6, EXZ_7)
-        w58 = -w40*w53 + w43 + w47*w51 + w57
-        w59 = EB0Z*w50 + w58
-        w60 = w41 + w59
-        w61 = _polynomial(y, EZY_1, EZY_2, EZY_3, EZY_4, EZY_5, EZY_6, EZY_7)
-        w62 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
-        w63 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, EBY_6, EBY_7)
-        w64 = EA0Z*(w54 + w9) - EB0Z*(w41 + w58) + w49
-        w65 = w56*w62 - w60*w63 + w61 + w64
-        w66 = w4 + w65
-        w67 = w9 + y
-        w68 = w4 + w64
-        w69 = _polynomial(y, EXY_1, EXY_2, EXY_3, EXY_4, EXY_5, EXY_6, EXY_7)
-        w70 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
-        w71 = -w56*w70 + w59 + w63*w68 + w69
-        w72 = _polynomial(y, EYY_1, EYY_2, EYY_3, EYY_4, EYY_5, EYY_6, EYY_7)
-        w73 = w55 + w60*w70 - w62*w68 + w72
-        w74 = EC0Y*(w41 + w71) + w73
-        w75 = w67 + w74
-        w76 = _polynomial(x, EXX_1, EXX_2, EXX_3, EXX_4, EXX_5, EXX_6, EXX_7)
-        w77 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
-        w78 = _polynomial(x, ECX_1, ECX_2, ECX_3, ECX_4, ECX_5, ECX_6, ECX_7)
-        w79 = -EC0Y*(w67 + w73) + w71
-        deviation[0, at] = w66*w77 - w75*w78 + w76 + w79
-        w80 = w41 + w79
-        w81 = _polynomial(x, EYX_1, EYX_2, EYX_3, EYX_4, EYX_5, EYX_6, EYX_7)
-        w82 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, EAX_6, EAX_7)
-        deviation[1, at] = -w66*w82 + w74 + w78*w80 + w81
-        w83 = _polynomial(x, EZX_1, EZX_2, EZX_3, EZX_4, EZX_5, EZX_6, EZX_7)
-        deviation[2, at] = w65 + w75*w82 - w77*w80 + w83
+        w12 = _polynomial(b, EYB_1, EYB_2, EYB_3, EYB_4, EYB_5, EYB_6, EYB_7)
+        w13 = _polynomial(b, EAB_1, EAB_2, EAB_3, EAB_4, EAB_5, EAB_6, EAB_7)
+        w14 = _polynomial(b, ECB_1, ECB_2, ECB_3, ECB_4, ECB_5, ECB_6, ECB_7)
+        w15 = EY0T - w10*w13 + w11*w14 + w12
+        w17 = _polynomial(b, EXB_1, EXB_2, EXB_3, EXB_4, EXB_5, EXB_6, EXB_7)
+        w18 = _polynomial(b, EBB_1, EBB_2, EBB_3, EBB_4, EBB_5, EBB_6, EBB_7)
+        w19 = EX0T + w10*w18 - w14*w16 + w17
+        w20 = _polynomial(b, EZB_1, EZB_2, EZB_3, EZB_4, EZB_5, EZB_6, EZB_7)
+        w21 = EZ0T - w11*w18 + w13*w16 + w20
+        w22 = cos_b*w19 + sin_b*w21
+        w23 = cos_b*w21 - sin_b*w19
+        w24 = -EA0B*(w2 + w23) + EC0B*(w22 + w5) + w15
+        w25 = w24 + w8
+        w26 = w15 + w7
+        w27 = -EC0B*w26 + EX0B + w22
+        w28 = w27 + w6
+        w29 = _polynomial(c, EZC_1, EZC_2, EZC_3, EZC_4, EZC_5, EZC_6, EZC_7)
+        w30 = _polynomial(c, EAC_1, EAC_2, EAC_3, EAC_4, EAC_5, EAC_6, EAC_7)
+        w31 = _polynomial(c, EBC_1, EBC_2, EBC_3, EBC_4, EBC_5, EBC_6, EBC_7)
+        w32 = EA0B*w26 + EZ0B + w23
+        w33 = w25*w30 - w28*w31 + w29 + w32
+        w34 = w3 + w33
+        w35 = w3 + w32
+        w36 = _polynomial(c, EXC_1, EXC_2, EXC_3, EXC_4, EXC_5, EXC_6, EXC_7)
+        w37 = _polynomial(c, ECC_1, ECC_2, ECC_3, ECC_4, ECC_5, ECC_6, ECC_7)
+        w38 = -w25*w37 + w27 + w31*w35 + w36
+        w39 = _polynomial(c, EYC_1, EYC_2, EYC_3, EYC_4, EYC_5, EYC_6, EYC_7)
+        w40 = w24 + w28*w37 - w30*w35 + w39
+        w41 = cos_c*w40 + sin_c*w38
+        w42 = -EA0C*w34 + EY0C + w41
+        w43 = w42 + w9
+        w44 = cos_c*w6 - sin_c*w8
+        w45 = cos_c*w38 - sin_c*w40
+        w46 = EB0C*w34 + EX0C + w45
+        w47 = w44 + w46
+        w48 = _polynomial(z, EZZ_1, EZZ_2, EZZ_3, EZZ_4, EZZ_5, EZZ_6, EZZ_7)
+        w49 = _polynomial(z, EAZ_1, EAZ_2, EAZ_3, EAZ_4, EAZ_5, EAZ_6, EAZ_7)
+        w50 = _polynomial(z, EBZ_1, EBZ_2, EBZ_3, EBZ_4, EBZ_5, EBZ_6, EBZ_7)
+        w51 = EA0C*(w41 + w9) - EB0C*(w44 + w45) + w33
+        w52 = w43*w49 - w47*w50 + w48 + w51
+        w53 = w4 + w52
+        w54 = w3 + w51
+        w55 = _polynomial(z, EYZ_1, EYZ_2, EYZ_3, EYZ_4, EYZ_5, EYZ_6, EYZ_7)
+        w56 = _polynomial(z, ECZ_1, ECZ_2, ECZ_3, ECZ_4, ECZ_5, ECZ_6, ECZ_7)
+        w57 = w42 + w47*w56 - w49*w54 + w55
+        w58 = -EA0Z*w53 + w57
+        w59 = w58 + w9
+        w60 = _polynomial(z, EXZ_1, EXZ_2, EXZ_3, EXZ_4, EXZ_5, EXZ_6, EXZ_7)
+        w61 = -w43*w56 + w46 + w50*w54 + w60
+        w62 = EB0Z*w53 + w61
+        w63 = w44 + w62
+        w64 = _polynomial(y, EZY_1, EZY_2, EZY_3, EZY_4, EZY_5, EZY_6, EZY_7)
+        w65 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
+        w66 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, EBY_6, EBY_7)
+        w67 = EA0Z*(w57 + w9) - EB0Z*(w44 + w61) + w52
+        w68 = w59*w65 - w63*w66 + w64 + w67
+        w69 = w4 + w68
+        w70 = w9 + y
+        w71 = w4 + w67
+        w72 = _polynomial(y, EXY_1, EXY_2, EXY_3, EXY_4, EXY_5, EXY_6, EXY_7)
+        w73 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
+        w74 = -w59*w73 + w62 + w66*w71 + w72
+        w75 = _polynomial(y, EYY_1, EYY_2, EYY_3, EYY_4, EYY_5, EYY_6, EYY_7)
+        w76 = w58 + w63*w73 - w65*w71 + w75
+        w77 = EC0Y*(w44 + w74) + w76
+        w78 = w70 + w77
+        w79 = _polynomial(x, EXX_1, EXX_2, EXX_3, EXX_4, EXX_5, EXX_6, EXX_7)
+        w80 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
+        w81 = _polynomial(x, ECX_1, ECX_2, ECX_3, ECX_4, ECX_5, ECX_6, ECX_7)
+        w82 = -EC0Y*(w70 + w76) + w74
+        deviation[0, at] = w69*w80 - w78*w81 + w79 + w82
+        w83 = w44 + w82
+        w84 = _polynomial(x, EYX_1, EYX_2, EYX_3, EYX_4, EYX_5, EYX_6, EYX_7)
+        w85 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, EAX_6, EAX_7)
+        deviation[1, at] = -w69*w85 + w77 + w81*w83 + w84
+        w86 = _polynomial(x, EZX_1, EZX_2, EZX_3, EZX_4, EZX_5, EZX_6, EZX_7)
+        deviation[2, at] = w68 + w78*w85 - w80*w83 + w86
     return deviation
 
 
 def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, to first order.
 
-    Source: Eqs. (1)-(4), (44). Operations: 530 per point, 4 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 533 per point, 4 per call.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         curves (30, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3,): point in the tool frame [mm]
 
     Returns:
@@ -2901,6 +2972,9 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
     EZ0B = float(parameters[14])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
+    EZ0T = float(parameters[19])
     rx = float(point[0])
     ry = float(point[1])
     rz = float(point[2])
@@ -2944,17 +3018,17 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w23 = _polynomial(b, EXB_1, EXB_2, EXB_3, EXB_4, EXB_5, EXB_6, EXB_7)
         w24 = _polynomial(b, EBB_1, EBB_2, EBB_3, EBB_4, EBB_5, EBB_6, EBB_7)
         w25 = _polynomial(b, ECB_1, ECB_2, ECB_3, ECB_4, ECB_5, ECB_6, ECB_7)
-        w26 = -w10*w25 + w23 + w24*w4
+        w26 = EX0T - w10*w25 + w23 + w24*w4
         w27 = _polynomial(b, EZB_1, EZB_2, EZB_3, EZB_4, EZB_5, EZB_6, EZB_7)
         w28 = _polynomial(b, EAB_1, EAB_2, EAB_3, EAB_4, EAB_5, EAB_6, EAB_7)
-        w29 = w10*w28 - w24*w3 + w27
+        w29 = EZ0T + w10*w28 - w24*w3 + w27
         w30 = cos_b*w26 + sin_b*w29
         w31 = -EC0B*w10 + EX0B + w30
         w32 = -w11*w22 + w20 + w21*w6 + w31
         w33 = _polynomial(c, EYC_1, EYC_2, EYC_3, EYC_4, EYC_5, EYC_6, EYC_7)
         w34 = _polynomial(c, EAC_1, EAC_2, EAC_3, EAC_4, EAC_5, EAC_6, EAC_7)
         w35 = _polynomial(b, EYB_1, EYB_2, EYB_3, EYB_4, EYB_5, EYB_6, EYB_7)
-        w36 = w25*w3 - w28*w4 + w35
+        w36 = EY0T + w25*w3 - w28*w4 + w35
         w37 = -EA0B*w5 + EC0B*w8 + w36
         w38 = w22*w9 + w33 - w34*w6 + w37
         w39 = cos_c*w32 - sin_c*w38
@@ -2996,12 +3070,12 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
 def ballbar_error(positions, errors, parameters, point, ball, length):
     """Positioning error of a ball bar between a tool ball and a workpiece ball, exact.
 
-    Source: Eqs. (5), (6). Operations: 204 per point.
+    Source: Eqs. (5), (6). Operations: 210 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
         ball (3, n): point in the workpiece frame [mm]
         length (1, n): ideal length of the ball bar [mm]
@@ -3029,6 +3103,9 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
     EZ0B = float(parameters[14])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
+    EZ0T = float(parameters[19])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -3089,67 +3166,70 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
         w7 = q_Ty + ry
         w8 = q_By + w7
         w9 = cos_c*w8 + sin_c*w6
-        w10 = -EAB*w1 + ECB*w0 + EYB
-        w11 = EBB*w1 - ECB*w7 + EXB
-        w12 = EAB*w7 - EBB*w0 + EZB
-        w13 = cos_b*w11 + sin_b*w12
-        w14 = cos_b*w12 - sin_b*w11
-        w15 = -EA0B*(w14 + w2) + EC0B*(w13 + w5) + w10
-        w16 = w15 + w8
-        w17 = w10 + w7
-        w18 = -EC0B*w17 + EX0B + w13
-        w19 = w18 + w6
-        w20 = EA0B*w17 + EZ0B + w14
-        w21 = EAC*w16 - EBC*w19 + EZC + w20
-        w22 = w21 + w3
-        w23 = w20 + w3
-        w24 = EBC*w23 - ECC*w16 + EXC + w18
-        w25 = -EAC*w23 + ECC*w19 + EYC + w15
-        w26 = cos_c*w25 + sin_c*w24
-        w27 = -EA0C*w22 + EY0C + w26
-        w28 = w27 + w9
-        w29 = cos_c*w6 - sin_c*w8
-        w30 = cos_c*w24 - sin_c*w25
-        w31 = EB0C*w22 + EX0C + w30
-        w32 = w29 + w31
-        w33 = EA0C*(w26 + w9) - EB0C*(w29 + w30) + w21
-        w34 = EAZ*w28 - EBZ*w32 + EZZ + w33
-        w35 = w34 + w4
-        w36 = w3 + w33
-        w37 = -EAZ*w36 + ECZ*w32 + EYZ + w27
-        w38 = -EA0Z*w35 + w37
-        w39 = w38 + w9
-        w40 = EBZ*w36 - ECZ*w28 + EXZ + w31
-        w41 = EB0Z*w35 + w40
-        w42 = w29 + w41
-        w43 = EA0Z*(w37 + w9) - EB0Z*(w29 + w40) + w34
-        w44 = EAY*w39 - EBY*w42 + EZY + w43
-        w45 = w4 + w44
-        w46 = w9 + y
-        w47 = w4 + w43
-        w48 = EBY*w47 - ECY*w39 + EXY + w41
-        w49 = -EAY*w47 + ECY*w42 + EYY + w38
-        w50 = EC0Y*(w29 + w48) + w49
-        w51 = w46 + w50
-        w52 = -EC0Y*(w46 + w49) + w48
-        w53 = EBX*w45 - ECX*w51 + EXX + w52
-        w54 = w29 + w52
-        w55 = -EAX*w45 + ECX*w54 + EYX + w50
-        w56 = EAX*w51 - EBX*w54 + EZX + w44
-        w57 = w29 + x
-        w58 = -bx + w57
-        w59 = -by + w46
-        w60 = -bz + w4
-        w61 = w53 + w58
-        w62 = w55 + w59
-        w63 = w56 + w60
-        w64 = np.sqrt((w58*w58) + (w59*w59) + (w60*w60))
-        w65 = np.sqrt((w61*w61) + (w62*w62) + (w63*w63))
-        error[0, at] = e = -length_ + w64 + (w53*(w58 + w61) + w55*(w59 + w62) + w56*(w60 + w63))/(w64 + w65)
-        w66 = e/w65
-        error[1, at] = w61*w66
-        error[2, at] = w62*w66
-        error[3, at] = w63*w66
+        w10 = EZ0T + w1
+        w11 = EX0T + w0
+        w12 = -EAB*w10 + ECB*w11 + EY0T + EYB
+        w13 = EY0T + w7
+        w14 = EBB*w10 - ECB*w13 + EX0T + EXB
+        w15 = EAB*w13 - EBB*w11 + EZ0T + EZB
+        w16 = cos_b*w14 + sin_b*w15
+        w17 = cos_b*w15 - sin_b*w14
+        w18 = -EA0B*(w17 + w2) + EC0B*(w16 + w5) + w12
+        w19 = w18 + w8
+        w20 = w12 + w7
+        w21 = -EC0B*w20 + EX0B + w16
+        w22 = w21 + w6
+        w23 = EA0B*w20 + EZ0B + w17
+        w24 = EAC*w19 - EBC*w22 + EZC + w23
+        w25 = w24 + w3
+        w26 = w23 + w3
+        w27 = EBC*w26 - ECC*w19 + EXC + w21
+        w28 = -EAC*w26 + ECC*w22 + EYC + w18
+        w29 = cos_c*w28 + sin_c*w27
+        w30 = -EA0C*w25 + EY0C + w29
+        w31 = w30 + w9
+        w32 = cos_c*w6 - sin_c*w8
+        w33 = cos_c*w27 - sin_c*w28
+        w34 = EB0C*w25 + EX0C + w33
+        w35 = w32 + w34
+        w36 = EA0C*(w29 + w9) - EB0C*(w32 + w33) + w24
+        w37 = EAZ*w31 - EBZ*w35 + EZZ + w36
+        w38 = w37 + w4
+        w39 = w3 + w36
+        w40 = -EAZ*w39 + ECZ*w35 + EYZ + w30
+        w41 = -EA0Z*w38 + w40
+        w42 = w41 + w9
+        w43 = EBZ*w39 - ECZ*w31 + EXZ + w34
+        w44 = EB0Z*w38 + w43
+        w45 = w32 + w44
+        w46 = EA0Z*(w40 + w9) - EB0Z*(w32 + w43) + w37
+        w47 = EAY*w42 - EBY*w45 + EZY + w46
+        w48 = w4 + w47
+        w49 = w9 + y
+        w50 = w4 + w46
+        w51 = EBY*w50 - ECY*w42 + EXY + w44
+        w52 = -EAY*w50 + ECY*w45 + EYY + w41
+        w53 = EC0Y*(w32 + w51) + w52
+        w54 = w49 + w53
+        w55 = -EC0Y*(w49 + w52) + w51
+        w56 = EBX*w48 - ECX*w54 + EXX + w55
+        w57 = w32 + w55
+        w58 = -EAX*w48 + ECX*w57 + EYX + w53
+        w59 = EAX*w54 - EBX*w57 + EZX + w47
+        w60 = w32 + x
+        w61 = -bx + w60
+        w62 = -by + w49
+        w63 = -bz + w4
+        w64 = w56 + w61
+        w65 = w58 + w62
+        w66 = w59 + w63
+        w67 = np.sqrt((w61*w61) + (w62*w62) + (w63*w63))
+        w68 = np.sqrt((w64*w64) + (w65*w65) + (w66*w66))
+        error[0, at] = e = -length_ + w67 + (w56*(w61 + w64) + w58*(w62 + w65) + w59*(w63 + w66))/(w67 + w68)
+        w69 = e/w68
+        error[1, at] = w64*w69
+        error[2, at] = w65*w69
+        error[3, at] = w66*w69
     return error
 
 
@@ -3187,7 +3267,7 @@ def motion_X(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3232,7 +3312,7 @@ def motion_Y(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3278,7 +3358,7 @@ def motion_Z(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3320,12 +3400,12 @@ def motion_Z(positions, errors, parameters, tool_point):
 def motion_B(positions, errors, parameters, tool_point):
     """Motion equation of B: displacement of the tool point since home, to first order.
 
-    Source: Eqs. (7)-(11). Operations: 80 per point.
+    Source: Eqs. (7)-(11). Operations: 89 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3344,6 +3424,8 @@ def motion_B(positions, errors, parameters, tool_point):
     EB0C = float(parameters[12])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EZ0T = float(parameters[19])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         b = positions[3, at]
@@ -3368,24 +3450,25 @@ def motion_B(positions, errors, parameters, tool_point):
         w5 = -w4
         w6 = cos_b*q_Tz + cos_b*rTz - w1 - w2
         w7 = cos_b*q_Ty + cos_b*rTy
-        w8 = cos_b*q_Tx + cos_b*rTx + q_Tz*sin_b + rTz*sin_b
-        w9 = -q_Tx - rTx + w8
-        displacement[0, at] = EAB*w0 + EB0C*w5 + EB0Z*w5 + EBB*w6 - ECB*w7 + EXB*cos_b + EZB*sin_b + w9
-        displacement[1, at] = EA0B*w4 + EA0C*w4 + EA0Z*w4 - EAB*w3 + EC0B*w9 + EC0Y*w9 + ECB*(q_Tx + rTx) + EYB
-        w10 = -w9
-        displacement[2, at] = EAB*w7 + EB0C*w10 + EB0Z*w10 - EBB*w8 + ECB*w0 - EXB*sin_b + EZB*cos_b - q_Tz - rTz + w6
+        w8 = cos_b - 1
+        w9 = cos_b*q_Tx + cos_b*rTx + q_Tz*sin_b + rTz*sin_b
+        w10 = -q_Tx - rTx + w9
+        displacement[0, at] = EAB*w0 + EB0C*w5 + EB0Z*w5 + EBB*w6 - ECB*w7 + EX0T*w8 + EXB*cos_b + EZ0T*sin_b + EZB*sin_b + w10
+        displacement[1, at] = EA0B*w4 + EA0C*w4 + EA0Z*w4 - EAB*w3 + EC0B*w10 + EC0Y*w10 + ECB*(q_Tx + rTx) + EYB
+        w11 = -w10
+        displacement[2, at] = EAB*w7 + EB0C*w11 + EB0Z*w11 - EBB*w9 + ECB*w0 - EX0T*sin_b - EXB*sin_b + EZ0T*w8 + EZB*cos_b - q_Tz - rTz + w6
     return displacement
 
 
 def motion_C(positions, errors, parameters, tool_point):
     """Motion equation of C: displacement of the tool point since home, to first order.
 
-    Source: Eqs. (7)-(11). Operations: 110 per point.
+    Source: Eqs. (7)-(11). Operations: 118 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3408,6 +3491,8 @@ def motion_C(positions, errors, parameters, tool_point):
     EX0B = float(parameters[13])
     EA0B = float(parameters[15])
     EC0B = float(parameters[16])
+    EX0T = float(parameters[17])
+    EY0T = float(parameters[18])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         c = positions[4, at]
@@ -3432,17 +3517,18 @@ def motion_C(positions, errors, parameters, tool_point):
         w5 = -q_Ty - rTy + w4
         w6 = cos_c*q_By + q_Bx*sin_c
         w7 = -q_By + w5 + w6
-        w8 = q_By*sin_c
-        w9 = q_Ty*sin_c
-        w10 = rTy*sin_c
-        w11 = cos_c*q_Bx + cos_c*q_Tx + cos_c*rTx - w10 - w8 - w9
-        displacement[0, at] = EA0B*w0 + EAC*w1 + EBC*w3 - EC0B*w5 - EC0Y*w7 + ECC*(-w4 - w6) + EX0B*(cos_c - 1) + EXC*cos_c - EYC*sin_c - q_Bx - q_Tx - rTx + w11
-        w12 = q_Tx + rTx
-        w13 = -cos_c*q_Tx - cos_c*rTx + w10 + w9
-        w14 = q_Bx + w12
-        w15 = -cos_c*q_Bx + w13 + w14 + w8
-        displacement[1, at] = EA0B*(q_Tz + rTz - w2) - EAC*w3 + EBC*w1 + EC0B*(-w12 - w13) - EC0Y*w15 + ECC*w11 + EX0B*sin_c + EXC*sin_c + EYC*cos_c + w7
-        displacement[2, at] = EA0C*w7 + EA0Z*w7 + EAC*(q_By + q_Ty + rTy) + EB0C*w15 + EB0Z*w15 - EBC*w14 + EZC
+        w8 = cos_c - 1
+        w9 = q_By*sin_c
+        w10 = q_Ty*sin_c
+        w11 = rTy*sin_c
+        w12 = cos_c*q_Bx + cos_c*q_Tx + cos_c*rTx - w10 - w11 - w9
+        displacement[0, at] = EA0B*w0 + EAC*w1 + EBC*w3 - EC0B*w5 - EC0Y*w7 + ECC*(-w4 - w6) + EX0B*w8 + EX0T*w8 + EXC*cos_c - EY0T*sin_c - EYC*sin_c - q_Bx - q_Tx - rTx + w12
+        w13 = q_Tx + rTx
+        w14 = -cos_c*q_Tx - cos_c*rTx + w10 + w11
+        w15 = q_Bx + w13
+        w16 = -cos_c*q_Bx + w14 + w15 + w9
+        displacement[1, at] = EA0B*(q_Tz + rTz - w2) - EAC*w3 + EBC*w1 + EC0B*(-w13 - w14) - EC0Y*w16 + ECC*w12 + EX0B*sin_c + EX0T*sin_c + EXC*sin_c + EY0T*w8 + EYC*cos_c + w7
+        displacement[2, at] = EA0C*w7 + EA0Z*w7 + EAC*(q_By + q_Ty + rTy) + EB0C*w16 + EB0Z*w16 - EBC*w15 + EZC
     return displacement
 
 
@@ -3454,7 +3540,7 @@ def motion_XY(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3510,7 +3596,7 @@ def motion_XZ(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3567,7 +3653,7 @@ def motion_YZ(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (17,): home positions and location errors [mm, rad]
+        parameters (20,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
