@@ -149,6 +149,14 @@ def test_a_table_that_turns_too_far_is_turned_back(sense: int, sign: float) -> N
     assert found.commands == pytest.approx(expected, abs=1e-6)  # to the square of the error
 
 
+def test_a_small_rotation_is_no_longer_tool_axis() -> None:
+    # the matrix of EAA = 0.01 takes (0, 0, 1) to (0, -+0.01, 1): an angle of atan(0.01)
+    model = constant(serial_text("YAC", "XZ"), {"EAA": 0.01})
+    at = np.array([[50.0], [60.0], [70.0], [-40.0], [25.0]])
+    axis = ToolAxis(model, ALONG_Z)
+    assert angle(axis.actual(at), axis.wanted(at)) == pytest.approx([np.arctan(0.01)], rel=1e-9)
+
+
 def test_one_rotary_axis_corrects_what_it_can() -> None:
     text = serial_text("YA", "XZ")
     model = constant(text, {"EAA": 30 * URAD, "EBX": 40 * URAD})

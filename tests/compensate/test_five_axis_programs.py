@@ -162,10 +162,11 @@ def test_incremental_and_absolute_rotary_words_agree(bench: Bench) -> None:
 def test_increments_from_a_start_between_words_are_made_up_by_the_slides(bench: Bench) -> None:
     machine = FiveAxes(TEXTS["table-table"])
     start = {"X": 10.0, "Y": 20.0, "Z": 30.0, "A": -20.00005, "C": 40.0}
-    text = bench.run("G91 G0 X5. A-10.\n", machine.model, start=start, orientation="correct")
+    settings: dict[str, Any] = {"start": start, "orientation": "correct", "resolution": 0.00001}
+    text = bench.run("G91 G0 X5. A-10.\n", machine.model, **settings)
     at = execute(text, AXES, list(start.values()))
     point, axis = machine.off(at, np.array([[15.0], [20.0], [30.0], [-30.00005], [40.0]]), np.zeros((3, 1)))
-    assert point.max() < 0.0009
+    assert point.max() < 0.00001  # half a word of A, 0.9 urad at an arm of 100 mm, would be ten times that
     assert axis.max() < 1.3e-6
 
 
@@ -207,6 +208,8 @@ def test_short_blocks_keep_the_point_while_rotary_axes_turn(bench: Bench) -> Non
     assert bench.report.good
     assert bench.report.after is not None
     assert bench.report.after.largest <= 0.001
+    bench.run(text, machine.model, words="middles", ball=(0.0, 0.0, 500.0))
+    assert 30 < bench.report.short_blocks <= 41  # none where B turns: it would be there before the slides
 
 
 def test_a_cl_file_must_be_told_where_rotary_axes_stand(bench: Bench) -> None:
