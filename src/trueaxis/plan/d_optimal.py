@@ -47,10 +47,14 @@ def gains(information: FloatArray, candidates: Sequence[FloatArray]) -> FloatArr
     """(n_candidates,): growth of log det by each, log det(I + B M^-1 B')."""
     factor = np.linalg.cholesky(information)
     found = np.empty(len(candidates))
-    for index, rows in enumerate(candidates):
-        whitened = solve_triangular(factor, rows.T, lower=True, check_finite=False)
-        small = whitened.T @ whitened if rows.shape[0] <= rows.shape[1] else whitened @ whitened.T
-        found[index] = np.linalg.slogdet(np.eye(small.shape[0]) + small)[1]
+    sizes = np.array([rows.shape[0] for rows in candidates])
+    for size in np.unique(sizes):
+        same = np.flatnonzero(sizes == size).tolist()
+        stacked = np.vstack([candidates[index] for index in same])
+        whitened = solve_triangular(factor, stacked.T, lower=True, check_finite=False).T.reshape(len(same), size, -1)
+        turned = whitened.transpose(0, 2, 1)
+        small = whitened @ turned if size <= information.shape[0] else turned @ whitened
+        found[same] = np.linalg.slogdet(np.eye(small.shape[1]) + small)[1]
     return found
 
 

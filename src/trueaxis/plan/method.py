@@ -26,6 +26,7 @@ CONVENTION_TEXT = (
     "least-squares lines of the straightness are level (ISO 230-1), end-point lines beside it; it splits "
     "straightness from squareness where readings do not"
 )
+PRIOR_UM = 50.0  # of a scaled unknown: errors of machines before compensation are of this size
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +56,11 @@ class Plan:
     def noise(self) -> float:
         """Standard deviation of a reading, mm."""
         return self.options.noise_um * 1e-3
+
+    @property
+    def ridge(self) -> float:
+        """What is expected of a scaled unknown beforehand, as information in units of that of a reading."""
+        return (self.options.noise_um / PRIOR_UM) ** 2
 
 
 def planned(source: str, runs: tuple[Run, ...], readings: Readings) -> Observations:

@@ -14,12 +14,11 @@ from trueaxis.plan import expected
 from trueaxis.plan.candidates import Candidate, candidates, style_of
 from trueaxis.plan.convention import settle
 from trueaxis.plan.d_optimal import choose
-from trueaxis.plan.method import Plan, plan_of
+from trueaxis.plan.method import PRIOR_UM, Plan, plan_of
 from trueaxis.plan.report import Added, Proposal
 from trueaxis.plan.rows import rows_of, with_added
 from trueaxis.plan.system import folded
 
-PRIOR_UM = 50.0  # of a coefficient in scaled unknowns: errors of machines before compensation are of this size
 ROUNDED = 1e-6  # share of a row below which it holds nothing
 
 
@@ -42,8 +41,7 @@ def propose(plan: Plan, count: int, instruments: Sequence[Instrument] = ()) -> E
     held = [index for index, one in enumerate(rows) if one.any()]
     offered, rows = [offered[index] for index in held], [rows[index] for index in held]
     triangle = folded(np.zeros((whole.count,) * 2), rows_of(whole, plan.observed, plan.options.assumed))
-    ridge = (plan.options.noise_um / PRIOR_UM) ** 2
-    chosen = choose(triangle.T @ triangle + ridge * np.eye(whole.count), rows, count)
+    chosen = choose(triangle.T @ triangle + plan.ridge * np.eye(whole.count), rows, count)
     taken = _named(plan, [offered[index] for index in chosen.indices])
     added, observed = [], plan.observed
     for one, index, gain in zip(taken, chosen.indices, chosen.gains, strict=True):

@@ -6,8 +6,9 @@ import numpy as np
 
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
 from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.setup import Vector
+from trueaxis.measure.setup import Run, Vector
 from trueaxis.plan import boxes
+from trueaxis.plan.d_optimal import gains
 from trueaxis.plan.method import Plan, plan_of
 from trueaxis.plan.report import Move, PlanReport, Repair
 from trueaxis.plan.rows import companions, of_runs, rows_of, with_run
@@ -15,23 +16,23 @@ from trueaxis.plan.system import folded
 
 MOST_RUNS = 12
 MOST_MOVES = 4
+CHECKED = 5  # best candidates of a run whose rank is looked at
 
 
 @dataclass(frozen=True, slots=True)
 class _Tried:
-    """A run with its target elsewhere, and the whole then; volume: logarithm of the product of the singular values."""
+    """A run with its target elsewhere, rank and condition of the whole then; growth: of log det, as of runs added."""
 
     run: int
     point: Vector
     rank: int
     condition: float
-    volume: float
-    distance: float
+    growth: float
 
     @property
-    def merit(self) -> tuple[int, float, float]:
-        """Rank first, then the determinant, then the shortest way."""
-        return (self.rank, round(self.volume, 6), -self.distance)
+    def merit(self) -> tuple[int, float]:
+        """Rank first, then the determinant."""
+        return (self.rank, round(self.growth, 6))
 
 
 def repair(plan: Plan, report: PlanReport) -> Repair | None:
@@ -79,17 +80,24 @@ def _best(plan: Plan, name: str) -> _Tried | None:
     if around is None:
         return None
     mates = companions(plan.system.unknowns, index)
-    rest = _without(plan, mates)
-    own = of_runs(plan.observed, mates)
+    rest, own = _without(plan, mates), of_runs(plan.observed, mates)
+    points = boxes.lattice(around, run.target.point)
+    rows = [
+        rows_of(plan.system.layout, with_run(own, mates.index(index), _elsewhere(run, point)), plan.options.assumed)
+        for point in points
+    ]
+    growth = gains(rest.T @ rest + plan.ridge * np.eye(rest.shape[0]), rows)
     found = []
-    for point in boxes.lattice(around, run.target.point):
-        elsewhere = replace(run, target=replace(run.target, point=point))
-        rows = rows_of(plan.system.layout, with_run(own, mates.index(index), elsewhere), plan.options.assumed)
-        size = np.linalg.svd(folded(rest, rows), compute_uv=False)
-        kept = size[size > RANK_TOLERANCE * size[0]]
-        distance = float(np.linalg.norm(np.subtract(point, run.target.point)))
-        found.append(_Tried(index, point, kept.size, float(kept[0] / kept[-1]), float(np.log(kept).sum()), distance))
+    for place in np.argsort(-growth, kind="stable")[:CHECKED]:
+        size = np.linalg.svd(folded(rest, rows[place]), compute_uv=False)
+        kept = size[size > RANK_TOLERANCE * size.max(initial=0.0)]
+        if kept.size:
+            found.append(_Tried(index, points[place], kept.size, float(kept[0] / kept[-1]), float(growth[place])))
     return max(found, key=lambda one: one.merit, default=None)
+
+
+def _elsewhere(run: Run, point: Vector) -> Run:
+    return replace(run, target=replace(run.target, point=point))
 
 
 def _without(plan: Plan, runs: tuple[int, ...]) -> FloatArray:
@@ -104,8 +112,7 @@ def _without(plan: Plan, runs: tuple[int, ...]) -> FloatArray:
 
 def _moved(plan: Plan, tried: _Tried) -> Plan:
     run = plan.observed.runs[tried.run]
-    elsewhere = replace(run, target=replace(run.target, point=tried.point))
-    return plan_of(plan.machine, with_run(plan.observed, tried.run, elsewhere), plan.options)
+    return plan_of(plan.machine, with_run(plan.observed, tried.run, _elsewhere(run, tried.point)), plan.options)
 
 
 def _move(plan: Plan, tried: _Tried) -> Move:
