@@ -44,7 +44,10 @@ def _missing(folder: Path) -> list[Path]:
 
 def _beside(target: Path, data: bytes, undo: ExitStack) -> Path:
     """A new file beside the target, removed when `undo` closes."""
-    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:100]}.")
+    try:
+        handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:100]}.")
+    except OSError as error:  # the user knows the target, not the file beside it
+        raise OSError(error.errno, error.strerror, str(target)) from None
     undo.callback(Path(name).unlink, missing_ok=True)
     with os.fdopen(handle, "wb") as file:
         file.write(data)

@@ -129,9 +129,10 @@ def test_a_report_that_cannot_be_written_leaves_the_program_alone(tmp_path: Path
     assert sorted(path.name for path in tmp_path.iterdir()) == ["in.nc", "out.nc"]
 
 
-def test_in_place(tmp_path: Path) -> None:
-    assert command(tmp_path, PROGRAM, "--out", str(tmp_path / "in.nc")) == 0
-    assert b"G2 " not in (tmp_path / "in.nc").read_bytes()
+def test_the_program_is_never_written_over(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="is both PROGRAM"):
+        command(tmp_path, PROGRAM, "--out", str(tmp_path / "in.nc"))
+    assert b"G2 " in (tmp_path / "in.nc").read_bytes()
 
 
 def test_help_reads_well(capsys: pytest.CaptureFixture[str]) -> None:

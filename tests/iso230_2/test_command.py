@@ -98,7 +98,7 @@ def test_a_file_named_twice_is_a_fault(data: Path, tmp_path: Path, capsys: pytes
     both = str(tmp_path / "both")
     assert main(["evaluate", str(data), "--out", both, "--picture", both]) == 2
     assert main(["evaluate", str(data), "--out", str(data)]) == 2
-    assert capsys.readouterr().err.count("is the file of") == 2
+    assert capsys.readouterr().err.count("is both") == 2
     assert data.read_bytes() == before
     assert not Path(both).exists()
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import fields
 from pathlib import Path
 
+from trueaxis.commands.paths import overwritten
 from trueaxis.compensate.files import compensate_file
 from trueaxis.compensate.settings import Settings
 from trueaxis.faults import Fault, InputError
@@ -127,7 +128,8 @@ def run(args: argparse.Namespace) -> int:
 
     Raises InputError when the input is wrong.
     """
-    found: list[Fault] = []
+    inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "PROGRAM": args.program}
+    found = overwritten(inputs, {"--out": args.out, "--report": args.report})
     with gathering(found):
         settings = _settings(args)
     with gathering(found):

@@ -4,6 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
+from trueaxis.commands.arguments import positive, whole
+
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Declare the command."""
@@ -18,12 +20,12 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--out", type=Path, default=Path("results"), help="folder for everything (%(default)s)")
     parser.add_argument(
         "--noise-um",
-        type=float,
+        type=positive,
         default=0.004,
         metavar="S",
         help="standard deviation of a laser reading, um (%(default)s: what the paper's residual error implies)",
     )
-    parser.add_argument("--seed", type=int, default=1, metavar="N", help="seed of the noise (%(default)s)")
+    parser.add_argument("--seed", type=whole(0), default=1, metavar="N", help="seed of the noise (%(default)s)")
     parser.set_defaults(run=run)
 
 

@@ -4,12 +4,12 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.faults import Fault, InputError
+from trueaxis.commands.paths import overwritten
+from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.iso230_2.evaluation import evaluate
 from trueaxis.iso230_2.read import read_positioning_test
 from trueaxis.iso230_2.report import report_json, report_text
-from trueaxis.pictures.positioning import positioning_plot
 from trueaxis.runtime.input_files import gathering
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def add_parser(subparsers: "Subparsers") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Evaluate, write and print; raises InputError with every fault."""
-    found = _faults_of_options(args)
+    found = overwritten({"DATA": args.data}, {"--out": args.out, "--picture": args.picture})
     with gathering(found):
         test = read_positioning_test(args.data)
     if found:
@@ -55,21 +55,11 @@ def run(args: argparse.Namespace) -> int:
     if args.out is not None:
         contents[args.out] = report_json(evaluation)
     if args.picture is not None:
+        from trueaxis.pictures.positioning import positioning_plot  # noqa: PLC0415  matplotlib takes long to import
+
         contents[args.picture] = positioning_plot(evaluation, args.data.stem)
     write_files(contents)
     print(report_text(str(args.data), evaluation), end="")
     if contents:
         print(f"written: {', '.join(str(path) for path in contents)}")
     return 0
-
-
-def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
-    found = []
-    named = {"DATA": args.data, "--out": args.out, "--picture": args.picture}
-    given = {option: path.resolve() for option, path in named.items() if path is not None}
-    options = list(given)
-    for number, option in enumerate(options):
-        for earlier in options[:number]:
-            if given[option] == given[earlier]:
-                found.append(Fault(str(named[option]), "", f"is the file of {earlier} and of {option}", "another file"))
-    return found

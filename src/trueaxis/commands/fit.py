@@ -6,6 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
+from trueaxis.commands.arguments import share, whole
+from trueaxis.commands.paths import overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.runtime.curves import TableCurve
@@ -32,8 +34,10 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="error values with tables")
     parser.add_argument("--out", type=Path, required=True, metavar="E.json", help="error values, to be written")
-    parser.add_argument("--max-order", type=int, default=7, metavar="N", help="highest power tried (%(default)s)")
-    parser.add_argument("--alpha", type=float, default=0.05, help="significance level of the tests (%(default)s)")
+    parser.add_argument(
+        "--max-order", type=whole(1, HIGHEST_ORDER), default=7, metavar="N", help="highest power tried (%(default)s)"
+    )
+    parser.add_argument("--alpha", type=share, default=0.05, help="significance level of the tests (%(default)s)")
     parser.add_argument("--picture", type=Path, metavar="P.png", help="draw values and polynomials, before and after")
     parser.set_defaults(run=run)
 
@@ -45,11 +49,9 @@ def run(args: argparse.Namespace) -> int:
     from trueaxis.identify.polynomial import statistics_table  # noqa: PLC0415
     from trueaxis.pictures.curves import curves_picture  # noqa: PLC0415
 
-    faults = []
-    if not 1 <= args.max_order <= HIGHEST_ORDER:
-        faults.append(Fault("--max-order", "", f"{args.max_order} is out of range", f"1 to {HIGHEST_ORDER}"))
-    if not 0.0 < args.alpha < 1.0:
-        faults.append(Fault("--alpha", "", f"{args.alpha:g} is out of range", "above 0 and below 1"))
+    faults = overwritten(
+        {"MACHINE.toml": args.machine, "--errors": args.errors}, {"--out": args.out, "--picture": args.picture}
+    )
     machine = read_machine(args.machine)
     components, parameters = machine.components, machine.parameters
     errors = read_errors(args.errors, machine=machine.name, components=components, parameters=parameters)

@@ -4,7 +4,8 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.faults import Fault, InputError
+from trueaxis.commands.paths import overwritten
+from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.identify.covariance import predicted_u, read_covariance
 from trueaxis.measure.points import dump_predicted, read_points
@@ -41,8 +42,9 @@ def add_parser(subparsers: "Subparsers") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Predict and write; raises InputError with the faults of every file."""
+    inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--at": args.at, "--covariance": args.covariance}
+    found = overwritten(inputs, {"--out": args.out})
     machine = read_machine(args.machine)
-    found: list[Fault] = []
     with gathering(found):
         model = load_model(args.machine, args.errors, args.kernels)
     with gathering(found):

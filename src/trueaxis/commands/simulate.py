@@ -1,10 +1,10 @@
 """trueaxis simulate: readings made from error values and a measuring plan."""
 
 import argparse
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trueaxis.commands.arguments import size, whole
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.measure import readings as readings_files
@@ -35,9 +35,9 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="another folder, to be written")
     parser.add_argument(
-        "--noise-um", type=_size, default=0.0, metavar="S", help="standard deviation of the noise, micrometres (0)"
+        "--noise-um", type=size, default=0.0, metavar="S", help="standard deviation of the noise, micrometres (0)"
     )
-    parser.add_argument("--seed", type=_seed, default=0, metavar="N", help="seed of the noise (%(default)s)")
+    parser.add_argument("--seed", type=whole(0), default=0, metavar="N", help="seed of the noise (%(default)s)")
     parser.add_argument("--replace", action="store_true", help="replace readings that are there, too")
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
@@ -77,17 +77,3 @@ def _faults_of_out(out: Path, data: Path) -> list[Fault]:
     if other.exists():
         return [Fault(str(other), "", f"would stand beside the new {readings_files.FILE_NAME}", "remove it")]
     return []
-
-
-def _size(text: str) -> float:
-    value = float(text)
-    if not (math.isfinite(value) and value >= 0.0):
-        raise argparse.ArgumentTypeError(f"{text} is not a size: at least 0")
-    return value
-
-
-def _seed(text: str) -> int:
-    value = int(text)
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"{text} is not a seed: a whole number, at least 0")
-    return value

@@ -1,0 +1,46 @@
+"""Types of command-line arguments, with messages that say what would be right."""
+
+import argparse
+import math
+from collections.abc import Callable
+
+
+def size(text: str) -> float:
+    """A finite number, at least 0. Raises argparse.ArgumentTypeError otherwise."""
+    return _finite(text, "a finite number, at least 0", lambda value: value >= 0.0)
+
+
+def positive(text: str) -> float:
+    """A finite number above 0. Raises argparse.ArgumentTypeError otherwise."""
+    return _finite(text, "a finite number above 0", lambda value: value > 0.0)
+
+
+def share(text: str) -> float:
+    """A number above 0 and below 1. Raises argparse.ArgumentTypeError otherwise."""
+    return _finite(text, "a number above 0 and below 1", lambda value: 0.0 < value < 1.0)
+
+
+def whole(low: int, high: int | None = None) -> Callable[[str], int]:
+    """A type: a whole number from `low` to `high` (or without an upper end)."""
+    right = f"a whole number from {low} to {high}" if high is not None else f"a whole number, at least {low}"
+
+    def read(text: str) -> int:
+        try:
+            value = int(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"{text!r} is not {right}") from None
+        if value < low or (high is not None and value > high):
+            raise argparse.ArgumentTypeError(f"{text} is not {right}")
+        return value
+
+    return read
+
+
+def _finite(text: str, right: str, good: Callable[[float], bool]) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not {right}") from None
+    if not (math.isfinite(value) and good(value)):
+        raise argparse.ArgumentTypeError(f"{text} is not {right}")
+    return value
