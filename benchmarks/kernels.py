@@ -68,7 +68,7 @@ class Contest:
     def __init__(self, machine: Machine, folder: Path) -> None:
         self.machine, self.routines = machine, derive_routines(machine)
         self.module = ModuleType("kernels")
-        exec(numpy_source(machine, self.routines, "machines/dmu60p.toml"), self.module.__dict__)
+        exec(numpy_source(machine, self.routines), self.module.__dict__)
         source = folder / "kernels.c"
         source.write_text(c_source(machine, self.routines))
         source.with_name("kernels.h").write_text(c_header(machine, self.routines))

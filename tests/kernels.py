@@ -25,7 +25,7 @@ def model_of(text: str) -> DerivedModel:
 def kernels_of(text: str) -> ModuleType:
     model = model_of(text)
     module = ModuleType("kernels")
-    exec(numpy_source(model.machine, model.routines, "test.toml"), module.__dict__)
+    exec(numpy_source(model.machine, model.routines), module.__dict__)
     return module
 
 

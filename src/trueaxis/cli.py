@@ -4,6 +4,7 @@ import argparse
 import importlib
 import logging
 import os
+import re
 import sys
 from collections.abc import Sequence
 
@@ -32,11 +33,11 @@ def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command. Returns the exit code."""
-    words = list(sys.argv[1:] if arguments is None else arguments)
-    # A command needs no other command's libraries; help and mistakes are told of all.
-    args = build_parser(words[:1] if words[:1] and words[0] in COMMANDS else COMMANDS).parse_args(words)
-    logging.basicConfig(format="trueaxis: %(message)s", level=logging.WARNING)
     try:
+        words = _joined(sys.argv[1:] if arguments is None else arguments)
+        # A command needs no other command's libraries; help and mistakes are told of all.
+        args = build_parser(words[:1] if words and words[0] in COMMANDS else COMMANDS).parse_args(words)
+        logging.basicConfig(format="trueaxis: %(message)s", level=logging.WARNING)
         return int(args.run(args))
     except InputError as error:
         for fault in error.faults:
@@ -51,3 +52,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("trueaxis: stopped", file=sys.stderr)
         return INTERRUPTED
     return 2
+
+
+def _joined(words: Sequence[str]) -> list[str]:
+    """The words with values such as -10,0,5 joined to their option: argparse takes them for options of their own."""
+    joined: list[str] = []
+    for word in words:
+        if joined and joined[-1].startswith("--") and "=" not in joined[-1] and re.match(r"-[\d.]", word):
+            joined[-1] += f"={word}"
+        else:
+            joined.append(word)
+    return joined

@@ -83,7 +83,7 @@ class FiveAxes:
 
 @cache
 def _empty(text: str) -> MachineModel:
-    files = render(model_of(text), "test.toml")
+    files = render(model_of(text))
     with TemporaryDirectory() as name:
         folder = Path(name)
         spec = folder / "test.toml"

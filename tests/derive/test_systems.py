@@ -135,7 +135,7 @@ def test_the_routines_recover_every_component_from_exact_first_order_readings(fr
 def systems_module() -> Any:
     model = derived("dmu60p_regular_runs")
     module = ModuleType("systems")
-    exec(numpy_source(model.machine, model.routines, "test.toml"), module.__dict__)
+    exec(numpy_source(model.machine, model.routines), module.__dict__)
     return module
 
 
@@ -250,7 +250,7 @@ def test_combinations_of_a_rotary_axis_are_as_many_as_numbers_tell() -> None:
 
 
 def test_a_page_tells_what_runs_of_a_rotary_axis_leave_open() -> None:
-    page = equations_page(derive_model(machine_of(TABLE), C_RUNS), "test.toml")
+    page = equations_page(derive_model(machine_of(TABLE), C_RUNS))
     assert "tilt: the curves of EZC can take up a change of +1 rad in tilt position by position" in page
 
 
@@ -318,4 +318,4 @@ def test_large_systems_are_told_without_a_closed_form() -> None:
     assert len(system.unknowns) == 6
     assert system.inverse is None
     assert "system_1" not in {routine.name for routine in model.routines}
-    assert "### 1. EXX, EYX, EZX, EAX, EBX, ECX (X)" in equations_page(model, "test.toml")
+    assert "### 1. EXX, EYX, EZX, EAX, EBX, ECX (X)" in equations_page(model)

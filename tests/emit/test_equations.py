@@ -17,7 +17,7 @@ PAGES = ("dmu60p", "five_axis", "shared", "all on the workpiece side", "table B,
 @cache
 def page(name: str) -> str:
     model = models()[name] if name in models() else model_of(OTHERS[name])
-    return equations_page(model, f"machines/{model.machine.name}.toml")
+    return equations_page(model)
 
 
 def blocks(text: str) -> Iterator[str]:

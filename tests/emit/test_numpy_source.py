@@ -32,14 +32,14 @@ def executed(text: str) -> ModuleType:
 @cache
 def source(name: str) -> str:
     model = models()[name]
-    return numpy_source(model.machine, model.routines, f"machines/{name}.toml")
+    return numpy_source(model.machine, model.routines)
 
 
 def emitted(value: sp.Expr) -> tuple[str, Any]:
     """The text and the function of one expression of rx and ry."""
     out = Argument("out", ("dx",), (1,), True, "mm", "a result")
     routine = build("f", "F.", "by hand", (POINT, FACTOR), (out,), {"dx": value})
-    text = numpy_source(machine_at(DMU60P), (routine,), "test.toml")
+    text = numpy_source(machine_at(DMU60P), (routine,))
     return text, executed(text).f
 
 
@@ -186,7 +186,7 @@ def test_parameters_may_have_the_names_of_python_s_and_c_s_own_functions() -> No
     names = ["min", "max", "exp", "abs", "print", "size_t"]
     positions = {"X": {"position": names[:3]}, "Y": {"position": names[3:]}}
     machine = machine_of(serial_text("Y", "X", **positions))
-    module = executed(numpy_source(machine, derive_model(machine).routines, "test.toml"))
+    module = executed(numpy_source(machine, derive_model(machine).routines))
     parameters = np.array([float(names.index(n) + 1) if n in names else 0.0 for n in machine.parameters])
     found = module.tool_in_workpiece_ideal(np.array([[10.0], [20.0]]), parameters, np.zeros((3, 1)))
     np.testing.assert_array_equal(found[:, 0], [10 + 1 - 4, -20 + 2 - 5, 3 - 6])
@@ -195,7 +195,7 @@ def test_parameters_may_have_the_names_of_python_s_and_c_s_own_functions() -> No
 @pytest.mark.parametrize("title", ["A mill, 5 axes (B/C)", "Fräse & Söhne's #1", "x + y - z: _test_"])
 def test_titles_that_the_spec_takes_break_no_file(title: str) -> None:
     machine = machine_of(serial_text("Y", "X").replace(HEAD.splitlines()[2], f'title = "{title}"'))
-    module = executed(numpy_source(machine, derive_model(machine).routines, "test.toml"))
+    module = executed(numpy_source(machine, derive_model(machine).routines))
     assert module.META["title"] == title
 
 

@@ -17,7 +17,7 @@ import hashlib
 from tests.derive.test_routine import models
 from trueaxis.emit.render import render
 for name, model in models().items():
-    for file, content in render(model, f"machines/{name}.toml").items():
+    for file, content in render(model).items():
         print(name, file, hashlib.sha256(content).hexdigest())
 """
 
@@ -38,7 +38,7 @@ def test_files_have_the_same_bytes_under_every_hash_seed() -> None:
 @pytest.mark.parametrize("name", ["dmu60p", "five_axis"])
 def test_no_file_tells_when_where_or_by_whom_it_was_made(name: str) -> None:
     here = str(Path.home())
-    for file, content in render(models()[name], f"machines/{name}.toml").items():
+    for file, content in render(models()[name]).items():
         text = content.decode()
         for word in (here, str(ROOT), "/tmp", os.uname().nodename, sys.version.split()[0]):
             assert word not in text, file

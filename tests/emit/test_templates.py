@@ -30,8 +30,8 @@ def given(monkeypatch: pytest.MonkeyPatch, emit: Callable[[], object]) -> dict[s
 
 
 EMITTERS: dict[str, Callable[[], object]] = {
-    "kernels.py.j2": lambda: numpy_source(models()[MODEL].machine, models()[MODEL].routines, "x.toml"),
-    "equations.md.j2": lambda: equations_page(models()[MODEL], "x.toml"),
+    "kernels.py.j2": lambda: numpy_source(models()[MODEL].machine, models()[MODEL].routines),
+    "equations.md.j2": lambda: equations_page(models()[MODEL]),
 }
 
 

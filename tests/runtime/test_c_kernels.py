@@ -48,7 +48,7 @@ def compiled(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFa
     source.write_text(c_source(machine, routines))
     source.with_name("kernels.h").write_text(c_header(machine, routines))
     module = ModuleType("kernels")
-    exec(numpy_source(machine, routines, "test.toml"), module.__dict__)
+    exec(numpy_source(machine, routines), module.__dict__)
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TRUEAXIS_CACHE", str(folder / "cache"))
         kernels, reason = load_c_kernels(source, machine.name, machine.digest, ABI, module.META["routines"])

@@ -17,7 +17,7 @@ from trueaxis.spec import Machine
 
 @pytest.fixture(scope="module")
 def files() -> dict[str, bytes]:
-    return render(model_of(DMU60P.read_text()), "machines/dmu60p.toml")
+    return render(model_of(DMU60P.read_text()))
 
 
 @pytest.fixture

@@ -32,7 +32,7 @@ POINT = np.array(AT)[:, None]
 @pytest.fixture(scope="module")
 def kernels(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("generated")
-    files = render(model_of(FIVE_AXIS.read_text()), "five_axis.toml")
+    files = render(model_of(FIVE_AXIS.read_text()))
     write_files({folder / "five_axis" / name: content for name, content in files.items()})
     return folder
 

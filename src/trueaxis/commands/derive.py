@@ -48,14 +48,15 @@ def run(args: argparse.Namespace) -> int:
 
     machine = read_machine(args.machine)
     model = derive_model(machine, _runs(machine, args.machine, args.runs))
-    files = render(model, f"machines/{machine.name}.toml")
+    files = render(model)
     folder = args.out / machine.name
     if args.check:
         found = differences(folder, files)
-        for line in found[:400]:
+        for line in found:
             print(line)
         if found:
-            print(f"{folder} differs from {args.machine}; run: trueaxis derive {args.machine} --out {args.out}")
+            runs = f" --runs {args.runs}" if args.runs else ""
+            print(f"{folder} differs from {args.machine}; run: trueaxis derive {args.machine} --out {args.out}{runs}")
             return 1
         print(f"{folder} is what {args.machine} derives to")
         return 0

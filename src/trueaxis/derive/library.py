@@ -229,21 +229,12 @@ def _walk_with_curves(
     machine: Machine, main: View, rows: tuple[str, ...], *, exact: bool
 ) -> tuple[dict[str, sp.Expr], list[Assignment]]:
     """The walk with each component error replaced by its polynomial: results and what they refer to."""
-    curves, steps = Binder(), Binder()
+    curves, steps = Binder("_curve"), Binder("_walk")
     values = {symbols.named(name): curves.bind(curve(name, machine.curve_degree)) for name in machine.components}
     walked = walk(main, symbols.point(), steps, exact=exact, true_rotation=machine.true_rotation)
-    bound = [(_marked(target), _mark(value).xreplace(values)) for target, value in steps.assignments]
-    results = dict(zip(rows, (_mark(d).xreplace(values) for d in walked.deviation), strict=True))
+    bound = [(target, value.xreplace(values)) for target, value in steps.assignments]
+    results = dict(zip(rows, (d.xreplace(values) for d in walked.deviation), strict=True))
     return results, curves.assignments + bound
-
-
-def _marked(symbol: sp.Symbol) -> sp.Symbol:
-    # Two binders number their names alike; the walk's are set apart from the curves'.
-    return sp.Symbol(symbol.name.replace("_bound", "_walk"), real=True)
-
-
-def _mark(value: sp.Expr) -> sp.Expr:
-    return value.xreplace({s: _marked(s) for s in value.free_symbols if s.name.startswith("_bound")})
 
 
 def _ballbar(machine: Machine, main: View) -> Routine:

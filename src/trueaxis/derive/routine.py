@@ -53,15 +53,17 @@ class Routine:
 class Binder:
     """Gives names to intermediate results, so that expressions stay as short as they were derived."""
 
-    def __init__(self) -> None:
+    def __init__(self, prefix: str = "_bound") -> None:
+        """prefix: of the names; two binders whose assignments meet in one routine need two."""
         self.assignments: list[Assignment] = []
+        self._prefix = prefix
 
     def bind(self, value: sp.Expr) -> sp.Expr:
         """The value itself where it is a number or a symbol, else a new symbol that stands for it."""
         value = sp.sympify(value)
         if value.is_Atom or (-value).is_Atom:
             return value
-        name = sp.Symbol(f"_bound{len(self.assignments)}", real=True)
+        name = sp.Symbol(f"{self._prefix}{len(self.assignments)}", real=True)
         self.assignments.append((name, value))
         return name
 

@@ -8,7 +8,7 @@ from typing import Any
 from trueaxis.c_prefix import c_prefix
 from trueaxis.derive.routine import Argument, Assignment, Routine
 from trueaxis.emit.c_printer import CPrinter
-from trueaxis.emit.meta import ABI
+from trueaxis.emit.meta import ABI, spec_name
 from trueaxis.emit.names import variable_names
 from trueaxis.emit.templates import environment
 from trueaxis.spec.machine import Machine
@@ -52,32 +52,32 @@ class FunctionText:
     stores: tuple[str, ...]
 
 
-def c_source(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> str:
-    """The text of kernels.c. `spec`: the spec's file as shown in the header. Same input, same bytes."""
-    return environment().get_template("kernels.c.j2").render(source_context(machine, routines, spec))
+def c_source(machine: Machine, routines: tuple[Routine, ...]) -> str:
+    """The text of kernels.c. Same input, same bytes."""
+    return environment().get_template("kernels.c.j2").render(source_context(machine, routines))
 
 
-def c_header(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> str:
+def c_header(machine: Machine, routines: tuple[Routine, ...]) -> str:
     """The text of kernels.h."""
-    return environment().get_template("kernels.h.j2").render(header_context(machine, routines, spec))
+    return environment().get_template("kernels.h.j2").render(header_context(machine, routines))
 
 
-def source_context(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> dict[str, Any]:
+def source_context(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
     """The variables of kernels.c.j2."""
-    return _context(machine, routines, spec) | {"block": BLOCK}
+    return _context(machine, routines) | {"block": BLOCK}
 
 
-def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str | None = None) -> dict[str, Any]:
+def header_context(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
     """The variables of kernels.h.j2."""
-    return _context(machine, routines, spec) | {"abi": ABI}
+    return _context(machine, routines) | {"abi": ABI}
 
 
-def _context(machine: Machine, routines: tuple[Routine, ...], spec: str | None) -> dict[str, Any]:
+def _context(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
     prefix = c_prefix(machine.name)
     return {
         "digest": machine.digest,
         "prefix": prefix,
-        "spec": spec or f"machines/{machine.name}.toml",
+        "spec": spec_name(machine),
         "title": _commentable(machine.title),
         "functions": [_function(prefix, routine) for routine in routines],
     }

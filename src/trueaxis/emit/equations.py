@@ -13,6 +13,7 @@ from trueaxis.derive.motion import MotionEquation
 from trueaxis.derive.systems import IdentificationSystem
 from trueaxis.derive.views import view
 from trueaxis.emit.latex import Latex, broken
+from trueaxis.emit.meta import ABI, spec_name
 from trueaxis.emit.templates import environment
 from trueaxis.emit.undetermined import combination_text
 from trueaxis.topology import lower_body_array
@@ -55,7 +56,7 @@ class SystemText:
     size: int
 
 
-def equations_page(model: DerivedModel, spec: str) -> str:
+def equations_page(model: DerivedModel) -> str:
     """The text of equations.md."""
     machine = model.machine
     latex = Latex(machine)
@@ -68,7 +69,9 @@ def equations_page(model: DerivedModel, spec: str) -> str:
         environment()
         .get_template("equations.md.j2")
         .render(
-            spec=spec,
+            spec=spec_name(machine),
+            digest=machine.digest,
+            abi=ABI,
             title=machine.title,
             bodies=[array[0], *array[1:]],
             body_rows=[

@@ -10,6 +10,11 @@ from trueaxis.spec.machine import ROTARY, Machine
 ABI = 1  # raised whenever the signature, layout or meaning of a kernel changes
 
 
+def spec_name(machine: Machine) -> str:
+    """How generated files name the spec: by its place in a repository, not by where it lies on one machine."""
+    return f"machines/{machine.name}.toml"
+
+
 def meta(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
     """Axes, components and parameters in order with units, squareness relations, and every routine's arguments."""
     texts = symbols.describe(machine)

@@ -4,7 +4,7 @@ import pprint
 from dataclasses import dataclass
 
 from trueaxis.derive.routine import Argument, Assignment, Routine
-from trueaxis.emit.meta import ABI, meta
+from trueaxis.emit.meta import ABI, meta, spec_name
 from trueaxis.emit.names import variable_names
 from trueaxis.emit.python_printer import PythonPrinter
 from trueaxis.emit.templates import environment
@@ -33,14 +33,14 @@ class FunctionText:
     body: tuple[str, ...]
 
 
-def numpy_source(machine: Machine, routines: tuple[Routine, ...], spec: str) -> str:
-    """The text of kernels.py. `spec`: the spec's file as shown in the header."""
+def numpy_source(machine: Machine, routines: tuple[Routine, ...]) -> str:
+    """The text of kernels.py."""
     record = pprint.pformat(meta(machine, routines), width=118, sort_dicts=False)
     template = environment().get_template("kernels.py.j2")
     return template.render(
         abi=ABI,
         digest=machine.digest,
-        spec=spec,
+        spec=spec_name(machine),
         title=machine.title,
         meta=record,
         block=BLOCK,

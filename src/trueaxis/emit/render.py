@@ -6,28 +6,28 @@ import json
 from trueaxis.derive.model import DerivedModel
 from trueaxis.emit.c_source import c_header, c_source
 from trueaxis.emit.equations import equations_page
-from trueaxis.emit.meta import ABI
+from trueaxis.emit.meta import ABI, spec_name
 from trueaxis.emit.numpy_source import numpy_source
 
 
-def render(model: DerivedModel, spec: str) -> dict[str, bytes]:
-    """File name -> content of generated/NAME/. `spec`: how headers name the spec's file. Same input, same bytes."""
+def render(model: DerivedModel) -> dict[str, bytes]:
+    """File name -> content of generated/NAME/. Same input, same bytes."""
     machine, routines = model.machine, model.routines
     texts = {
-        "kernels.py": numpy_source(machine, routines, spec),
+        "kernels.py": numpy_source(machine, routines),
         "kernels.c": c_source(machine, routines),
         "kernels.h": c_header(machine, routines),
-        "equations.md": equations_page(model, spec),
+        "equations.md": equations_page(model),
     }
     files = {name: text.encode() for name, text in texts.items()}
-    return files | {"manifest.json": _manifest(model, spec, files).encode()}
+    return files | {"manifest.json": _manifest(model, files).encode()}
 
 
-def _manifest(model: DerivedModel, spec: str, files: dict[str, bytes]) -> str:
+def _manifest(model: DerivedModel, files: dict[str, bytes]) -> str:
     record = {
         "schema": 1,
         "machine": model.machine.name,
-        "spec": spec,
+        "spec": spec_name(model.machine),
         "spec_sha256": model.machine.digest,
         "kernel_abi": ABI,
         "files": {name: hashlib.sha256(content).hexdigest() for name, content in files.items()},
