@@ -155,9 +155,10 @@ def test_faults_of_options_and_files(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert plan(RUNS, "--out", str(tmp_path / "x")) == 2
     assert plan(RUNS, "--ideal-instruments", "--unknown-zeros") == 2
     assert plan(RUNS, "--propose", "1", "--out", str(RUNS)) == 2
+    assert plan(RUNS, "--runs", "X-1", "X-9") == 2
     assert plan(tmp_path / "nowhere") == 2
     error = capsys.readouterr().err
-    for said in ("--propose N as well", "--unknown-zeros", "another folder for --out", "nowhere"):
+    for said in ("--propose N as well", "--unknown-zeros", "another folder for --out", "nowhere", "X-9: is no run"):
         assert said in error
     for wrong in (["--noise-um", "0"], ["--degree", "x"], ["--propose", "0"], ["--propose-with", "ruler"]):
         with pytest.raises(SystemExit) as caught:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from tests.plan.data import IDEAL, known_but, laser, observations, path, plan
+from trueaxis.plan.convention import echelon
 from trueaxis.plan.instruments import Assumptions
 from trueaxis.plan.method import PlanOptions, judge
 from trueaxis.plan.report import PlanReport
@@ -58,3 +59,13 @@ def test_sense_of_the_sum() -> None:
     observed = observations([laser("S", "y", (0.0, 0.0, 0.0))], [path("Z", STEPS)])
     report = judge(plan(observed, PlanOptions(known=known_but("EYZ", "eps_yz"), assumed=IDEAL)))
     assert "only their difference is determined" in report.undetermined[0].combination
+
+
+def test_the_basis_of_a_space_does_not_depend_on_how_the_space_is_given() -> None:
+    draw = np.random.default_rng(3)
+    space = np.array([[1.0, 0.0], [2.0, 0.0], [0.0, 1.0], [0.0, -3.0], [5.0, 1.0]])
+    for _ in range(5):
+        basis, leads = echelon(space @ draw.normal(size=(2, 2)), [4, 0, 1, 2, 3])
+        assert leads == [4, 0]
+        assert np.allclose(basis, [[0.0, 1.0], [0.0, 2.0], [1.0, -5.0], [-3.0, 15.0], [1.0, 0.0]])
+    assert echelon(np.zeros((5, 0)), range(5))[0].shape == (5, 0)

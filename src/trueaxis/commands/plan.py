@@ -20,6 +20,7 @@ from trueaxis.plan.method import PlanOptions, judge, plan_of, planned
 from trueaxis.plan.propose import propose
 from trueaxis.plan.repair import repair
 from trueaxis.plan.report_text import report_json, report_text
+from trueaxis.plan.rows import of_runs
 from trueaxis.runtime.curves import Curve, PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues, read_errors
 from trueaxis.runtime.input_files import gathering
@@ -45,6 +46,9 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser = subparsers.add_parser("plan", help="what runs can and cannot determine", description=DESCRIPTION)
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
+    parser.add_argument(
+        "--runs", nargs="+", default=[], metavar="ID", help="judge these runs only (default: all of the folder)"
+    )
     parser.add_argument(
         "--noise-um", type=_size, default=1.0, metavar="S",
         help="standard deviation of a reading, um (1: what 1 um of every reading becomes)",
@@ -99,11 +103,16 @@ def run(args: argparse.Namespace) -> int:
             )
     if found:
         raise InputError(found)
+    _check_runs(args.runs, [run.id for run in data.setup.runs])
     assumed = Assumptions(args.ideal_instruments, args.unknown_linkage_lines, args.unknown_zeros)
     if args.location_errors_only:
         known = _no_motion_errors(machine, known)
     options = PlanOptions(args.noise_um, args.degree, assumed, known)
-    plan = plan_of(model, planned(str(args.data), data.setup.runs, data.readings), options)
+    observed = planned(str(args.data), data.setup.runs, data.readings)
+    if args.runs:
+        ids = [run.id for run in data.setup.runs]
+        observed = of_runs(observed, tuple(index for index, name in enumerate(ids) if name in args.runs))
+    plan = plan_of(model, observed, options)
     report = judge(plan)
     report = replace(report, repair=repair(plan, report))
     contents: dict[Path, bytes | str] = {}
@@ -119,6 +128,13 @@ def run(args: argparse.Namespace) -> int:
     if contents:
         print(f"written: {', '.join(str(path) for path in contents)}")
     return 1 if report.nothing_determined else 0
+
+
+def _check_runs(wanted: Sequence[str], there: Sequence[str]) -> None:
+    found = [Fault("--runs", name, "is no run of the setup", f"of {', '.join(there)}") for name in wanted]
+    found = [fault for fault in found if fault.place not in there]
+    if found:
+        raise InputError(found)
 
 
 def _no_motion_errors(machine: Machine, known: ErrorValues | None) -> ErrorValues:
@@ -145,6 +161,8 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
                 found.append(Fault(name, "", "does not go with --ideal-instruments", "one of them"))
     if args.out is None:
         return found
+    if args.runs:
+        found.append(Fault("--out", "", "goes with all runs", "no --runs"))
     if args.propose is None:
         found.append(Fault("--out", "", "is for proposed runs", "--propose N as well"))
     other = args.out / readings_files.PARQUET_NAME

@@ -31,7 +31,7 @@ class _Vector:
 
 def undetermined(whole: System, settled: Settled, order: Order | None) -> tuple[OpenReport, ...]:
     """The convention's combinations, singular blocks, then everything else that no reading sees."""
-    found = [_by_convention(vector) for vector in _taken_apart(whole, settled.settled)]
+    found = [_by_convention(vector) for vector in _taken_apart(whole, settled_and_seen(whole, settled))]
     seen = [
         vector
         for vector, values in zip(_taken_apart(whole, settled.plain), settled.plain.T, strict=True)
@@ -53,10 +53,18 @@ def undetermined(whole: System, settled: Settled, order: Order | None) -> tuple[
     return tuple(found)
 
 
+def settled_and_seen(whole: System, settled: Settled) -> FloatArray:
+    """(n, g): what the convention settles, but for what no reading holds anyway."""
+    held = np.abs(settled.settled[whole.seen]).max(axis=0, initial=0.0) > OPEN
+    return settled.settled[:, held]
+
+
 def _by_convention(vector: _Vector) -> OpenReport:
     located = [name for name in vector.names if name not in vector.sloping]
     if located:
         text = split_apart(located, vector.sloping, vector.shares)
+        if vector.instruments:
+            text += f" where {enumerated([share.what for share in vector.instruments])} goes along"
     else:
         hidden = enumerated([share.what for share in vector.instruments])
         text = f"slope of {enumerated(vector.sloping)}: not to be told from {hidden or 'others'}"

@@ -4,21 +4,25 @@ A convention is a rule "this slope of each straightness is zero": the slope of t
 that of the line through the end points. It applies where the readings leave slopes and location errors alone open.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from trueaxis.identify.global_fit.layout import Layout
-from trueaxis.identify.null_space import reduced
 from trueaxis.identify.straightness import is_straightness, slope_weights
 from trueaxis.measure.machine import FloatArray
 
 Convention = Literal["least-squares", "end-point"]
 CONVENTIONS: tuple[Convention, ...] = ("least-squares", "end-point")
-ALONE = 1e-6  # share of other unknowns up to which a null vector is one of slopes and location errors
+ALONE = (
+    1e-4  # share of other unknowns up to which a null vector is one of slopes and location errors: rounded positions
+)
+# make null spaces exact to some 1e-6 only
 TILTS = 1e-6
-ROUNDING = 1e-6
+ROUNDING = 1e-5
+CLEARLY = 1e-2  # of a unit vector: what must be left of a row for it to lead
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,18 +59,34 @@ def settle(layout: Layout, null: FloatArray, convention: Convention) -> Settled:
     tilting = sizes > TILTS * np.abs(slopes).max(initial=0.0)
     inverse = np.linalg.pinv(moved, rcond=TILTS) if tilting.any() else np.zeros(moved.T.shape)
     projector = np.eye(n) - alone @ inverse @ slopes
-    first = range(int(layout.offset[-1]), n)
-    settled, _ = reduced(alone @ turn[tilting].T, first, ROUNDING)
+    start = int(layout.offset[-1])
+    order = [*range(start, n), *range(start)]
+    settled, leads = echelon(alone @ turn[tilting].T, order)
     left = np.hstack([alone @ turn[~tilting].T, mixed])
-    for vector, lead in zip(settled.T, [_lead(vector, first) for vector in settled.T], strict=True):
-        left = left - np.outer(vector, left[lead] / vector[lead])
-    return Settled(projector, settled, reduced(projector @ left, (), ROUNDING)[0], reduced(left, (), ROUNDING)[0])
+    left = left - settled @ left[leads]
+    return Settled(projector, settled, echelon(projector @ left, order)[0], echelon(left, order)[0])
 
 
-def _lead(vector: FloatArray, first: range) -> int:
-    """The entry that a reduced vector is led by."""
-    located = [index for index in first if vector[index] == 1.0]
-    return located[0] if located else int(np.abs(vector).argmax())
+def echelon(vectors: FloatArray, order: Sequence[int]) -> tuple[FloatArray, list[int]]:
+    """The same space (n, d) with the basis whose vectors are 1 at one row of `leads` each and 0 at the others'.
+
+    The leads are the first rows in `order` that are clearly independent, so that the basis is the same whatever
+    basis the space was given in. Entries below ROUNDING times the largest of their vector are set to zero.
+    """
+    basis, _ = np.linalg.qr(vectors)
+    count = basis.shape[1]
+    leads: list[int] = []
+    for tolerance in (CLEARLY, 0.0):
+        taken, _ = np.linalg.qr(basis[leads].T)
+        for row in order:
+            left = basis[row] - taken @ (taken.T @ basis[row])
+            size = float(np.linalg.norm(left))
+            if len(leads) < count and row not in leads and size > tolerance:
+                leads.append(row)
+                taken, _ = np.linalg.qr(basis[leads].T)
+    found = basis @ np.linalg.inv(basis[leads]) if count else basis
+    found[np.abs(found) < ROUNDING * np.abs(found).max(axis=0, initial=0.0)] = 0.0
+    return found, leads
 
 
 def _straight(layout: Layout) -> list[int]:

@@ -13,7 +13,7 @@ from trueaxis.identify.observations import Observations
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import Run
 from trueaxis.plan import expected
-from trueaxis.plan.combinations import undetermined
+from trueaxis.plan.combinations import settled_and_seen, undetermined
 from trueaxis.plan.convention import Settled, settle
 from trueaxis.plan.instruments import IDEAL, KNOWN, Assumptions, Unknowns, instrument_unknowns
 from trueaxis.plan.location_sets import location_sets
@@ -98,7 +98,7 @@ def judge(plan: Plan) -> PlanReport:
         instrument_unknowns=whole.instruments,
         unknowns=whole.layout.count,
         rank=whole.factors.rank,
-        settled=settled.settled.shape[1],
+        settled=settled_and_seen(whole, settled).shape[1],
         condition=whole.factors.condition,
         convention=CONVENTION_TEXT,
         blocks=blocks.blocks() if blocks else (),

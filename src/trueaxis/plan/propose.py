@@ -12,6 +12,7 @@ from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Instrument
 from trueaxis.plan import expected
 from trueaxis.plan.candidates import Candidate, candidates, style_of
+from trueaxis.plan.combinations import settled_and_seen
 from trueaxis.plan.convention import settle
 from trueaxis.plan.d_optimal import choose
 from trueaxis.plan.method import PRIOR_UM, Plan, plan_of
@@ -58,7 +59,7 @@ def propose(plan: Plan, count: int, instruments: Sequence[Instrument] = ()) -> E
         exchanges=chosen.exchanges,
         unknowns=after.system.layout.count,
         rank=after.system.factors.rank,
-        settled=after.settled.settled.shape[1],
+        settled=settled_and_seen(after.system, after.settled).shape[1],
         condition=after.system.factors.condition,
         curves=expected.curves(after.system, after.settled, spread),
         locations=expected.locations(after.system, after.settled, spread, other),
