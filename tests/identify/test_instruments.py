@@ -171,7 +171,10 @@ def test_sphere_on_a_turning_table_and_zero_of_the_probe(frame: str) -> None:
     data = Observations("", tuple(runs), np.repeat(np.arange(3), turns.size), np.hstack([at] * 3), np.array(readings))
     found = instruments(machine, data, KINDS)
     names = [unknown.name.split(" of ")[0] for unknown in found.unknowns]
-    expected = {"bed": ["zero x", "zero y", "zero z", "centre x", "centre y"], "workpiece": ["zero x", "zero y", "zero z"]}
+    expected = {
+        "bed": ["zero x", "zero y", "zero z", "centre x", "centre y"],
+        "workpiece": ["zero x", "zero y", "zero z"],
+    }
     assert names == expected[frame]
     values = np.array([*zero, *shifted[:2]][: len(names)])
     without = np.concatenate(

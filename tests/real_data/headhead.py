@@ -46,12 +46,13 @@ class Form:
 
 
 CENTRE = Form("sphere centre only")
-SMALL = Form("and offsets of the rotary axes and the tool", OFFSETS)
+AXES_ONLY = Form("and the rotary axes by ISO 230-7, no tool", (*OFFSETS[:4], *TILTS))
+SMALL = Form("centre, offsets of rotary axes and tool", OFFSETS)
 TILTED = Form("and tilts of the rotary axes", (*OFFSETS, *TILTS))
 BIG = Form("and linear scale and squareness", (*OFFSETS, *TILTS, *SQUARENESS), SCALES)
 CURVED_B = Form("these and motion errors of B, degree 2", BIG.locations, (*SCALES, *OF_B), 2)
 CURVED_C = Form("these and motion errors of C, degree 2", BIG.locations, (*SCALES, *OF_C), 2)
-FORMS = (CENTRE, SMALL, TILTED, BIG, CURVED_B, CURVED_C)
+FORMS = (CENTRE, AXES_ONLY, SMALL, TILTED, BIG, CURVED_B, CURVED_C)
 
 
 def model(sense_of_b: int = 1) -> MachineModel:

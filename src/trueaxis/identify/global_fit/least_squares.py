@@ -49,11 +49,11 @@ class Factors:
 class Gauge:
     """Moves within the null space: from the solution of least norm to the one of the conventions.
 
-    First the unknowns of the instruments become as small as the readings allow: what cannot be told from a perfect
-    instrument is taken for one. Then location errors level the least-squares lines of the straightness.
+    First location errors level the least-squares lines of the straightness. Then, with these level, the unknowns of the
+    instruments become as small as the readings allow: what cannot be told from a perfect instrument is taken for one.
 
-    projector: (n, n); settled: (n, g), basis vectors led by a location error each, whose share the second convention
-    settles; null: (n, d), what stays open, where the first has only chosen.
+    projector: (n, n); settled: (n, g), basis vectors led by a location error each, whose share the first convention
+    settles; null: (n, d), what stays open, where the second has only chosen.
     """
 
     projector: FloatArray
@@ -71,22 +71,23 @@ def factors(triangle: FloatArray, tolerance: float = RANK_TOLERANCE) -> Factors:
 def gauge(layout: Layout, null: FloatArray, level: bool) -> Gauge:
     """The gauge of a null space; level: whether straightness is levelled. Nothing is moved along other vectors."""
     n, instruments, locations = layout.count, layout.of_instruments, layout.of_locations
-    first, of_instruments = reduced(null, range(instruments.start, n), ROUNDING)
-    chosen, rest = first[:, :of_instruments], first[:, of_instruments:]
-    projector = np.eye(n)
+    basis, led = reduced(null, range(locations.start, locations.stop), ROUNDING)
+    others, of_instruments = reduced(basis[:, led:], range(instruments.start, n), ROUNDING)
+    projector, settled, rest = np.eye(n), np.zeros((n, 0)), basis[:, :led]
+    if level and led:
+        slopes = straightness_slopes(layout)
+        moved = slopes @ basis[:, :led]
+        size = np.abs(slopes).max(initial=0.0)
+        tilts = np.abs(moved).max(axis=0, initial=0.0) > GAUGE_TOLERANCE * size
+        settled, rest = basis[:, :led][:, tilts], basis[:, :led][:, ~tilts]
+        projector -= settled @ (np.linalg.pinv(moved[:, tilts], rcond=GAUGE_TOLERANCE) @ slopes)
+    chosen = projector @ others[:, :of_instruments]
+    rest = projector @ np.hstack([rest, others[:, of_instruments:]])
     if of_instruments:
-        projector[:, instruments] -= chosen @ np.linalg.pinv(chosen[instruments], rcond=GAUGE_TOLERANCE)
-    basis, led = reduced(rest, range(locations.start, locations.stop), ROUNDING)
-    if not (level and led):
-        return Gauge(projector, np.zeros((n, 0)), np.hstack([chosen, basis]))
-    slopes = straightness_slopes(layout)
-    moved = slopes @ basis[:, :led]
-    size = np.abs(slopes).max(initial=0.0)
-    tilts = np.abs(moved).max(axis=0, initial=0.0) > GAUGE_TOLERANCE * size
-    settled = basis[:, :led][:, tilts]
-    levelled = np.eye(n) - settled @ (np.linalg.pinv(moved[:, tilts], rcond=GAUGE_TOLERANCE) @ slopes)
-    rest = np.hstack([chosen, basis[:, :led][:, ~tilts], basis[:, led:]])
-    return Gauge(levelled @ projector, settled, levelled @ rest)
+        smallest = np.eye(n)
+        smallest[:, instruments] -= chosen @ np.linalg.pinv(chosen[instruments], rcond=GAUGE_TOLERANCE)
+        projector, rest = smallest @ projector, smallest @ rest
+    return Gauge(projector, settled, np.hstack([chosen, rest]))
 
 
 def straightness_slopes(layout: Layout) -> FloatArray:

@@ -63,7 +63,7 @@ def fit_global(machine: IdentifiedMachine, observed: Observations, options: Glob
     moved = gauge(plan, found.null, level=options.squareness == "convention")
     solution = solve(design, found, moved, given)
     if options.robust:
-        solution = solve_robust(design, solution, moved, given, options.robust, weighted.sigma)
+        solution = solve_robust(design, solution, moved, given, options.robust, weighted.sigma, held)
     spread, variance = _spread(solution, weighted, held, found, options)
     covariance = None
     if spread.sigma is not None:

@@ -23,7 +23,7 @@ from trueaxis.measure.machine import FloatArray
 MOST_PARTS = 10
 MOST_SWEEPS = 10
 LEAST = 1  # without a slope, a location error would seem determined that is not
-RIDGE = 1e-13  # of the mean diagonal: what the readings do not determine stays finite, and is predicted as small
+RIDGE = 1e-11  # of the mean diagonal: what the readings do not determine stays finite, and is predicted as small
 BoolArray = npt.NDArray[np.bool_]
 
 

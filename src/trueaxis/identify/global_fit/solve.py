@@ -9,6 +9,7 @@ from trueaxis.identify.global_fit.least_squares import Factors, Gauge, factors
 from trueaxis.identify.global_fit.robust import CONVERGED as SETTLED
 from trueaxis.identify.global_fit.robust import MOST_ITERATIONS as MOST_REWEIGHTINGS
 from trueaxis.identify.global_fit.robust import Robust, scale_of, weights
+from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.errors import ErrorValues
@@ -48,9 +49,16 @@ def solve(
 
 
 def solve_robust(
-    design: Design, start: Solution, moved: Gauge, given: ErrorValues, kind: Robust, sigma: float | None
+    design: Design,
+    start: Solution,
+    moved: Gauge,
+    given: ErrorValues,
+    kind: Robust,
+    sigma: float | None,
+    held: BoolArray,
 ) -> Solution:
-    """Reweight and solve until no weight changes; sigma: scale of a reading of weight 1 (mm), None: from the medians.
+    """Reweight and solve until no weight changes; sigma: scale of a reading of weight 1 (mm), None: from the medians
+    of the readings that are held: (n_readings,), those that hold an unknown.
 
     Tukey's function is not convex: Huber's solution is where it starts, and for it the scale is estimated.
     """
@@ -59,7 +67,7 @@ def solve_robust(
     stages: tuple[Robust, ...] = ("huber",) if kind == "huber" else ("huber", "tukey")
     for stage in stages:
         for _ in range(MOST_REWEIGHTINGS):
-            scale = scale_of(roots * found.residual) if sigma is None else sigma
+            scale = scale_of((roots * found.residual)[held]) if sigma is None else sigma
             if scale == 0.0:
                 return replace(found, scale=0.0)  # most readings are met exactly: nothing to weigh by
             weight = weights(roots * found.residual / scale, stage)

@@ -1,0 +1,255 @@
+"""From the readings' noise to the uncertainty of a predicted deviation: derivatives, Monte Carlo, coverage, files."""
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+import pytest
+from scipy import stats
+
+from tests.generator.dmu60p import PARAMETERS, cubic_errors
+from tests.generator.dmu60p import dmu60p as generator
+from tests.identify.data import line, observed, paper_data, tool
+from tests.identify.test_command import KERNELS, MACHINE, identify, known, simulated
+from tests.identify.test_global import CONVENTION, KNOWN, mixed_data
+from tests.identify.test_instruments import joined
+from tests.identify.test_paper import level
+from trueaxis.cli import main
+from trueaxis.faults import InputError
+from trueaxis.identify.covariance import Covariance, derivative, dump_covariance, predicted_u, read_covariance
+from trueaxis.identify.global_fit.design import Design
+from trueaxis.identify.global_fit.method import fit_global, identify_global
+from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.observations import Observations
+from trueaxis.measure.columns import BoolArray
+from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.model import MachineModel, load_model
+
+TOOL = np.array([[12.0], [-35.0], [60.0]])
+AT = np.array([[0.0, 540.0, 200.0, 33.0], [0.0, 700.0, 100.0, 650.0], [0.0, 600.0, 333.0, 10.0]])
+SIGMA = 3e-4
+
+
+@cache
+def machine() -> MachineModel:
+    return load_model(MACHINE, None, Path(KERNELS[1]), backend="numpy")
+
+
+def values_of(found: Covariance, values: FloatArray, others: dict[str, float]) -> ErrorValues:
+    """Error values from coefficients of the bases, by powers."""
+    curves, start = {}, 0
+    for name, basis in zip(found.components, found.bases, strict=True):
+        powers = values[start : start + basis.degree] @ basis.powers
+        curves[name] = PolynomialCurve(tuple(range(1, basis.degree + 1)), tuple(powers.tolist()))
+        start += basis.degree
+    located = dict(zip(found.locations, values[start:].tolist(), strict=True))
+    return ErrorValues("dmu60p", {**others, **located}, curves)
+
+
+def identified(options: GlobalOptions) -> tuple[MachineModel, Covariance]:
+    found = identify_global(machine(), mixed_data(cubic_errors(), 8), options)
+    assert found.covariance is not None
+    return machine().with_values(ErrorValues("dmu60p", PARAMETERS)), found.covariance
+
+
+def test_derivative_is_that_of_finite_differences() -> None:
+    model, found = identified(replace(CONVENTION, degree=4, noise_um=0.3))
+    analytic = derivative(model, found, AT, TOOL)
+    scale = np.sqrt(np.diag(found.matrix))
+    for index in range(found.count):
+        step = np.zeros(found.count)
+        step[index] = scale[index]
+        ends = [
+            machine().with_values(values_of(found, sign * step, PARAMETERS | dict.fromkeys(found.locations, 0.0)))
+            for sign in (1.0, -1.0)
+        ]
+        by_difference = [end.view_deviation("tool_in_workpiece", AT, TOOL) for end in ends]
+        slope = (by_difference[0] - by_difference[1]) / (2.0 * scale[index])
+        assert np.allclose(slope, analytic[:, index], rtol=1e-4, atol=1e-4 * np.abs(analytic[:, index]).max() + 1e-9)
+
+
+def test_predicted_uncertainty_is_the_scatter_of_drawn_error_values() -> None:
+    """JCGM 101: 4000 draws of all values through the exact model; standard error of a standard deviation 1.1 %."""
+    model, found = identified(replace(CONVENTION, degree=3, noise_um=0.3))
+    factor = np.linalg.cholesky(found.matrix + 1e-14 * np.diag(np.diag(found.matrix)))
+    draws = np.random.default_rng(4).normal(size=(4000, found.count)) @ factor.T
+    deviations = np.array(
+        [
+            machine().with_values(values_of(found, draw, PARAMETERS)).view_deviation("tool_in_workpiece", AT, TOOL)
+            for draw in draws
+        ]
+    )
+    u = predicted_u(model, found, AT, TOOL)
+    assert np.allclose(deviations.std(axis=0)[:, 1:], u[:, 1:], rtol=0.05)
+
+
+@pytest.mark.slow
+def test_predicted_uncertainty_is_the_scatter_of_repeated_identification() -> None:
+    """The whole way: noise on the readings, identification, prediction. 120 draws: standard error 6.5 %."""
+    options = replace(KNOWN, degree=3, noise_um=0.3)
+    clean = mixed_data(cubic_errors(), 6)
+    base = identify_global(machine(), clean, options)
+    assert base.covariance is not None
+    u = predicted_u(machine().with_values(base.values), base.covariance, AT[:, 1:], TOOL)
+    source, found = np.random.default_rng(9), []
+    for _ in range(120):
+        noisy = replace(clean, reading=clean.reading + source.normal(0.0, SIGMA, clean.reading.size))
+        values = identify_global(machine(), noisy, options).values
+        found.append(machine().with_values(values).view_deviation("tool_in_workpiece", AT[:, 1:], TOOL))
+    spread = np.std(np.array(found), axis=0) / u
+    assert np.all((spread > 0.75) & (spread < 1.25)), spread
+    assert spread.mean() == pytest.approx(1.0, abs=0.1)
+
+
+@cache
+def coverage_case() -> tuple[Observations, GlobalOptions]:
+    """The paper's runs and a straightness run whose line is unknown; the truth is level over their positions."""
+    truth = level(cubic_errors(), 6)
+    run = tool("S", "y", (167.0, 30.0, -195.0))
+    line_of_its_own = observed(generator(truth), [run], [line("X", 6)])
+    slanted = line_of_its_own.reading + 0.004 + 1e-5 * line_of_its_own.positions[0]
+    return joined(paper_data(generator(truth), 6), replace(line_of_its_own, reading=slanted)), replace(
+        CONVENTION, degree=3
+    )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("noise_um", [0.3, None], ids=["given", "estimated"])
+def test_intervals_of_95_percent_cover_95_percent(noise_um: float | None) -> None:
+    """2000 draws of all readings' noise: every value and deviations anywhere, against the truth of the generator.
+
+    An estimate is linear in the readings within the size of the errors (1e-4): of each draw the identification is the
+    one without noise plus a matrix times the noise, which is held against whole identifications below.
+    """
+    clean, options = coverage_case()
+    options = replace(options, noise_um=noise_um)
+    fit = fit_global(machine(), replace(clean, reading=clean.reading + _noise(0, clean)), options)
+    base = identify_global(machine(), clean, replace(options, noise_um=0.3))
+    assert base.covariance is not None
+    operator, design, held = _operator(clean, options)
+    noise = np.random.default_rng(12).normal(0.0, SIGMA, (clean.reading.size, 2000))
+    moved = operator @ noise
+    n, freedom = fit.layout.of_machine, int(held.sum()) - fit.factors.rank
+    u = np.sqrt(np.diag(base.covariance.matrix))[:, np.newaxis]
+    quantile = float(stats.norm.ppf(0.975))
+    if noise_um is None:
+        left = noise - design @ (operator @ noise / fit.layout.scale[:, np.newaxis])
+        u = u * np.sqrt((left[held] ** 2).sum(axis=0) / freedom) / SIGMA
+        quantile = float(stats.t.ppf(0.975, freedom))
+    start = _values(base.covariance, base.values) - _true_values(base.covariance)
+    inside = np.abs(start[:, np.newaxis] + moved[:n]) <= quantile * u
+    each = inside.mean(axis=1)
+    assert 0.94 < each.mean() < 0.96
+    assert np.abs(each - 0.95).max() < 0.02  # 4 standard errors of 0.5 %
+    by_value = derivative(machine().with_values(base.values), base.covariance, AT[:, 1:], TOOL)
+    wrong = np.einsum("ikn,kd->ind", by_value, start[:, np.newaxis] + moved[:n])
+    of_point = predicted_u(machine().with_values(base.values), base.covariance, AT[:, 1:], TOOL)[..., np.newaxis]
+    share = (np.abs(wrong) <= quantile * of_point * _ratio(u, base.covariance)).mean(axis=2)
+    assert np.abs(share - 0.95).max() < 0.02
+    assert 0.94 < share.mean() < 0.96
+
+
+def _ratio(u: FloatArray, found: Covariance) -> FloatArray:
+    """(n_draws,) or (1,): the noise estimated in each draw over the true one."""
+    return np.asarray(u[0] / np.sqrt(found.matrix[0, 0]))
+
+
+def _noise(seed: int, data: Observations) -> FloatArray:
+    return np.random.default_rng(seed).normal(0.0, SIGMA, data.reading.size)
+
+
+def _operator(data: Observations, options: GlobalOptions) -> tuple[FloatArray, FloatArray, BoolArray]:
+    """(n_unknowns, n_readings) from readings to unknowns in mm and rad; the scaled design; which rows are held."""
+    fit = fit_global(machine(), data, options)
+    design = np.zeros((data.reading.size, fit.layout.count))
+    for rows, piece in Design(fit.layout, data).pieces():
+        design[rows] = piece
+    scaled = fit.gauge.projector @ np.linalg.pinv(design, rcond=1e-6)
+    return scaled * fit.layout.scale[:, np.newaxis], design, np.asarray(design.any(axis=1))
+
+
+@pytest.mark.slow
+def test_the_linear_path_is_that_of_whole_identifications() -> None:
+    clean, options = coverage_case()
+    operator, _, _ = _operator(clean, options)
+    base = fit_global(machine(), clean, options)
+    for seed in range(3):
+        noise = _noise(seed, clean)
+        fit = fit_global(machine(), replace(clean, reading=clean.reading + noise), options)
+        assert fit.covariance is not None
+        off = fit.unknowns - base.unknowns - operator @ noise
+        assert np.abs(off / np.sqrt(np.diag(fit.covariance))).max() < 1e-2
+
+
+def _values(found: Covariance, values: ErrorValues) -> FloatArray:
+    """Coefficients of the bases, from curves at as many positions."""
+    total = []
+    for name, basis in zip(found.components, found.bases, strict=True):
+        at = np.linspace(basis.low, basis.high, basis.degree + 1)[1:]
+        total += np.linalg.solve(basis(at).T, values.motion_errors[name](at)).tolist()
+    return np.array([*total, *(values.parameters[name] for name in found.locations)])
+
+
+def _true_values(found: Covariance) -> FloatArray:
+    truth, total = level(cubic_errors(), 6), []
+    for name, basis in zip(found.components, found.bases, strict=True):
+        at = np.linspace(basis.low, basis.high, basis.degree + 1)[1:]
+        total += np.linalg.solve(basis(at).T, np.array([float(truth[name](s)) for s in at])).tolist()
+    return np.array([*total, *(PARAMETERS[name] for name in found.locations)])
+
+
+def test_commands_write_and_read_it(tmp_path: Path) -> None:
+    data = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.3")
+    out, file = tmp_path / "e.json", tmp_path / "c.npz"
+    options = ["--method", "global", "--degree", "3", "--known", str(known(tmp_path)), "--squareness", "known"]
+    assert identify(data, out, *options, "--covariance", str(file)) == 0
+    again = tmp_path / "again.npz"
+    assert identify(data, tmp_path / "e2.json", *options, "--covariance", str(again)) == 0
+    assert file.read_bytes() == again.read_bytes()
+    points = tmp_path / "points.csv"
+    points.write_text("X,Y,Z,tool_x\n540,700,600,0\n10,20,30,50\n")
+    arguments = ["predict", str(MACHINE), "--errors", str(out), "--covariance", str(file), "--at", str(points)]
+    assert main([*arguments, "--out", str(tmp_path / "p.csv"), *KERNELS]) == 0
+    table = pl.read_csv(tmp_path / "p.csv")
+    assert table.columns[-6:] == ["dx", "dy", "dz", "u_dx", "u_dy", "u_dz"]
+    assert table["u_dx"][0] > table["u_dx"][1] > 0.0
+    assert table["u_dx"][0] < 0.02
+
+
+def test_what_is_open_has_no_uncertainty(tmp_path: Path) -> None:
+    """The published points: what Z is rests on what they leave open; what X does along itself does not."""
+    data = simulated(tmp_path, "dmu60p_runs", "--noise-um", "0.3")
+    out, file = tmp_path / "e.json", tmp_path / "c.npz"
+    options = ["--method", "global", "--degree", "3", "--known", str(known(tmp_path)), "--squareness", "known"]
+    assert identify(data, out, *options, "--covariance", str(file)) == 0
+    model = load_model(MACHINE, out, Path(KERNELS[1]), backend="numpy")
+    found = read_covariance(file, "dmu60p", model.components, model.location_errors)
+    u = predicted_u(model, found, np.array([[300.0, 0.0], [0.0, 0.0], [0.0, 400.0]]), np.zeros((3, 1)))
+    assert np.isfinite(u[0, 0])
+    assert np.isnan(u[2, 1])
+
+
+@pytest.mark.parametrize("damage", ["text", "cut", "machine", "shape"])
+def test_damaged_files_are_told(tmp_path: Path, damage: str) -> None:
+    _, found = identified(replace(KNOWN, degree=1, noise_um=0.3))
+    file = tmp_path / "c.npz"
+    data = dump_covariance(replace(found, matrix=found.matrix[:3]) if damage == "shape" else found)
+    file.write_bytes({"text": b"no archive", "cut": data[:-40]}.get(damage, data))
+    with pytest.raises(InputError):
+        read_covariance(file, "other" if damage == "machine" else "dmu60p", machine().components, ())
+
+
+def test_every_fault_of_the_options_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    data = simulated(tmp_path, "dmu60p_regular_runs")
+    capsys.readouterr()
+    out = tmp_path / "e.json"
+    wrong = ["--robust", "huber", "--covariance", str(tmp_path / "c.txt"), "--degree", "auto"]
+    assert identify(data, out, *wrong, "--instruments", "ideal", "--noise-um", "laser=1") == 2
+    told = capsys.readouterr().err
+    for words in ("--robust", "--covariance", "--degree auto", "--instruments", "--noise-um", "not a .npz file"):
+        assert words in told
+    assert not out.exists()
