@@ -1,6 +1,6 @@
 /* Generated from machines/bridge_cmm.toml, do not edit; regenerate with: trueaxis derive machines/bridge_cmm.toml
  * Kernels of Bridge coordinate measuring machine: geometric error model in C17.
- * Spec: sha256 1f6362a120e392d01ea50639f218f76f0a93f119b98208bf0f674addf8bce3a7
+ * Spec: sha256 cf081b9dc09563c688eb50c61eca0522473f1977856152a4d3efba7c8462f6d0
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
  * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
@@ -28,14 +28,14 @@ int bridge_cmm_kernel_abi(void)
 
 const char *bridge_cmm_spec_hash(void)
 {
-    return "1f6362a120e392d01ea50639f218f76f0a93f119b98208bf0f674addf8bce3a7";
+    return "cf081b9dc09563c688eb50c61eca0522473f1977856152a4d3efba7c8462f6d0";
 }
 
 /*
  * Ideal position of a tool point in the workpiece frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 6 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; tool point in the workpiece frame, without errors (px py pz)
  */
@@ -67,11 +67,11 @@ void bridge_cmm_tool_in_workpiece_ideal(
 
 /*
  * Deviation of a tool point in the workpiece frame, exact.
- * Source: Eqs. (1)-(4). Operations: 71 per point.
+ * Source: Eqs. (1)-(4). Operations: 70 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -87,14 +87,93 @@ void bridge_cmm_tool_in_workpiece_deviation(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     const double EA0Z = parameters[4];
     const double EB0Z = parameters[5];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
         const double x = positions[0 * stride + i];
-        const double y = positions[1 * stride + i];
+        const double z = positions[2 * stride + i];
+        const double EXX = errors[0 * stride + i];
+        const double EYX = errors[1 * stride + i];
+        const double EZX = errors[2 * stride + i];
+        const double EAX = errors[3 * stride + i];
+        const double EBX = errors[4 * stride + i];
+        const double ECX = errors[5 * stride + i];
+        const double EXY = errors[6 * stride + i];
+        const double EYY = errors[7 * stride + i];
+        const double EZY = errors[8 * stride + i];
+        const double EAY = errors[9 * stride + i];
+        const double EBY = errors[10 * stride + i];
+        const double ECY = errors[11 * stride + i];
+        const double EXZ = errors[12 * stride + i];
+        const double EYZ = errors[13 * stride + i];
+        const double EZZ = errors[14 * stride + i];
+        const double EAZ = errors[15 * stride + i];
+        const double EBZ = errors[16 * stride + i];
+        const double ECZ = errors[17 * stride + i];
+        const double rx = point[0 * stride + i];
+        const double ry = point[1 * stride + i];
+        const double rz = point[2 * stride + i];
+        const double w0 = q_Pz + rz;
+        const double w1 = w0 + z;
+        const double w2 = q_Py + ry;
+        const double w3 = q_Px + rx;
+        const double w4 = EAZ*w2 - EBZ*w3 + EZZ;
+        const double w5 = w1 + w4;
+        const double w6 = -EAZ*w0 + ECZ*w3 + EYZ;
+        const double w7 = -EA0Z*w5 + w6;
+        const double w8 = w2 + w7;
+        const double w9 = EBZ*w0 - ECZ*w2 + EXZ;
+        const double w10 = EB0Z*w5 + w9;
+        const double w11 = w10 + w3;
+        const double w12 = EA0Z*(w2 + w6) - EB0Z*(w3 + w9) + w4;
+        const double w13 = EAX*w8 - EBX*w11 + EZX + w12;
+        const double w14 = w1 + w13;
+        const double w15 = w1 + w12;
+        const double w16 = EBX*w15 - ECX*w8 + EXX + w10;
+        const double w17 = -EAX*w15 + ECX*w11 + EYX + w7;
+        const double w18 = w3 + x;
+        const double w19 = EC0X*(w16 + w18) + w17;
+        const double w20 = w19 + w2;
+        const double w21 = -EC0X*(w17 + w2) + w16;
+        const double w22 = w18 + w21;
+        deviation[0 * stride + i] = EBY*w14 - ECY*w20 + EXY + w21;
+        deviation[1 * stride + i] = -EAY*w14 + ECY*w22 + EYY + w19;
+        deviation[2 * stride + i] = EAY*w20 - EBY*w22 + EZY + w13;
+    }
+}
+
+/*
+ * Deviation of a tool point in the workpiece frame, to first order in the errors.
+ * Source: Eqs. (1)-(4). Operations: 59 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
+ */
+void bridge_cmm_tool_in_workpiece_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation)
+{
+    /* once per call */
+    const double q_Px = parameters[0];
+    const double q_Py = parameters[1];
+    const double q_Pz = parameters[2];
+    const double EC0X = parameters[3];
+    const double EA0Z = parameters[4];
+    const double EB0Z = parameters[5];
+    /* per point */
+    POINTS_ARE_INDEPENDENT
+    for (size_t i = 0; i < n; ++i) {
+        const double x = positions[0 * stride + i];
         const double z = positions[2 * stride + i];
         const double EXX = errors[0 * stride + i];
         const double EYX = errors[1 * stride + i];
@@ -120,113 +199,30 @@ void bridge_cmm_tool_in_workpiece_deviation(
         const double w0 = q_Py + ry;
         const double w1 = q_Pz + rz;
         const double w2 = w1 + z;
-        const double w3 = q_Px + rx;
-        const double w4 = EBZ*w1 - ECZ*w0 + EXZ;
-        const double w5 = -EAZ*w1 + ECZ*w3 + EYZ;
-        const double w6 = EAZ*w0 - EBZ*w3 + EZZ;
-        const double w7 = EA0Z*(w0 + w5) - EB0Z*(w3 + w4) + w6;
-        const double w8 = w2 + w7;
-        const double w9 = w2 + w6;
-        const double w10 = EB0Z*w9 + w4;
-        const double w11 = w10 + w3;
-        const double w12 = -EA0Z*w9 + w5;
-        const double w13 = -EAX*w8 + ECX*w11 + EYX + w12;
-        const double w14 = w0 + w13;
-        const double w15 = w0 + w12;
-        const double w16 = EBX*w8 - ECX*w15 + EXX + w10;
-        const double w17 = w3 + x;
-        const double w18 = w16 + w17;
-        const double w19 = EAX*w15 - EBX*w11 + EZX + w7;
-        const double w20 = w19 + w2;
-        const double w21 = EBY*w20 - ECY*w14 + EXY + w16;
-        const double w22 = -EAY*w20 + ECY*w18 + EYY + w13;
-        const double w23 = w0 + y;
-        deviation[0 * stride + i] = -EC0Y*(w22 + w23) + w21;
-        deviation[1 * stride + i] = EC0Y*(w17 + w21) + w22;
-        deviation[2 * stride + i] = EAY*w14 - EBY*w18 + EZY + w19;
-    }
-}
-
-/*
- * Deviation of a tool point in the workpiece frame, to first order in the errors.
- * Source: Eqs. (1)-(4). Operations: 60 per point.
- * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
- *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
- * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
- * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
- */
-void bridge_cmm_tool_in_workpiece_deviation_first_order(
-    size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
-{
-    /* once per call */
-    const double q_Px = parameters[0];
-    const double q_Py = parameters[1];
-    const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
-    const double EA0Z = parameters[4];
-    const double EB0Z = parameters[5];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double x = positions[0 * stride + i];
-        const double y = positions[1 * stride + i];
-        const double z = positions[2 * stride + i];
-        const double EXX = errors[0 * stride + i];
-        const double EYX = errors[1 * stride + i];
-        const double EZX = errors[2 * stride + i];
-        const double EAX = errors[3 * stride + i];
-        const double EBX = errors[4 * stride + i];
-        const double ECX = errors[5 * stride + i];
-        const double EXY = errors[6 * stride + i];
-        const double EYY = errors[7 * stride + i];
-        const double EZY = errors[8 * stride + i];
-        const double EAY = errors[9 * stride + i];
-        const double EBY = errors[10 * stride + i];
-        const double ECY = errors[11 * stride + i];
-        const double EXZ = errors[12 * stride + i];
-        const double EYZ = errors[13 * stride + i];
-        const double EZZ = errors[14 * stride + i];
-        const double EAZ = errors[15 * stride + i];
-        const double EBZ = errors[16 * stride + i];
-        const double ECZ = errors[17 * stride + i];
-        const double rx = point[0 * stride + i];
-        const double ry = point[1 * stride + i];
-        const double rz = point[2 * stride + i];
-        const double w0 = q_Py + ry;
-        const double w1 = q_Px + rx;
-        const double w2 = EAZ*w0 - EBZ*w1 + EZZ;
-        const double w3 = EA0Z*w0 - EB0Z*w1 + w2;
-        const double w4 = EAX*w0 - EBX*w1 + EZX + w3;
-        const double w5 = w1 + x;
-        const double w6 = q_Pz + rz;
-        const double w7 = w6 + z;
-        const double w8 = EBZ*w6 - ECZ*w0 + EXZ;
-        const double w9 = EB0Z*w7 + w8;
-        const double w10 = EBX*w7 - ECX*w0 + EXX + w9;
-        const double w11 = EBY*w7 - ECY*w0 + EXY + w10;
-        const double w12 = w0 + y;
-        const double w13 = -EAZ*w6 + ECZ*w1 + EYZ;
-        const double w14 = -EA0Z*w7 + w13;
-        const double w15 = -EAX*w7 + ECX*w1 + EYX + w14;
-        const double w16 = -EAY*w7 + ECY*w5 + EYY + w15;
-        deviation[0 * stride + i] = -EC0Y*w12 + w11;
-        deviation[1 * stride + i] = EC0Y*w5 + w16;
-        deviation[2 * stride + i] = EAY*w0 - EBY*w5 + EZY + w4;
+        const double w3 = EBZ*w1 - ECZ*w0 + EXZ;
+        const double w4 = EB0Z*w2 + w3;
+        const double w5 = EBX*w2 - ECX*w0 + EXX + w4;
+        const double w6 = -EC0X*w0 + w5;
+        const double w7 = q_Px + rx;
+        const double w8 = w7 + x;
+        const double w9 = -EAZ*w1 + ECZ*w7 + EYZ;
+        const double w10 = -EA0Z*w2 + w9;
+        const double w11 = -EAX*w2 + ECX*w7 + EYX + w10;
+        const double w12 = EC0X*w8 + w11;
+        const double w13 = EAZ*w0 - EBZ*w7 + EZZ;
+        const double w14 = EA0Z*w0 - EB0Z*w7 + w13;
+        const double w15 = EAX*w0 - EBX*w7 + EZX + w14;
+        deviation[0 * stride + i] = EBY*w2 - ECY*w0 + EXY + w6;
+        deviation[1 * stride + i] = -EAY*w2 + ECY*w8 + EYY + w12;
+        deviation[2 * stride + i] = EAY*w0 - EBY*w8 + EZY + w15;
     }
 }
 
 /*
  * Sensitivity of a tool point in the workpiece frame to every error, at the error-free machine.
- * Source: Eqs. (1)-(4), first order. Operations: 12 per point.
+ * Source: Eqs. (1)-(4), first order. Operations: 10 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
  *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
@@ -246,7 +242,6 @@ void bridge_cmm_tool_in_workpiece_sensitivity(
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
         const double x = positions[0 * stride + i];
-        const double y = positions[1 * stride + i];
         const double z = positions[2 * stride + i];
         const double rx = point[0 * stride + i];
         const double ry = point[1 * stride + i];
@@ -277,7 +272,7 @@ void bridge_cmm_tool_in_workpiece_sensitivity(
         sensitivity[15 * stride + i] = 0.0;
         sensitivity[16 * stride + i] = dx_EBZ;
         sensitivity[17 * stride + i] = dx_ECX;
-        sensitivity[18 * stride + i] = -dz_EAX - y;
+        sensitivity[18 * stride + i] = dx_ECX;
         sensitivity[19 * stride + i] = 0.0;
         sensitivity[20 * stride + i] = dx_EBX;
         sensitivity[21 * stride + i] = 0.0;
@@ -329,7 +324,7 @@ void bridge_cmm_tool_in_workpiece_sensitivity(
  * Ideal position of a tool point in the bed frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 6 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; tool point in the bed frame, without errors (px py pz)
  */
@@ -361,11 +356,11 @@ void bridge_cmm_tool_in_bed_ideal(
 
 /*
  * Deviation of a tool point in the bed frame, exact.
- * Source: Eqs. (1)-(4). Operations: 71 per point.
+ * Source: Eqs. (1)-(4). Operations: 70 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -381,14 +376,93 @@ void bridge_cmm_tool_in_bed_deviation(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     const double EA0Z = parameters[4];
     const double EB0Z = parameters[5];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
         const double x = positions[0 * stride + i];
-        const double y = positions[1 * stride + i];
+        const double z = positions[2 * stride + i];
+        const double EXX = errors[0 * stride + i];
+        const double EYX = errors[1 * stride + i];
+        const double EZX = errors[2 * stride + i];
+        const double EAX = errors[3 * stride + i];
+        const double EBX = errors[4 * stride + i];
+        const double ECX = errors[5 * stride + i];
+        const double EXY = errors[6 * stride + i];
+        const double EYY = errors[7 * stride + i];
+        const double EZY = errors[8 * stride + i];
+        const double EAY = errors[9 * stride + i];
+        const double EBY = errors[10 * stride + i];
+        const double ECY = errors[11 * stride + i];
+        const double EXZ = errors[12 * stride + i];
+        const double EYZ = errors[13 * stride + i];
+        const double EZZ = errors[14 * stride + i];
+        const double EAZ = errors[15 * stride + i];
+        const double EBZ = errors[16 * stride + i];
+        const double ECZ = errors[17 * stride + i];
+        const double rx = point[0 * stride + i];
+        const double ry = point[1 * stride + i];
+        const double rz = point[2 * stride + i];
+        const double w0 = q_Pz + rz;
+        const double w1 = w0 + z;
+        const double w2 = q_Py + ry;
+        const double w3 = q_Px + rx;
+        const double w4 = EAZ*w2 - EBZ*w3 + EZZ;
+        const double w5 = w1 + w4;
+        const double w6 = -EAZ*w0 + ECZ*w3 + EYZ;
+        const double w7 = -EA0Z*w5 + w6;
+        const double w8 = w2 + w7;
+        const double w9 = EBZ*w0 - ECZ*w2 + EXZ;
+        const double w10 = EB0Z*w5 + w9;
+        const double w11 = w10 + w3;
+        const double w12 = EA0Z*(w2 + w6) - EB0Z*(w3 + w9) + w4;
+        const double w13 = EAX*w8 - EBX*w11 + EZX + w12;
+        const double w14 = w1 + w13;
+        const double w15 = w1 + w12;
+        const double w16 = EBX*w15 - ECX*w8 + EXX + w10;
+        const double w17 = -EAX*w15 + ECX*w11 + EYX + w7;
+        const double w18 = w3 + x;
+        const double w19 = EC0X*(w16 + w18) + w17;
+        const double w20 = w19 + w2;
+        const double w21 = -EC0X*(w17 + w2) + w16;
+        const double w22 = w18 + w21;
+        deviation[0 * stride + i] = EBY*w14 - ECY*w20 + EXY + w21;
+        deviation[1 * stride + i] = -EAY*w14 + ECY*w22 + EYY + w19;
+        deviation[2 * stride + i] = EAY*w20 - EBY*w22 + EZY + w13;
+    }
+}
+
+/*
+ * Deviation of a tool point in the bed frame, to first order in the errors.
+ * Source: Eqs. (1)-(4). Operations: 59 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
+ */
+void bridge_cmm_tool_in_bed_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation)
+{
+    /* once per call */
+    const double q_Px = parameters[0];
+    const double q_Py = parameters[1];
+    const double q_Pz = parameters[2];
+    const double EC0X = parameters[3];
+    const double EA0Z = parameters[4];
+    const double EB0Z = parameters[5];
+    /* per point */
+    POINTS_ARE_INDEPENDENT
+    for (size_t i = 0; i < n; ++i) {
+        const double x = positions[0 * stride + i];
         const double z = positions[2 * stride + i];
         const double EXX = errors[0 * stride + i];
         const double EYX = errors[1 * stride + i];
@@ -414,113 +488,30 @@ void bridge_cmm_tool_in_bed_deviation(
         const double w0 = q_Py + ry;
         const double w1 = q_Pz + rz;
         const double w2 = w1 + z;
-        const double w3 = q_Px + rx;
-        const double w4 = EBZ*w1 - ECZ*w0 + EXZ;
-        const double w5 = -EAZ*w1 + ECZ*w3 + EYZ;
-        const double w6 = EAZ*w0 - EBZ*w3 + EZZ;
-        const double w7 = EA0Z*(w0 + w5) - EB0Z*(w3 + w4) + w6;
-        const double w8 = w2 + w7;
-        const double w9 = w2 + w6;
-        const double w10 = EB0Z*w9 + w4;
-        const double w11 = w10 + w3;
-        const double w12 = -EA0Z*w9 + w5;
-        const double w13 = -EAX*w8 + ECX*w11 + EYX + w12;
-        const double w14 = w0 + w13;
-        const double w15 = w0 + w12;
-        const double w16 = EBX*w8 - ECX*w15 + EXX + w10;
-        const double w17 = w3 + x;
-        const double w18 = w16 + w17;
-        const double w19 = EAX*w15 - EBX*w11 + EZX + w7;
-        const double w20 = w19 + w2;
-        const double w21 = EBY*w20 - ECY*w14 + EXY + w16;
-        const double w22 = -EAY*w20 + ECY*w18 + EYY + w13;
-        const double w23 = w0 + y;
-        deviation[0 * stride + i] = -EC0Y*(w22 + w23) + w21;
-        deviation[1 * stride + i] = EC0Y*(w17 + w21) + w22;
-        deviation[2 * stride + i] = EAY*w14 - EBY*w18 + EZY + w19;
-    }
-}
-
-/*
- * Deviation of a tool point in the bed frame, to first order in the errors.
- * Source: Eqs. (1)-(4). Operations: 60 per point.
- * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
- *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
- * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
- * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
- */
-void bridge_cmm_tool_in_bed_deviation_first_order(
-    size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
-{
-    /* once per call */
-    const double q_Px = parameters[0];
-    const double q_Py = parameters[1];
-    const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
-    const double EA0Z = parameters[4];
-    const double EB0Z = parameters[5];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double x = positions[0 * stride + i];
-        const double y = positions[1 * stride + i];
-        const double z = positions[2 * stride + i];
-        const double EXX = errors[0 * stride + i];
-        const double EYX = errors[1 * stride + i];
-        const double EZX = errors[2 * stride + i];
-        const double EAX = errors[3 * stride + i];
-        const double EBX = errors[4 * stride + i];
-        const double ECX = errors[5 * stride + i];
-        const double EXY = errors[6 * stride + i];
-        const double EYY = errors[7 * stride + i];
-        const double EZY = errors[8 * stride + i];
-        const double EAY = errors[9 * stride + i];
-        const double EBY = errors[10 * stride + i];
-        const double ECY = errors[11 * stride + i];
-        const double EXZ = errors[12 * stride + i];
-        const double EYZ = errors[13 * stride + i];
-        const double EZZ = errors[14 * stride + i];
-        const double EAZ = errors[15 * stride + i];
-        const double EBZ = errors[16 * stride + i];
-        const double ECZ = errors[17 * stride + i];
-        const double rx = point[0 * stride + i];
-        const double ry = point[1 * stride + i];
-        const double rz = point[2 * stride + i];
-        const double w0 = q_Py + ry;
-        const double w1 = q_Px + rx;
-        const double w2 = EAZ*w0 - EBZ*w1 + EZZ;
-        const double w3 = EA0Z*w0 - EB0Z*w1 + w2;
-        const double w4 = EAX*w0 - EBX*w1 + EZX + w3;
-        const double w5 = w1 + x;
-        const double w6 = q_Pz + rz;
-        const double w7 = w6 + z;
-        const double w8 = EBZ*w6 - ECZ*w0 + EXZ;
-        const double w9 = EB0Z*w7 + w8;
-        const double w10 = EBX*w7 - ECX*w0 + EXX + w9;
-        const double w11 = EBY*w7 - ECY*w0 + EXY + w10;
-        const double w12 = w0 + y;
-        const double w13 = -EAZ*w6 + ECZ*w1 + EYZ;
-        const double w14 = -EA0Z*w7 + w13;
-        const double w15 = -EAX*w7 + ECX*w1 + EYX + w14;
-        const double w16 = -EAY*w7 + ECY*w5 + EYY + w15;
-        deviation[0 * stride + i] = -EC0Y*w12 + w11;
-        deviation[1 * stride + i] = EC0Y*w5 + w16;
-        deviation[2 * stride + i] = EAY*w0 - EBY*w5 + EZY + w4;
+        const double w3 = EBZ*w1 - ECZ*w0 + EXZ;
+        const double w4 = EB0Z*w2 + w3;
+        const double w5 = EBX*w2 - ECX*w0 + EXX + w4;
+        const double w6 = -EC0X*w0 + w5;
+        const double w7 = q_Px + rx;
+        const double w8 = w7 + x;
+        const double w9 = -EAZ*w1 + ECZ*w7 + EYZ;
+        const double w10 = -EA0Z*w2 + w9;
+        const double w11 = -EAX*w2 + ECX*w7 + EYX + w10;
+        const double w12 = EC0X*w8 + w11;
+        const double w13 = EAZ*w0 - EBZ*w7 + EZZ;
+        const double w14 = EA0Z*w0 - EB0Z*w7 + w13;
+        const double w15 = EAX*w0 - EBX*w7 + EZX + w14;
+        deviation[0 * stride + i] = EBY*w2 - ECY*w0 + EXY + w6;
+        deviation[1 * stride + i] = -EAY*w2 + ECY*w8 + EYY + w12;
+        deviation[2 * stride + i] = EAY*w0 - EBY*w8 + EZY + w15;
     }
 }
 
 /*
  * Sensitivity of a tool point in the bed frame to every error, at the error-free machine.
- * Source: Eqs. (1)-(4), first order. Operations: 12 per point.
+ * Source: Eqs. (1)-(4), first order. Operations: 10 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
  *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
@@ -540,7 +531,6 @@ void bridge_cmm_tool_in_bed_sensitivity(
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
         const double x = positions[0 * stride + i];
-        const double y = positions[1 * stride + i];
         const double z = positions[2 * stride + i];
         const double rx = point[0 * stride + i];
         const double ry = point[1 * stride + i];
@@ -571,7 +561,7 @@ void bridge_cmm_tool_in_bed_sensitivity(
         sensitivity[15 * stride + i] = 0.0;
         sensitivity[16 * stride + i] = dx_EBZ;
         sensitivity[17 * stride + i] = dx_ECX;
-        sensitivity[18 * stride + i] = -dz_EAX - y;
+        sensitivity[18 * stride + i] = dx_ECX;
         sensitivity[19 * stride + i] = 0.0;
         sensitivity[20 * stride + i] = dx_EBX;
         sensitivity[21 * stride + i] = 0.0;
@@ -623,7 +613,7 @@ void bridge_cmm_tool_in_bed_sensitivity(
  * Ideal position of a workpiece point in the bed frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 0 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; workpiece point in the bed frame, without errors (px py pz)
  */
@@ -654,7 +644,7 @@ void bridge_cmm_workpiece_in_bed_ideal(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -685,7 +675,7 @@ void bridge_cmm_workpiece_in_bed_deviation(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -714,7 +704,7 @@ void bridge_cmm_workpiece_in_bed_deviation_first_order(
  * Sensitivity of a workpiece point in the bed frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 0 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
  *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
@@ -802,7 +792,7 @@ void bridge_cmm_workpiece_in_bed_sensitivity(
  * Ideal position of a bed point in the workpiece frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 0 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; bed point in the workpiece frame, without errors (px py pz)
  */
@@ -833,7 +823,7 @@ void bridge_cmm_bed_in_workpiece_ideal(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -864,7 +854,7 @@ void bridge_cmm_bed_in_workpiece_deviation(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -893,7 +883,7 @@ void bridge_cmm_bed_in_workpiece_deviation_first_order(
  * Sensitivity of a bed point in the workpiece frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 0 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
  *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
@@ -983,7 +973,7 @@ void bridge_cmm_bed_in_workpiece_sensitivity(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
  */
@@ -999,7 +989,7 @@ void bridge_cmm_tool_in_workpiece_position(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     const double EA0Z = parameters[4];
     const double EB0Z = parameters[5];
     /* per point */
@@ -1046,18 +1036,18 @@ void bridge_cmm_tool_in_workpiece_position(
         const double w14 = EAX*w9 - EBX*w12 + EZX + w13;
         const double w15 = w14 + w3;
         const double w16 = w13 + w3;
-        const double w17 = -EAX*w16 + ECX*w12 + EYX + w8;
-        const double w18 = w17 + w4;
-        const double w19 = EBX*w16 - ECX*w9 + EXX + w11;
-        const double w20 = EBY*w15 - ECY*w18 + EXY + w19;
-        const double w21 = w1 + w19;
-        const double w22 = -EAY*w15 + ECY*w21 + EYY + w17;
-        const double w23 = w4 + y;
-        const double w24 = -EC0Y*(w22 + w23) + w20;
-        const double w25 = EC0Y*(w1 + w20) + w22;
-        const double w26 = EAY*w18 - EBY*w21 + EZY + w14;
-        position[0 * stride + i] = w1 + w24;
-        position[1 * stride + i] = w23 + w25;
+        const double w17 = EBX*w16 - ECX*w9 + EXX + w11;
+        const double w18 = -EAX*w16 + ECX*w12 + EYX + w8;
+        const double w19 = EC0X*(w1 + w17) + w18;
+        const double w20 = w19 + w4;
+        const double w21 = -EC0X*(w18 + w4) + w17;
+        const double w22 = EBY*w15 - ECY*w20 + EXY + w21;
+        const double w23 = w1 + w21;
+        const double w24 = -EAY*w15 + ECY*w23 + EYY + w19;
+        const double w25 = w4 + y;
+        const double w26 = EAY*w20 - EBY*w23 + EZY + w14;
+        position[0 * stride + i] = w1 + w22;
+        position[1 * stride + i] = w24 + w25;
         position[2 * stride + i] = w26 + w3;
     }
 }
@@ -1068,7 +1058,7 @@ void bridge_cmm_tool_in_workpiece_position(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
  */
@@ -1084,7 +1074,7 @@ void bridge_cmm_tool_in_workpiece_position_first_order(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     const double EA0Z = parameters[4];
     const double EB0Z = parameters[5];
     /* per point */
@@ -1122,31 +1112,31 @@ void bridge_cmm_tool_in_workpiece_position_first_order(
         const double w5 = EBZ*w3 - ECZ*w2 + EXZ;
         const double w6 = EB0Z*w4 + w5;
         const double w7 = EBX*w4 - ECX*w2 + EXX + w6;
-        const double w8 = EBY*w4 - ECY*w2 + EXY + w7;
-        const double w9 = w2 + y;
-        const double w10 = -EC0Y*w9 + w8;
-        const double w11 = -EAZ*w3 + ECZ*w0 + EYZ;
-        const double w12 = -EA0Z*w4 + w11;
-        const double w13 = -EAX*w4 + ECX*w0 + EYX + w12;
+        const double w8 = -EC0X*w2 + w7;
+        const double w9 = EBY*w4 - ECY*w2 + EXY + w8;
+        const double w10 = -EAZ*w3 + ECZ*w0 + EYZ;
+        const double w11 = -EA0Z*w4 + w10;
+        const double w12 = -EAX*w4 + ECX*w0 + EYX + w11;
+        const double w13 = EC0X*w1 + w12;
         const double w14 = -EAY*w4 + ECY*w1 + EYY + w13;
-        const double w15 = EC0Y*w1 + w14;
+        const double w15 = w2 + y;
         const double w16 = EAZ*w2 - EBZ*w0 + EZZ;
         const double w17 = EA0Z*w2 - EB0Z*w0 + w16;
         const double w18 = EAX*w2 - EBX*w0 + EZX + w17;
         const double w19 = EAY*w2 - EBY*w1 + EZY + w18;
-        position[0 * stride + i] = w1 + w10;
-        position[1 * stride + i] = w15 + w9;
+        position[0 * stride + i] = w1 + w9;
+        position[1 * stride + i] = w14 + w15;
         position[2 * stride + i] = w19 + w4;
     }
 }
 
 /*
  * Deviation of the tool point under polynomial error curves, exact.
- * Source: Eqs. (1)-(4), (44). Operations: 302 per point, 3 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 301 per point, 3 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -1288,73 +1278,72 @@ void bridge_cmm_tool_in_workpiece_deviation_curves(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     const double EA0Z = parameters[4];
     const double EB0Z = parameters[5];
     const double rx = point[0];
     const double ry = point[1];
     const double rz = point[2];
-    const double w0 = q_Py + ry;
-    const double w1 = q_Pz + rz;
-    const double w3 = q_Px + rx;
+    const double w0 = q_Pz + rz;
+    const double w2 = q_Py + ry;
+    const double w6 = q_Px + rx;
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
         const double x = positions[0 * stride + i];
         const double y = positions[1 * stride + i];
         const double z = positions[2 * stride + i];
-        const double w2 = w1 + z;
-        const double w4 = z*(EXZ_1 + z*(EXZ_2 + z*(EXZ_3 + z*(EXZ_4 + z*(EXZ_5 + z*(EXZ_6 + EXZ_7*z))))));
+        const double w1 = w0 + z;
+        const double w3 = z*(EZZ_1 + z*(EZZ_2 + z*(EZZ_3 + z*(EZZ_4 + z*(EZZ_5 + z*(EZZ_6 + EZZ_7*z))))));
+        const double w4 = z*(EAZ_1 + z*(EAZ_2 + z*(EAZ_3 + z*(EAZ_4 + z*(EAZ_5 + z*(EAZ_6 + EAZ_7*z))))));
         const double w5 = z*(EBZ_1 + z*(EBZ_2 + z*(EBZ_3 + z*(EBZ_4 + z*(EBZ_5 + z*(EBZ_6 + EBZ_7*z))))));
-        const double w6 = z*(ECZ_1 + z*(ECZ_2 + z*(ECZ_3 + z*(ECZ_4 + z*(ECZ_5 + z*(ECZ_6 + ECZ_7*z))))));
-        const double w7 = -w0*w6 + w1*w5 + w4;
-        const double w8 = z*(EYZ_1 + z*(EYZ_2 + z*(EYZ_3 + z*(EYZ_4 + z*(EYZ_5 + z*(EYZ_6 + EYZ_7*z))))));
-        const double w9 = z*(EAZ_1 + z*(EAZ_2 + z*(EAZ_3 + z*(EAZ_4 + z*(EAZ_5 + z*(EAZ_6 + EAZ_7*z))))));
-        const double w10 = -w1*w9 + w3*w6 + w8;
-        const double w11 = z*(EZZ_1 + z*(EZZ_2 + z*(EZZ_3 + z*(EZZ_4 + z*(EZZ_5 + z*(EZZ_6 + EZZ_7*z))))));
-        const double w12 = w0*w9 + w11 - w3*w5;
-        const double w13 = EA0Z*(w0 + w10) - EB0Z*(w3 + w7) + w12;
-        const double w14 = w13 + w2;
-        const double w15 = w12 + w2;
-        const double w16 = EB0Z*w15 + w7;
-        const double w17 = w16 + w3;
-        const double w18 = x*(EYX_1 + x*(EYX_2 + x*(EYX_3 + x*(EYX_4 + x*(EYX_5 + x*(EYX_6 + EYX_7*x))))));
+        const double w7 = w2*w4 + w3 - w5*w6;
+        const double w8 = w1 + w7;
+        const double w9 = z*(EYZ_1 + z*(EYZ_2 + z*(EYZ_3 + z*(EYZ_4 + z*(EYZ_5 + z*(EYZ_6 + EYZ_7*z))))));
+        const double w10 = z*(ECZ_1 + z*(ECZ_2 + z*(ECZ_3 + z*(ECZ_4 + z*(ECZ_5 + z*(ECZ_6 + ECZ_7*z))))));
+        const double w11 = -w0*w4 + w10*w6 + w9;
+        const double w12 = -EA0Z*w8 + w11;
+        const double w13 = w12 + w2;
+        const double w14 = z*(EXZ_1 + z*(EXZ_2 + z*(EXZ_3 + z*(EXZ_4 + z*(EXZ_5 + z*(EXZ_6 + EXZ_7*z))))));
+        const double w15 = w0*w5 - w10*w2 + w14;
+        const double w16 = EB0Z*w8 + w15;
+        const double w17 = w16 + w6;
+        const double w18 = x*(EZX_1 + x*(EZX_2 + x*(EZX_3 + x*(EZX_4 + x*(EZX_5 + x*(EZX_6 + EZX_7*x))))));
         const double w19 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + x*(EAX_6 + EAX_7*x))))));
-        const double w20 = x*(ECX_1 + x*(ECX_2 + x*(ECX_3 + x*(ECX_4 + x*(ECX_5 + x*(ECX_6 + ECX_7*x))))));
-        const double w21 = -EA0Z*w15 + w10;
-        const double w22 = -w14*w19 + w17*w20 + w18 + w21;
-        const double w23 = w0 + w22;
-        const double w24 = w0 + w21;
+        const double w20 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))));
+        const double w21 = EA0Z*(w11 + w2) - EB0Z*(w15 + w6) + w7;
+        const double w22 = w13*w19 - w17*w20 + w18 + w21;
+        const double w23 = w1 + w22;
+        const double w24 = w1 + w21;
         const double w25 = x*(EXX_1 + x*(EXX_2 + x*(EXX_3 + x*(EXX_4 + x*(EXX_5 + x*(EXX_6 + EXX_7*x))))));
-        const double w26 = x*(EBX_1 + x*(EBX_2 + x*(EBX_3 + x*(EBX_4 + x*(EBX_5 + x*(EBX_6 + EBX_7*x))))));
-        const double w27 = w14*w26 + w16 - w20*w24 + w25;
-        const double w28 = w3 + x;
-        const double w29 = w27 + w28;
-        const double w30 = y*(EZY_1 + y*(EZY_2 + y*(EZY_3 + y*(EZY_4 + y*(EZY_5 + y*(EZY_6 + EZY_7*y))))));
-        const double w31 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))));
-        const double w32 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + y*(EBY_6 + EBY_7*y))))));
-        const double w33 = x*(EZX_1 + x*(EZX_2 + x*(EZX_3 + x*(EZX_4 + x*(EZX_5 + x*(EZX_6 + EZX_7*x))))));
-        const double w34 = w13 - w17*w26 + w19*w24 + w33;
-        const double w35 = w2 + w34;
-        const double w36 = y*(EXY_1 + y*(EXY_2 + y*(EXY_3 + y*(EXY_4 + y*(EXY_5 + y*(EXY_6 + EXY_7*y))))));
-        const double w37 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
-        const double w38 = -w23*w37 + w27 + w32*w35 + w36;
-        const double w39 = y*(EYY_1 + y*(EYY_2 + y*(EYY_3 + y*(EYY_4 + y*(EYY_5 + y*(EYY_6 + EYY_7*y))))));
-        const double w40 = w22 + w29*w37 - w31*w35 + w39;
-        const double w41 = w0 + y;
-        deviation[0 * stride + i] = -EC0Y*(w40 + w41) + w38;
-        deviation[1 * stride + i] = EC0Y*(w28 + w38) + w40;
-        deviation[2 * stride + i] = w23*w31 - w29*w32 + w30 + w34;
+        const double w26 = x*(ECX_1 + x*(ECX_2 + x*(ECX_3 + x*(ECX_4 + x*(ECX_5 + x*(ECX_6 + ECX_7*x))))));
+        const double w27 = -w13*w26 + w16 + w20*w24 + w25;
+        const double w28 = x*(EYX_1 + x*(EYX_2 + x*(EYX_3 + x*(EYX_4 + x*(EYX_5 + x*(EYX_6 + EYX_7*x))))));
+        const double w29 = w12 + w17*w26 - w19*w24 + w28;
+        const double w30 = w6 + x;
+        const double w31 = EC0X*(w27 + w30) + w29;
+        const double w32 = w2 + w31;
+        const double w33 = y*(EXY_1 + y*(EXY_2 + y*(EXY_3 + y*(EXY_4 + y*(EXY_5 + y*(EXY_6 + EXY_7*y))))));
+        const double w34 = y*(EBY_1 + y*(EBY_2 + y*(EBY_3 + y*(EBY_4 + y*(EBY_5 + y*(EBY_6 + EBY_7*y))))));
+        const double w35 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
+        const double w36 = -EC0X*(w2 + w29) + w27;
+        const double w37 = w30 + w36;
+        const double w38 = y*(EYY_1 + y*(EYY_2 + y*(EYY_3 + y*(EYY_4 + y*(EYY_5 + y*(EYY_6 + EYY_7*y))))));
+        const double w39 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))));
+        const double w40 = y*(EZY_1 + y*(EZY_2 + y*(EZY_3 + y*(EZY_4 + y*(EZY_5 + y*(EZY_6 + EZY_7*y))))));
+        deviation[0 * stride + i] = w23*w34 - w32*w35 + w33 + w36;
+        deviation[1 * stride + i] = -w23*w39 + w31 + w35*w37 + w38;
+        deviation[2 * stride + i] = w22 + w32*w39 - w34*w37 + w40;
     }
 }
 
 /*
  * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
- * Source: Eqs. (1)-(4), (44). Operations: 209 per point, 267 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 206 per point, 267 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -1496,7 +1485,7 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     const double EA0Z = parameters[4];
     const double EB0Z = parameters[5];
     const double rx = point[0];
@@ -1512,7 +1501,7 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
     const double w7 = EBZ_5*w0 + ECZ_5*w2 + EXZ_5;
     const double w8 = EBZ_6*w0 + ECZ_6*w2 + EXZ_6;
     const double w9 = EBZ_7*w0 + ECZ_7*w2 + EXZ_7;
-    const double w11 = EB0Z*w0 + EC0Y*w2;
+    const double w11 = EB0Z*w0 + EC0X*w2;
     const double w12 = EBX_1*w0 + ECX_1*w2 + EXX_1;
     const double w13 = EBX_2*w0 + ECX_2*w2 + EXX_2;
     const double w14 = EBX_3*w0 + ECX_3*w2 + EXX_3;
@@ -1527,53 +1516,53 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
     const double w24 = EBY_5*w0 + ECY_5*w2 + EXY_5;
     const double w25 = EBY_6*w0 + ECY_6*w2 + EXY_6;
     const double w26 = EBY_7*w0 + ECY_7*w2 + EXY_7;
-    const double w35 = q_Px + rx;
-    const double w36 = -w0;
-    const double w37 = EAZ_1*w36 + ECZ_1*w35 + EYZ_1;
-    const double w38 = EAZ_2*w36 + ECZ_2*w35 + EYZ_2;
-    const double w39 = EAZ_3*w36 + ECZ_3*w35 + EYZ_3;
-    const double w40 = EAZ_4*w36 + ECZ_4*w35 + EYZ_4;
-    const double w41 = EAZ_5*w36 + ECZ_5*w35 + EYZ_5;
-    const double w42 = EAZ_6*w36 + ECZ_6*w35 + EYZ_6;
-    const double w43 = EAZ_7*w36 + ECZ_7*w35 + EYZ_7;
-    const double w45 = EA0Z*w36 + EC0Y*w35;
-    const double w46 = EAX_1*w36 + ECX_1*w35 + EYX_1;
-    const double w47 = EAX_2*w36 + ECX_2*w35 + EYX_2;
-    const double w48 = EAX_3*w36 + ECX_3*w35 + EYX_3;
-    const double w49 = EAX_4*w36 + ECX_4*w35 + EYX_4;
-    const double w50 = EAX_5*w36 + ECX_5*w35 + EYX_5;
-    const double w51 = EAX_6*w36 + ECX_6*w35 + EYX_6;
-    const double w52 = EAX_7*w36 + ECX_7*w35 + EYX_7;
-    const double w54 = EAY_1*w36 + ECY_1*w35 + EYY_1;
-    const double w55 = EAY_2*w36 + ECY_2*w35 + EYY_2;
-    const double w56 = EAY_3*w36 + ECY_3*w35 + EYY_3;
-    const double w57 = EAY_4*w36 + ECY_4*w35 + EYY_4;
-    const double w58 = EAY_5*w36 + ECY_5*w35 + EYY_5;
-    const double w59 = EAY_6*w36 + ECY_6*w35 + EYY_6;
-    const double w60 = EAY_7*w36 + ECY_7*w35 + EYY_7;
-    const double w70 = -w35;
-    const double w71 = EAZ_1*w1 + EBZ_1*w70 + EZZ_1;
-    const double w72 = EAZ_2*w1 + EBZ_2*w70 + EZZ_2;
-    const double w73 = EAZ_3*w1 + EBZ_3*w70 + EZZ_3;
-    const double w74 = EAZ_4*w1 + EBZ_4*w70 + EZZ_4;
-    const double w75 = EAZ_5*w1 + EBZ_5*w70 + EZZ_5;
-    const double w76 = EAZ_6*w1 + EBZ_6*w70 + EZZ_6;
-    const double w77 = EAZ_7*w1 + EBZ_7*w70 + EZZ_7;
-    const double w79 = EA0Z*w1 + EB0Z*w70;
-    const double w80 = EAX_1*w1 + EBX_1*w70 + EZX_1;
-    const double w81 = EAX_2*w1 + EBX_2*w70 + EZX_2;
-    const double w82 = EAX_3*w1 + EBX_3*w70 + EZX_3;
-    const double w83 = EAX_4*w1 + EBX_4*w70 + EZX_4;
-    const double w84 = EAX_5*w1 + EBX_5*w70 + EZX_5;
-    const double w85 = EAX_6*w1 + EBX_6*w70 + EZX_6;
-    const double w86 = EAX_7*w1 + EBX_7*w70 + EZX_7;
-    const double w88 = EAY_1*w1 + EBY_1*w70 + EZY_1;
-    const double w89 = EAY_2*w1 + EBY_2*w70 + EZY_2;
-    const double w90 = EAY_3*w1 + EBY_3*w70 + EZY_3;
-    const double w91 = EAY_4*w1 + EBY_4*w70 + EZY_4;
-    const double w92 = EAY_5*w1 + EBY_5*w70 + EZY_5;
-    const double w93 = EAY_6*w1 + EBY_6*w70 + EZY_6;
-    const double w94 = EAY_7*w1 + EBY_7*w70 + EZY_7;
+    const double w34 = q_Px + rx;
+    const double w35 = -w0;
+    const double w36 = EAZ_1*w35 + ECZ_1*w34 + EYZ_1;
+    const double w37 = EAZ_2*w35 + ECZ_2*w34 + EYZ_2;
+    const double w38 = EAZ_3*w35 + ECZ_3*w34 + EYZ_3;
+    const double w39 = EAZ_4*w35 + ECZ_4*w34 + EYZ_4;
+    const double w40 = EAZ_5*w35 + ECZ_5*w34 + EYZ_5;
+    const double w41 = EAZ_6*w35 + ECZ_6*w34 + EYZ_6;
+    const double w42 = EAZ_7*w35 + ECZ_7*w34 + EYZ_7;
+    const double w44 = EA0Z*w35 + EC0X*w34;
+    const double w45 = EAX_1*w35 + ECX_1*w34 + EYX_1;
+    const double w46 = EAX_2*w35 + ECX_2*w34 + EYX_2;
+    const double w47 = EAX_3*w35 + ECX_3*w34 + EYX_3;
+    const double w48 = EAX_4*w35 + ECX_4*w34 + EYX_4;
+    const double w49 = EAX_5*w35 + ECX_5*w34 + EYX_5;
+    const double w50 = EAX_6*w35 + ECX_6*w34 + EYX_6;
+    const double w51 = EAX_7*w35 + ECX_7*w34 + EYX_7;
+    const double w53 = EAY_1*w35 + ECY_1*w34 + EYY_1;
+    const double w54 = EAY_2*w35 + ECY_2*w34 + EYY_2;
+    const double w55 = EAY_3*w35 + ECY_3*w34 + EYY_3;
+    const double w56 = EAY_4*w35 + ECY_4*w34 + EYY_4;
+    const double w57 = EAY_5*w35 + ECY_5*w34 + EYY_5;
+    const double w58 = EAY_6*w35 + ECY_6*w34 + EYY_6;
+    const double w59 = EAY_7*w35 + ECY_7*w34 + EYY_7;
+    const double w69 = -w34;
+    const double w70 = EAZ_1*w1 + EBZ_1*w69 + EZZ_1;
+    const double w71 = EAZ_2*w1 + EBZ_2*w69 + EZZ_2;
+    const double w72 = EAZ_3*w1 + EBZ_3*w69 + EZZ_3;
+    const double w73 = EAZ_4*w1 + EBZ_4*w69 + EZZ_4;
+    const double w74 = EAZ_5*w1 + EBZ_5*w69 + EZZ_5;
+    const double w75 = EAZ_6*w1 + EBZ_6*w69 + EZZ_6;
+    const double w76 = EAZ_7*w1 + EBZ_7*w69 + EZZ_7;
+    const double w78 = EA0Z*w1 + EB0Z*w69;
+    const double w79 = EAX_1*w1 + EBX_1*w69 + EZX_1;
+    const double w80 = EAX_2*w1 + EBX_2*w69 + EZX_2;
+    const double w81 = EAX_3*w1 + EBX_3*w69 + EZX_3;
+    const double w82 = EAX_4*w1 + EBX_4*w69 + EZX_4;
+    const double w83 = EAX_5*w1 + EBX_5*w69 + EZX_5;
+    const double w84 = EAX_6*w1 + EBX_6*w69 + EZX_6;
+    const double w85 = EAX_7*w1 + EBX_7*w69 + EZX_7;
+    const double w87 = EAY_1*w1 + EBY_1*w69 + EZY_1;
+    const double w88 = EAY_2*w1 + EBY_2*w69 + EZY_2;
+    const double w89 = EAY_3*w1 + EBY_3*w69 + EZY_3;
+    const double w90 = EAY_4*w1 + EBY_4*w69 + EZY_4;
+    const double w91 = EAY_5*w1 + EBY_5*w69 + EZY_5;
+    const double w92 = EAY_6*w1 + EBY_6*w69 + EZY_6;
+    const double w93 = EAY_7*w1 + EBY_7*w69 + EZY_7;
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1589,27 +1578,26 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
         const double w31 = w30;
         const double w32 = EB0Z + w29 + w31;
         const double w33 = w32*z;
-        const double w34 = -EC0Y*y;
-        const double w44 = z*(w37 + z*(w38 + z*(w39 + z*(w40 + z*(w41 + z*(w42 + w43*z))))));
-        const double w53 = x*(w46 + x*(w47 + x*(w48 + x*(w49 + x*(w50 + x*(w51 + w52*x))))));
-        const double w61 = y*(w54 + y*(w55 + y*(w56 + y*(w57 + y*(w58 + y*(w59 + w60*y))))));
-        const double w62 = w44 + w45 + w53 + w61;
-        const double w63 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + x*(EAX_6 + EAX_7*x))))));
-        const double w64 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))));
-        const double w65 = -EA0Z - w63 - w64;
-        const double w66 = w65*z;
-        const double w67 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
-        const double w68 = EC0Y + w67;
-        const double w69 = w68*x;
-        const double w78 = z*(w71 + z*(w72 + z*(w73 + z*(w74 + z*(w75 + z*(w76 + w77*z))))));
-        const double w87 = x*(w80 + x*(w81 + x*(w82 + x*(w83 + x*(w84 + x*(w85 + w86*x))))));
-        const double w95 = y*(w88 + y*(w89 + y*(w90 + y*(w91 + y*(w92 + y*(w93 + w94*y))))));
-        const double w96 = w78 + w79 + w87 + w95;
-        const double w97 = w30;
-        const double w98 = -w97*x;
-        deviation[0 * stride + i] = w28 + w33 + w34;
-        deviation[1 * stride + i] = w62 + w66 + w69;
-        deviation[2 * stride + i] = w96 + w98;
+        const double w43 = z*(w36 + z*(w37 + z*(w38 + z*(w39 + z*(w40 + z*(w41 + w42*z))))));
+        const double w52 = x*(w45 + x*(w46 + x*(w47 + x*(w48 + x*(w49 + x*(w50 + w51*x))))));
+        const double w60 = y*(w53 + y*(w54 + y*(w55 + y*(w56 + y*(w57 + y*(w58 + w59*y))))));
+        const double w61 = w43 + w44 + w52 + w60;
+        const double w62 = x*(EAX_1 + x*(EAX_2 + x*(EAX_3 + x*(EAX_4 + x*(EAX_5 + x*(EAX_6 + EAX_7*x))))));
+        const double w63 = y*(EAY_1 + y*(EAY_2 + y*(EAY_3 + y*(EAY_4 + y*(EAY_5 + y*(EAY_6 + EAY_7*y))))));
+        const double w64 = -EA0Z - w62 - w63;
+        const double w65 = w64*z;
+        const double w66 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
+        const double w67 = EC0X + w66;
+        const double w68 = w67*x;
+        const double w77 = z*(w70 + z*(w71 + z*(w72 + z*(w73 + z*(w74 + z*(w75 + w76*z))))));
+        const double w86 = x*(w79 + x*(w80 + x*(w81 + x*(w82 + x*(w83 + x*(w84 + w85*x))))));
+        const double w94 = y*(w87 + y*(w88 + y*(w89 + y*(w90 + y*(w91 + y*(w92 + w93*y))))));
+        const double w95 = w77 + w78 + w86 + w94;
+        const double w96 = w30;
+        const double w97 = -w96*x;
+        deviation[0 * stride + i] = w28 + w33;
+        deviation[1 * stride + i] = w61 + w65 + w68;
+        deviation[2 * stride + i] = w95 + w97;
     }
 }
 
@@ -1619,7 +1607,7 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * in ball: 3 rows of stride, mm; point in the workpiece frame (bx by bz)
  * in length: 1 rows of stride, mm; ideal length of the ball bar (length)
@@ -1639,7 +1627,7 @@ void bridge_cmm_ballbar_error(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     const double EA0Z = parameters[4];
     const double EB0Z = parameters[5];
     /* per point */
@@ -1673,42 +1661,42 @@ void bridge_cmm_ballbar_error(
         const double by = ball[1 * stride + i];
         const double bz = ball[2 * stride + i];
         const double length_ = length[0 * stride + i];
-        const double w0 = q_Py + ry;
-        const double w1 = q_Pz + rz;
-        const double w2 = w1 + z;
+        const double w0 = q_Pz + rz;
+        const double w1 = w0 + z;
+        const double w2 = q_Py + ry;
         const double w3 = q_Px + rx;
-        const double w4 = EBZ*w1 - ECZ*w0 + EXZ;
-        const double w5 = -EAZ*w1 + ECZ*w3 + EYZ;
-        const double w6 = EAZ*w0 - EBZ*w3 + EZZ;
-        const double w7 = EA0Z*(w0 + w5) - EB0Z*(w3 + w4) + w6;
+        const double w4 = EAZ*w2 - EBZ*w3 + EZZ;
+        const double w5 = w1 + w4;
+        const double w6 = -EAZ*w0 + ECZ*w3 + EYZ;
+        const double w7 = -EA0Z*w5 + w6;
         const double w8 = w2 + w7;
-        const double w9 = w2 + w6;
-        const double w10 = EB0Z*w9 + w4;
+        const double w9 = EBZ*w0 - ECZ*w2 + EXZ;
+        const double w10 = EB0Z*w5 + w9;
         const double w11 = w10 + w3;
-        const double w12 = -EA0Z*w9 + w5;
-        const double w13 = -EAX*w8 + ECX*w11 + EYX + w12;
-        const double w14 = w0 + w13;
-        const double w15 = w0 + w12;
-        const double w16 = EBX*w8 - ECX*w15 + EXX + w10;
-        const double w17 = w3 + x;
-        const double w18 = w16 + w17;
-        const double w19 = EAX*w15 - EBX*w11 + EZX + w7;
-        const double w20 = EAY*w14 - EBY*w18 + EZY + w19;
-        const double w21 = w19 + w2;
-        const double w22 = EBY*w21 - ECY*w14 + EXY + w16;
-        const double w23 = -EAY*w21 + ECY*w18 + EYY + w13;
-        const double w24 = w0 + y;
-        const double w25 = -EC0Y*(w23 + w24) + w22;
-        const double w26 = EC0Y*(w17 + w22) + w23;
-        const double w27 = -bx + w17;
-        const double w28 = -by + w24;
-        const double w29 = -bz + w2;
-        const double w30 = w25 + w27;
-        const double w31 = w26 + w28;
-        const double w32 = w20 + w29;
-        const double w33 = sqrt((w27*w27) + (w28*w28) + (w29*w29));
+        const double w12 = EA0Z*(w2 + w6) - EB0Z*(w3 + w9) + w4;
+        const double w13 = EAX*w8 - EBX*w11 + EZX + w12;
+        const double w14 = w1 + w13;
+        const double w15 = w1 + w12;
+        const double w16 = EBX*w15 - ECX*w8 + EXX + w10;
+        const double w17 = -EAX*w15 + ECX*w11 + EYX + w7;
+        const double w18 = w3 + x;
+        const double w19 = EC0X*(w16 + w18) + w17;
+        const double w20 = w19 + w2;
+        const double w21 = -EC0X*(w17 + w2) + w16;
+        const double w22 = EBY*w14 - ECY*w20 + EXY + w21;
+        const double w23 = w18 + w21;
+        const double w24 = -EAY*w14 + ECY*w23 + EYY + w19;
+        const double w25 = EAY*w20 - EBY*w23 + EZY + w13;
+        const double w26 = -bx + w18;
+        const double w27 = w2 + y;
+        const double w28 = -by + w27;
+        const double w29 = -bz + w1;
+        const double w30 = w22 + w26;
+        const double w31 = w24 + w28;
+        const double w32 = w25 + w29;
+        const double w33 = sqrt((w26*w26) + (w28*w28) + (w29*w29));
         const double w34 = sqrt((w30*w30) + (w31*w31) + (w32*w32));
-        const double e = -length_ + w33 + (w20*(w29 + w32) + w25*(w27 + w30) + w26*(w28 + w31))/(w33 + w34);
+        const double e = -length_ + w33 + (w22*(w26 + w30) + w24*(w28 + w31) + w25*(w29 + w32))/(w33 + w34);
         const double w35 = e/w34;
         error[0 * stride + i] = e;
         error[1 * stride + i] = w30*w35;
@@ -1749,7 +1737,7 @@ void bridge_cmm_correction(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -1765,7 +1753,7 @@ void bridge_cmm_motion_X(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1783,18 +1771,18 @@ void bridge_cmm_motion_X(
         const double w1 = q_Py + rTy;
         const double w2 = q_Px + rTx;
         displacement[0 * stride + i] = EBX*w0 - ECX*w1 + EXX + x;
-        displacement[1 * stride + i] = -EAX*w0 + EC0Y*x + ECX*w2 + EYX;
+        displacement[1 * stride + i] = -EAX*w0 + EC0X*x + ECX*w2 + EYX;
         displacement[2 * stride + i] = EAX*w1 - EBX*w2 + EZX;
     }
 }
 
 /*
  * Motion equation of Y: displacement of the tool point since home, to first order.
- * Source: Eqs. (7)-(11). Operations: 18 per point.
+ * Source: Eqs. (7)-(11). Operations: 16 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -1810,7 +1798,6 @@ void bridge_cmm_motion_Y(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1827,7 +1814,7 @@ void bridge_cmm_motion_Y(
         const double w0 = q_Pz + rTz;
         const double w1 = q_Py + rTy;
         const double w2 = q_Px + rTx;
-        displacement[0 * stride + i] = EBY*w0 - EC0Y*y - ECY*w1 + EXY;
+        displacement[0 * stride + i] = EBY*w0 - ECY*w1 + EXY;
         displacement[1 * stride + i] = -EAY*w0 + ECY*w2 + EYY + y;
         displacement[2 * stride + i] = EAY*w1 - EBY*w2 + EZY;
     }
@@ -1839,7 +1826,7 @@ void bridge_cmm_motion_Y(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -1881,11 +1868,11 @@ void bridge_cmm_motion_Z(
 
 /*
  * Motion equation of X and Y: displacement of the tool point since home, to first order.
- * Source: Eqs. (7)-(11). Operations: 39 per point.
+ * Source: Eqs. (7)-(11). Operations: 37 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -1901,7 +1888,7 @@ void bridge_cmm_motion_XY(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1928,8 +1915,8 @@ void bridge_cmm_motion_XY(
         const double w3 = q_Px + rTx;
         const double w4 = w3 + x;
         const double w5 = -w0;
-        displacement[0 * stride + i] = EBX*w0 + EBY*w0 - EC0Y*y + ECX*w2 + ECY*w2 + EXX + EXY + x;
-        displacement[1 * stride + i] = EAX*w5 + EAY*w5 + EC0Y*x + ECX*w3 + ECY*w4 + EYX + EYY + y;
+        displacement[0 * stride + i] = EBX*w0 + EBY*w0 + ECX*w2 + ECY*w2 + EXX + EXY + x;
+        displacement[1 * stride + i] = EAX*w5 + EAY*w5 + EC0X*x + ECX*w3 + ECY*w4 + EYX + EYY + y;
         displacement[2 * stride + i] = EAX*w1 + EAY*w1 - EBX*w3 - EBY*w4 + EZX + EZY;
     }
 }
@@ -1940,7 +1927,7 @@ void bridge_cmm_motion_XY(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -1956,7 +1943,7 @@ void bridge_cmm_motion_XZ(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
+    const double EC0X = parameters[3];
     const double EA0Z = parameters[4];
     const double EB0Z = parameters[5];
     /* per point */
@@ -1986,18 +1973,18 @@ void bridge_cmm_motion_XZ(
         const double w4 = q_Px + rTx;
         const double w5 = -w4;
         displacement[0 * stride + i] = EB0Z*z + EBX*w1 + EBZ*w0 + ECX*w3 + ECZ*w3 + EXX + EXZ + x;
-        displacement[1 * stride + i] = -EA0Z*z - EAX*w1 - EAZ*w0 + EC0Y*x + ECX*w4 + ECZ*w4 + EYX + EYZ;
+        displacement[1 * stride + i] = -EA0Z*z - EAX*w1 - EAZ*w0 + EC0X*x + ECX*w4 + ECZ*w4 + EYX + EYZ;
         displacement[2 * stride + i] = EAX*w2 + EAZ*w2 + EBX*w5 + EBZ*w5 + EZX + EZZ + z;
     }
 }
 
 /*
  * Motion equation of Y and Z: displacement of the tool point since home, to first order.
- * Source: Eqs. (7)-(11). Operations: 41 per point.
+ * Source: Eqs. (7)-(11). Operations: 39 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0Y EA0Z EB0Z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -2013,7 +2000,6 @@ void bridge_cmm_motion_YZ(
     const double q_Px = parameters[0];
     const double q_Py = parameters[1];
     const double q_Pz = parameters[2];
-    const double EC0Y = parameters[3];
     const double EA0Z = parameters[4];
     const double EB0Z = parameters[5];
     /* per point */
@@ -2042,7 +2028,7 @@ void bridge_cmm_motion_YZ(
         const double w3 = -w2;
         const double w4 = q_Px + rTx;
         const double w5 = -w4;
-        displacement[0 * stride + i] = EB0Z*z + EBY*w1 + EBZ*w0 - EC0Y*y + ECY*w3 + ECZ*w3 + EXY + EXZ;
+        displacement[0 * stride + i] = EB0Z*z + EBY*w1 + EBZ*w0 + ECY*w3 + ECZ*w3 + EXY + EXZ;
         displacement[1 * stride + i] = -EA0Z*z - EAY*w1 - EAZ*w0 + ECY*w4 + ECZ*w4 + EYY + EYZ + y;
         displacement[2 * stride + i] = EAY*w2 + EAZ*w2 + EBY*w5 + EBZ*w5 + EZY + EZZ + z;
     }

@@ -1,6 +1,6 @@
 /* Generated from machines/bridge_cmm.toml, do not edit; regenerate with: trueaxis derive machines/bridge_cmm.toml
  * Kernels of Bridge coordinate measuring machine: geometric error model in C17.
- * Spec: sha256 1f6362a120e392d01ea50639f218f76f0a93f119b98208bf0f674addf8bce3a7
+ * Spec: sha256 cf081b9dc09563c688eb50c61eca0522473f1977856152a4d3efba7c8462f6d0
  *
  * Every function computes n points; row k of an array that has a value per point holds point i at [k * stride + i],
  * n <= stride. Arrays must not overlap. Lengths mm, angles rad, rotary axes deg. Rows and units: kernels.c.

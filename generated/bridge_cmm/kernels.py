@@ -8,7 +8,7 @@ deviation (3, n). An array that is the same at all points may have n = 1. Length
 import numpy as np
 
 ABI = 1
-SPEC_HASH = "1f6362a120e392d01ea50639f218f76f0a93f119b98208bf0f674addf8bce3a7"
+SPEC_HASH = "cf081b9dc09563c688eb50c61eca0522473f1977856152a4d3efba7c8462f6d0"
 
 META = {'machine': 'bridge_cmm',
  'title': 'Bridge coordinate measuring machine',
@@ -69,18 +69,18 @@ META = {'machine': 'bridge_cmm',
                             'angular error of Z about X (pitch or yaw)',
                             'angular error of Z about Y (pitch or yaw)',
                             'roll error of Z'],
- 'parameters': ['q_Px', 'q_Py', 'q_Pz', 'EC0Y', 'EA0Z', 'EB0Z'],
+ 'parameters': ['q_Px', 'q_Py', 'q_Pz', 'EC0X', 'EA0Z', 'EB0Z'],
  'parameter_units': ['mm', 'mm', 'mm', 'rad', 'rad', 'rad'],
  'parameter_descriptions': ['home position along X, body 6 (tool) on body 5',
                             'home position along Y, body 6 (tool) on body 5',
                             'home position along Z, body 6 (tool) on body 5',
-                            'location error, rotation about Z, body 3 (Y slide) on body 1',
+                            'location error, rotation about Z, body 4 (X slide) on body 3',
                             'location error, rotation about X, body 5 (Z slide) on body 4',
                             'location error, rotation about Y, body 5 (Z slide) on body 4'],
  'dimensions': ['q_Px', 'q_Py', 'q_Pz'],
- 'location_errors': ['EC0Y', 'EA0Z', 'EB0Z'],
+ 'location_errors': ['EC0X', 'EA0Z', 'EB0Z'],
  'curve_degree': 7,
- 'squareness': [{'axes': ['X', 'Y'], 'location_errors': {}},
+ 'squareness': [{'axes': ['X', 'Y'], 'location_errors': {'EC0X': 1.0}},
                 {'axes': ['X', 'Z'], 'location_errors': {'EB0Z': 1.0}},
                 {'axes': ['Y', 'Z'], 'location_errors': {'EA0Z': -1.0}}],
  'routines': {'tool_in_workpiece_ideal': {'inputs': [{'name': 'positions',
@@ -121,7 +121,7 @@ META = {'machine': 'bridge_cmm',
                                                            'shape': [3],
                                                            'per_point': True,
                                                            'unit': 'mm'}],
-                                              'operations': 71,
+                                              'operations': 70,
                                               'operations_per_call': 0},
               'tool_in_workpiece_deviation_first_order': {'inputs': [{'name': 'positions',
                                                                       'shape': [3],
@@ -143,7 +143,7 @@ META = {'machine': 'bridge_cmm',
                                                                        'shape': [3],
                                                                        'per_point': True,
                                                                        'unit': 'mm'}],
-                                                          'operations': 60,
+                                                          'operations': 59,
                                                           'operations_per_call': 0},
               'tool_in_workpiece_sensitivity': {'inputs': [{'name': 'positions',
                                                             'shape': [3],
@@ -161,7 +161,7 @@ META = {'machine': 'bridge_cmm',
                                                              'shape': [3, 21],
                                                              'per_point': True,
                                                              'unit': 'mm/mm, mm/rad'}],
-                                                'operations': 12,
+                                                'operations': 10,
                                                 'operations_per_call': 0},
               'tool_in_bed_ideal': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                                {'name': 'parameters',
@@ -189,7 +189,7 @@ META = {'machine': 'bridge_cmm',
                                                      'shape': [3],
                                                      'per_point': True,
                                                      'unit': 'mm'}],
-                                        'operations': 71,
+                                        'operations': 70,
                                         'operations_per_call': 0},
               'tool_in_bed_deviation_first_order': {'inputs': [{'name': 'positions',
                                                                 'shape': [3],
@@ -211,7 +211,7 @@ META = {'machine': 'bridge_cmm',
                                                                  'shape': [3],
                                                                  'per_point': True,
                                                                  'unit': 'mm'}],
-                                                    'operations': 60,
+                                                    'operations': 59,
                                                     'operations_per_call': 0},
               'tool_in_bed_sensitivity': {'inputs': [{'name': 'positions',
                                                       'shape': [3],
@@ -229,7 +229,7 @@ META = {'machine': 'bridge_cmm',
                                                        'shape': [3, 21],
                                                        'per_point': True,
                                                        'unit': 'mm/mm, mm/rad'}],
-                                          'operations': 12,
+                                          'operations': 10,
                                           'operations_per_call': 0},
               'workpiece_in_bed_ideal': {'inputs': [{'name': 'positions',
                                                      'shape': [3],
@@ -449,7 +449,7 @@ META = {'machine': 'bridge_cmm',
                                                                   'shape': [3],
                                                                   'per_point': True,
                                                                   'unit': 'mm'}],
-                                                     'operations': 302,
+                                                     'operations': 301,
                                                      'operations_per_call': 3},
               'tool_in_workpiece_deviation_first_order_curves': {'inputs': [{'name': 'positions',
                                                                              'shape': [3],
@@ -472,7 +472,7 @@ META = {'machine': 'bridge_cmm',
                                                                               'shape': [3],
                                                                               'per_point': True,
                                                                               'unit': 'mm'}],
-                                                                 'operations': 209,
+                                                                 'operations': 206,
                                                                  'operations_per_call': 267},
               'ballbar_error': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -503,7 +503,7 @@ META = {'machine': 'bridge_cmm',
                                       {'name': 'parameters', 'shape': [6], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                           'operations': 18,
+                           'operations': 16,
                            'operations_per_call': 0},
               'motion_Z': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                       {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -517,7 +517,7 @@ META = {'machine': 'bridge_cmm',
                                        {'name': 'parameters', 'shape': [6], 'per_point': False, 'unit': 'mm, rad'},
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                            'operations': 39,
+                            'operations': 37,
                             'operations_per_call': 0},
               'motion_XZ': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                        {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -531,7 +531,7 @@ META = {'machine': 'bridge_cmm',
                                        {'name': 'parameters', 'shape': [6], 'per_point': False, 'unit': 'mm, rad'},
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                            'operations': 41,
+                            'operations': 39,
                             'operations_per_call': 0}}}
 
 # Points per block: the intermediate rows of a block stay in the processor's second-level cache.
@@ -590,7 +590,7 @@ def tool_in_workpiece_ideal(positions, parameters, point):
 def tool_in_workpiece_deviation(positions, errors, parameters, point):
     """Deviation of a tool point in the workpiece frame, exact.
 
-    Source: Eqs. (1)-(4). Operations: 71 per point.
+    Source: Eqs. (1)-(4). Operations: 70 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -607,13 +607,90 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     EA0Z = float(parameters[4])
     EB0Z = float(parameters[5])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
-        y = positions[1, at]
+        z = positions[2, at]
+        EXX = errors[0, at]
+        EYX = errors[1, at]
+        EZX = errors[2, at]
+        EAX = errors[3, at]
+        EBX = errors[4, at]
+        ECX = errors[5, at]
+        EXY = errors[6, at]
+        EYY = errors[7, at]
+        EZY = errors[8, at]
+        EAY = errors[9, at]
+        EBY = errors[10, at]
+        ECY = errors[11, at]
+        EXZ = errors[12, at]
+        EYZ = errors[13, at]
+        EZZ = errors[14, at]
+        EAZ = errors[15, at]
+        EBZ = errors[16, at]
+        ECZ = errors[17, at]
+        rx = point[0, at]
+        ry = point[1, at]
+        rz = point[2, at]
+        # per point
+        w0 = q_Pz + rz
+        w1 = w0 + z
+        w2 = q_Py + ry
+        w3 = q_Px + rx
+        w4 = EAZ*w2 - EBZ*w3 + EZZ
+        w5 = w1 + w4
+        w6 = -EAZ*w0 + ECZ*w3 + EYZ
+        w7 = -EA0Z*w5 + w6
+        w8 = w2 + w7
+        w9 = EBZ*w0 - ECZ*w2 + EXZ
+        w10 = EB0Z*w5 + w9
+        w11 = w10 + w3
+        w12 = EA0Z*(w2 + w6) - EB0Z*(w3 + w9) + w4
+        w13 = EAX*w8 - EBX*w11 + EZX + w12
+        w14 = w1 + w13
+        w15 = w1 + w12
+        w16 = EBX*w15 - ECX*w8 + EXX + w10
+        w17 = -EAX*w15 + ECX*w11 + EYX + w7
+        w18 = w3 + x
+        w19 = EC0X*(w16 + w18) + w17
+        w20 = w19 + w2
+        w21 = -EC0X*(w17 + w2) + w16
+        deviation[0, at] = EBY*w14 - ECY*w20 + EXY + w21
+        w22 = w18 + w21
+        deviation[1, at] = -EAY*w14 + ECY*w22 + EYY + w19
+        deviation[2, at] = EAY*w20 - EBY*w22 + EZY + w13
+    return deviation
+
+
+def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point):
+    """Deviation of a tool point in the workpiece frame, to first order in the errors.
+
+    Source: Eqs. (1)-(4). Operations: 59 per point.
+
+    Arguments (float64):
+        positions (3, n): commanded positions of X Y Z [mm]
+        errors (18, n): component errors at the point [mm, rad]
+        parameters (6,): home positions and location errors [mm, rad]
+        point (3, n): point in the tool frame [mm]
+
+    Returns:
+        deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+    """
+    n, positions, errors, point = _points(positions, errors, point)
+    deviation = np.zeros((3, n))
+    # constants
+    q_Px = float(parameters[0])
+    q_Py = float(parameters[1])
+    q_Pz = float(parameters[2])
+    EC0X = float(parameters[3])
+    EA0Z = float(parameters[4])
+    EB0Z = float(parameters[5])
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        x = positions[0, at]
         z = positions[2, at]
         EXX = errors[0, at]
         EYX = errors[1, at]
@@ -640,110 +717,29 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
         w0 = q_Py + ry
         w1 = q_Pz + rz
         w2 = w1 + z
-        w3 = q_Px + rx
-        w4 = EBZ*w1 - ECZ*w0 + EXZ
-        w5 = -EAZ*w1 + ECZ*w3 + EYZ
-        w6 = EAZ*w0 - EBZ*w3 + EZZ
-        w7 = EA0Z*(w0 + w5) - EB0Z*(w3 + w4) + w6
-        w8 = w2 + w7
-        w9 = w2 + w6
-        w10 = EB0Z*w9 + w4
-        w11 = w10 + w3
-        w12 = -EA0Z*w9 + w5
-        w13 = -EAX*w8 + ECX*w11 + EYX + w12
-        w14 = w0 + w13
-        w15 = w0 + w12
-        w16 = EBX*w8 - ECX*w15 + EXX + w10
-        w17 = w3 + x
-        w18 = w16 + w17
-        w19 = EAX*w15 - EBX*w11 + EZX + w7
-        deviation[2, at] = EAY*w14 - EBY*w18 + EZY + w19
-        w20 = w19 + w2
-        w21 = EBY*w20 - ECY*w14 + EXY + w16
-        w22 = -EAY*w20 + ECY*w18 + EYY + w13
-        w23 = w0 + y
-        deviation[0, at] = -EC0Y*(w22 + w23) + w21
-        deviation[1, at] = EC0Y*(w17 + w21) + w22
-    return deviation
-
-
-def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point):
-    """Deviation of a tool point in the workpiece frame, to first order in the errors.
-
-    Source: Eqs. (1)-(4). Operations: 60 per point.
-
-    Arguments (float64):
-        positions (3, n): commanded positions of X Y Z [mm]
-        errors (18, n): component errors at the point [mm, rad]
-        parameters (6,): home positions and location errors [mm, rad]
-        point (3, n): point in the tool frame [mm]
-
-    Returns:
-        deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
-    """
-    n, positions, errors, point = _points(positions, errors, point)
-    deviation = np.zeros((3, n))
-    # constants
-    q_Px = float(parameters[0])
-    q_Py = float(parameters[1])
-    q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
-    EA0Z = float(parameters[4])
-    EB0Z = float(parameters[5])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        x = positions[0, at]
-        y = positions[1, at]
-        z = positions[2, at]
-        EXX = errors[0, at]
-        EYX = errors[1, at]
-        EZX = errors[2, at]
-        EAX = errors[3, at]
-        EBX = errors[4, at]
-        ECX = errors[5, at]
-        EXY = errors[6, at]
-        EYY = errors[7, at]
-        EZY = errors[8, at]
-        EAY = errors[9, at]
-        EBY = errors[10, at]
-        ECY = errors[11, at]
-        EXZ = errors[12, at]
-        EYZ = errors[13, at]
-        EZZ = errors[14, at]
-        EAZ = errors[15, at]
-        EBZ = errors[16, at]
-        ECZ = errors[17, at]
-        rx = point[0, at]
-        ry = point[1, at]
-        rz = point[2, at]
-        # per point
-        w0 = q_Py + ry
-        w1 = q_Px + rx
-        w2 = EAZ*w0 - EBZ*w1 + EZZ
-        w3 = EA0Z*w0 - EB0Z*w1 + w2
-        w4 = EAX*w0 - EBX*w1 + EZX + w3
-        w5 = w1 + x
-        deviation[2, at] = EAY*w0 - EBY*w5 + EZY + w4
-        w6 = q_Pz + rz
-        w7 = w6 + z
-        w8 = EBZ*w6 - ECZ*w0 + EXZ
-        w9 = EB0Z*w7 + w8
-        w10 = EBX*w7 - ECX*w0 + EXX + w9
-        w11 = EBY*w7 - ECY*w0 + EXY + w10
-        w12 = w0 + y
-        deviation[0, at] = -EC0Y*w12 + w11
-        w13 = -EAZ*w6 + ECZ*w1 + EYZ
-        w14 = -EA0Z*w7 + w13
-        w15 = -EAX*w7 + ECX*w1 + EYX + w14
-        w16 = -EAY*w7 + ECY*w5 + EYY + w15
-        deviation[1, at] = EC0Y*w5 + w16
+        w3 = EBZ*w1 - ECZ*w0 + EXZ
+        w4 = EB0Z*w2 + w3
+        w5 = EBX*w2 - ECX*w0 + EXX + w4
+        w6 = -EC0X*w0 + w5
+        deviation[0, at] = EBY*w2 - ECY*w0 + EXY + w6
+        w7 = q_Px + rx
+        w8 = w7 + x
+        w9 = -EAZ*w1 + ECZ*w7 + EYZ
+        w10 = -EA0Z*w2 + w9
+        w11 = -EAX*w2 + ECX*w7 + EYX + w10
+        w12 = EC0X*w8 + w11
+        deviation[1, at] = -EAY*w2 + ECY*w8 + EYY + w12
+        w13 = EAZ*w0 - EBZ*w7 + EZZ
+        w14 = EA0Z*w0 - EB0Z*w7 + w13
+        w15 = EAX*w0 - EBX*w7 + EZX + w14
+        deviation[2, at] = EAY*w0 - EBY*w8 + EZY + w15
     return deviation
 
 
 def tool_in_workpiece_sensitivity(positions, parameters, point):
     """Sensitivity of a tool point in the workpiece frame to every error, at the error-free machine.
 
-    Source: Eqs. (1)-(4), first order. Operations: 12 per point.
+    Source: Eqs. (1)-(4), first order. Operations: 10 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -762,7 +758,6 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
-        y = positions[1, at]
         z = positions[2, at]
         rx = point[0, at]
         ry = point[1, at]
@@ -782,7 +777,7 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
         sensitivity[11, at] = dx_ECX
         sensitivity[12, at] = 1.0
         sensitivity[17, at] = dx_ECX
-        sensitivity[18, at] = -dz_EAX - y
+        sensitivity[18, at] = dx_ECX
         sensitivity[20, at] = dx_EBX
         sensitivity[22, at] = 1.0
         sensitivity[28, at] = 1.0
@@ -841,7 +836,7 @@ def tool_in_bed_ideal(positions, parameters, point):
 def tool_in_bed_deviation(positions, errors, parameters, point):
     """Deviation of a tool point in the bed frame, exact.
 
-    Source: Eqs. (1)-(4). Operations: 71 per point.
+    Source: Eqs. (1)-(4). Operations: 70 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -858,13 +853,90 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     EA0Z = float(parameters[4])
     EB0Z = float(parameters[5])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
-        y = positions[1, at]
+        z = positions[2, at]
+        EXX = errors[0, at]
+        EYX = errors[1, at]
+        EZX = errors[2, at]
+        EAX = errors[3, at]
+        EBX = errors[4, at]
+        ECX = errors[5, at]
+        EXY = errors[6, at]
+        EYY = errors[7, at]
+        EZY = errors[8, at]
+        EAY = errors[9, at]
+        EBY = errors[10, at]
+        ECY = errors[11, at]
+        EXZ = errors[12, at]
+        EYZ = errors[13, at]
+        EZZ = errors[14, at]
+        EAZ = errors[15, at]
+        EBZ = errors[16, at]
+        ECZ = errors[17, at]
+        rx = point[0, at]
+        ry = point[1, at]
+        rz = point[2, at]
+        # per point
+        w0 = q_Pz + rz
+        w1 = w0 + z
+        w2 = q_Py + ry
+        w3 = q_Px + rx
+        w4 = EAZ*w2 - EBZ*w3 + EZZ
+        w5 = w1 + w4
+        w6 = -EAZ*w0 + ECZ*w3 + EYZ
+        w7 = -EA0Z*w5 + w6
+        w8 = w2 + w7
+        w9 = EBZ*w0 - ECZ*w2 + EXZ
+        w10 = EB0Z*w5 + w9
+        w11 = w10 + w3
+        w12 = EA0Z*(w2 + w6) - EB0Z*(w3 + w9) + w4
+        w13 = EAX*w8 - EBX*w11 + EZX + w12
+        w14 = w1 + w13
+        w15 = w1 + w12
+        w16 = EBX*w15 - ECX*w8 + EXX + w10
+        w17 = -EAX*w15 + ECX*w11 + EYX + w7
+        w18 = w3 + x
+        w19 = EC0X*(w16 + w18) + w17
+        w20 = w19 + w2
+        w21 = -EC0X*(w17 + w2) + w16
+        deviation[0, at] = EBY*w14 - ECY*w20 + EXY + w21
+        w22 = w18 + w21
+        deviation[1, at] = -EAY*w14 + ECY*w22 + EYY + w19
+        deviation[2, at] = EAY*w20 - EBY*w22 + EZY + w13
+    return deviation
+
+
+def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
+    """Deviation of a tool point in the bed frame, to first order in the errors.
+
+    Source: Eqs. (1)-(4). Operations: 59 per point.
+
+    Arguments (float64):
+        positions (3, n): commanded positions of X Y Z [mm]
+        errors (18, n): component errors at the point [mm, rad]
+        parameters (6,): home positions and location errors [mm, rad]
+        point (3, n): point in the tool frame [mm]
+
+    Returns:
+        deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
+    """
+    n, positions, errors, point = _points(positions, errors, point)
+    deviation = np.zeros((3, n))
+    # constants
+    q_Px = float(parameters[0])
+    q_Py = float(parameters[1])
+    q_Pz = float(parameters[2])
+    EC0X = float(parameters[3])
+    EA0Z = float(parameters[4])
+    EB0Z = float(parameters[5])
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        x = positions[0, at]
         z = positions[2, at]
         EXX = errors[0, at]
         EYX = errors[1, at]
@@ -891,110 +963,29 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
         w0 = q_Py + ry
         w1 = q_Pz + rz
         w2 = w1 + z
-        w3 = q_Px + rx
-        w4 = EBZ*w1 - ECZ*w0 + EXZ
-        w5 = -EAZ*w1 + ECZ*w3 + EYZ
-        w6 = EAZ*w0 - EBZ*w3 + EZZ
-        w7 = EA0Z*(w0 + w5) - EB0Z*(w3 + w4) + w6
-        w8 = w2 + w7
-        w9 = w2 + w6
-        w10 = EB0Z*w9 + w4
-        w11 = w10 + w3
-        w12 = -EA0Z*w9 + w5
-        w13 = -EAX*w8 + ECX*w11 + EYX + w12
-        w14 = w0 + w13
-        w15 = w0 + w12
-        w16 = EBX*w8 - ECX*w15 + EXX + w10
-        w17 = w3 + x
-        w18 = w16 + w17
-        w19 = EAX*w15 - EBX*w11 + EZX + w7
-        deviation[2, at] = EAY*w14 - EBY*w18 + EZY + w19
-        w20 = w19 + w2
-        w21 = EBY*w20 - ECY*w14 + EXY + w16
-        w22 = -EAY*w20 + ECY*w18 + EYY + w13
-        w23 = w0 + y
-        deviation[0, at] = -EC0Y*(w22 + w23) + w21
-        deviation[1, at] = EC0Y*(w17 + w21) + w22
-    return deviation
-
-
-def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
-    """Deviation of a tool point in the bed frame, to first order in the errors.
-
-    Source: Eqs. (1)-(4). Operations: 60 per point.
-
-    Arguments (float64):
-        positions (3, n): commanded positions of X Y Z [mm]
-        errors (18, n): component errors at the point [mm, rad]
-        parameters (6,): home positions and location errors [mm, rad]
-        point (3, n): point in the tool frame [mm]
-
-    Returns:
-        deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
-    """
-    n, positions, errors, point = _points(positions, errors, point)
-    deviation = np.zeros((3, n))
-    # constants
-    q_Px = float(parameters[0])
-    q_Py = float(parameters[1])
-    q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
-    EA0Z = float(parameters[4])
-    EB0Z = float(parameters[5])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        x = positions[0, at]
-        y = positions[1, at]
-        z = positions[2, at]
-        EXX = errors[0, at]
-        EYX = errors[1, at]
-        EZX = errors[2, at]
-        EAX = errors[3, at]
-        EBX = errors[4, at]
-        ECX = errors[5, at]
-        EXY = errors[6, at]
-        EYY = errors[7, at]
-        EZY = errors[8, at]
-        EAY = errors[9, at]
-        EBY = errors[10, at]
-        ECY = errors[11, at]
-        EXZ = errors[12, at]
-        EYZ = errors[13, at]
-        EZZ = errors[14, at]
-        EAZ = errors[15, at]
-        EBZ = errors[16, at]
-        ECZ = errors[17, at]
-        rx = point[0, at]
-        ry = point[1, at]
-        rz = point[2, at]
-        # per point
-        w0 = q_Py + ry
-        w1 = q_Px + rx
-        w2 = EAZ*w0 - EBZ*w1 + EZZ
-        w3 = EA0Z*w0 - EB0Z*w1 + w2
-        w4 = EAX*w0 - EBX*w1 + EZX + w3
-        w5 = w1 + x
-        deviation[2, at] = EAY*w0 - EBY*w5 + EZY + w4
-        w6 = q_Pz + rz
-        w7 = w6 + z
-        w8 = EBZ*w6 - ECZ*w0 + EXZ
-        w9 = EB0Z*w7 + w8
-        w10 = EBX*w7 - ECX*w0 + EXX + w9
-        w11 = EBY*w7 - ECY*w0 + EXY + w10
-        w12 = w0 + y
-        deviation[0, at] = -EC0Y*w12 + w11
-        w13 = -EAZ*w6 + ECZ*w1 + EYZ
-        w14 = -EA0Z*w7 + w13
-        w15 = -EAX*w7 + ECX*w1 + EYX + w14
-        w16 = -EAY*w7 + ECY*w5 + EYY + w15
-        deviation[1, at] = EC0Y*w5 + w16
+        w3 = EBZ*w1 - ECZ*w0 + EXZ
+        w4 = EB0Z*w2 + w3
+        w5 = EBX*w2 - ECX*w0 + EXX + w4
+        w6 = -EC0X*w0 + w5
+        deviation[0, at] = EBY*w2 - ECY*w0 + EXY + w6
+        w7 = q_Px + rx
+        w8 = w7 + x
+        w9 = -EAZ*w1 + ECZ*w7 + EYZ
+        w10 = -EA0Z*w2 + w9
+        w11 = -EAX*w2 + ECX*w7 + EYX + w10
+        w12 = EC0X*w8 + w11
+        deviation[1, at] = -EAY*w2 + ECY*w8 + EYY + w12
+        w13 = EAZ*w0 - EBZ*w7 + EZZ
+        w14 = EA0Z*w0 - EB0Z*w7 + w13
+        w15 = EAX*w0 - EBX*w7 + EZX + w14
+        deviation[2, at] = EAY*w0 - EBY*w8 + EZY + w15
     return deviation
 
 
 def tool_in_bed_sensitivity(positions, parameters, point):
     """Sensitivity of a tool point in the bed frame to every error, at the error-free machine.
 
-    Source: Eqs. (1)-(4), first order. Operations: 12 per point.
+    Source: Eqs. (1)-(4), first order. Operations: 10 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1013,7 +1004,6 @@ def tool_in_bed_sensitivity(positions, parameters, point):
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
-        y = positions[1, at]
         z = positions[2, at]
         rx = point[0, at]
         ry = point[1, at]
@@ -1033,7 +1023,7 @@ def tool_in_bed_sensitivity(positions, parameters, point):
         sensitivity[11, at] = dx_ECX
         sensitivity[12, at] = 1.0
         sensitivity[17, at] = dx_ECX
-        sensitivity[18, at] = -dz_EAX - y
+        sensitivity[18, at] = dx_ECX
         sensitivity[20, at] = dx_EBX
         sensitivity[22, at] = 1.0
         sensitivity[28, at] = 1.0
@@ -1259,7 +1249,7 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     EA0Z = float(parameters[4])
     EB0Z = float(parameters[5])
     for start in range(0, n, BLOCK):
@@ -1306,18 +1296,18 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
         w14 = EAX*w9 - EBX*w12 + EZX + w13
         w15 = w14 + w3
         w16 = w13 + w3
-        w17 = -EAX*w16 + ECX*w12 + EYX + w8
-        w18 = w17 + w4
-        w19 = EBX*w16 - ECX*w9 + EXX + w11
-        w20 = EBY*w15 - ECY*w18 + EXY + w19
-        w21 = w1 + w19
-        w22 = -EAY*w15 + ECY*w21 + EYY + w17
-        w23 = w4 + y
-        w24 = -EC0Y*(w22 + w23) + w20
-        position[0, at] = w1 + w24
-        w25 = EC0Y*(w1 + w20) + w22
-        position[1, at] = w23 + w25
-        w26 = EAY*w18 - EBY*w21 + EZY + w14
+        w17 = EBX*w16 - ECX*w9 + EXX + w11
+        w18 = -EAX*w16 + ECX*w12 + EYX + w8
+        w19 = EC0X*(w1 + w17) + w18
+        w20 = w19 + w4
+        w21 = -EC0X*(w18 + w4) + w17
+        w22 = EBY*w15 - ECY*w20 + EXY + w21
+        position[0, at] = w1 + w22
+        w23 = w1 + w21
+        w24 = -EAY*w15 + ECY*w23 + EYY + w19
+        w25 = w4 + y
+        position[1, at] = w24 + w25
+        w26 = EAY*w20 - EBY*w23 + EZY + w14
         position[2, at] = w26 + w3
     return position
 
@@ -1342,7 +1332,7 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     EA0Z = float(parameters[4])
     EB0Z = float(parameters[5])
     for start in range(0, n, BLOCK):
@@ -1380,16 +1370,16 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
         w5 = EBZ*w3 - ECZ*w2 + EXZ
         w6 = EB0Z*w4 + w5
         w7 = EBX*w4 - ECX*w2 + EXX + w6
-        w8 = EBY*w4 - ECY*w2 + EXY + w7
-        w9 = w2 + y
-        w10 = -EC0Y*w9 + w8
-        position[0, at] = w1 + w10
-        w11 = -EAZ*w3 + ECZ*w0 + EYZ
-        w12 = -EA0Z*w4 + w11
-        w13 = -EAX*w4 + ECX*w0 + EYX + w12
+        w8 = -EC0X*w2 + w7
+        w9 = EBY*w4 - ECY*w2 + EXY + w8
+        position[0, at] = w1 + w9
+        w10 = -EAZ*w3 + ECZ*w0 + EYZ
+        w11 = -EA0Z*w4 + w10
+        w12 = -EAX*w4 + ECX*w0 + EYX + w11
+        w13 = EC0X*w1 + w12
         w14 = -EAY*w4 + ECY*w1 + EYY + w13
-        w15 = EC0Y*w1 + w14
-        position[1, at] = w15 + w9
+        w15 = w2 + y
+        position[1, at] = w14 + w15
         w16 = EAZ*w2 - EBZ*w0 + EZZ
         w17 = EA0Z*w2 - EB0Z*w0 + w16
         w18 = EAX*w2 - EBX*w0 + EZX + w17
@@ -1401,7 +1391,7 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
 def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, exact.
 
-    Source: Eqs. (1)-(4), (44). Operations: 302 per point, 3 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 301 per point, 3 per call.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1544,71 +1534,70 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     EA0Z = float(parameters[4])
     EB0Z = float(parameters[5])
     rx = float(point[0])
     ry = float(point[1])
     rz = float(point[2])
     # once per call
-    w0 = q_Py + ry
-    w1 = q_Pz + rz
-    w3 = q_Px + rx
+    w0 = q_Pz + rz
+    w2 = q_Py + ry
+    w6 = q_Px + rx
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
         y = positions[1, at]
         z = positions[2, at]
         # per point
-        w2 = w1 + z
-        w4 = _polynomial(z, EXZ_1, EXZ_2, EXZ_3, EXZ_4, EXZ_5, EXZ_6, EXZ_7)
+        w1 = w0 + z
+        w3 = _polynomial(z, EZZ_1, EZZ_2, EZZ_3, EZZ_4, EZZ_5, EZZ_6, EZZ_7)
+        w4 = _polynomial(z, EAZ_1, EAZ_2, EAZ_3, EAZ_4, EAZ_5, EAZ_6, EAZ_7)
         w5 = _polynomial(z, EBZ_1, EBZ_2, EBZ_3, EBZ_4, EBZ_5, EBZ_6, EBZ_7)
-        w6 = _polynomial(z, ECZ_1, ECZ_2, ECZ_3, ECZ_4, ECZ_5, ECZ_6, ECZ_7)
-        w7 = -w0*w6 + w1*w5 + w4
-        w8 = _polynomial(z, EYZ_1, EYZ_2, EYZ_3, EYZ_4, EYZ_5, EYZ_6, EYZ_7)
-        w9 = _polynomial(z, EAZ_1, EAZ_2, EAZ_3, EAZ_4, EAZ_5, EAZ_6, EAZ_7)
-        w10 = -w1*w9 + w3*w6 + w8
-        w11 = _polynomial(z, EZZ_1, EZZ_2, EZZ_3, EZZ_4, EZZ_5, EZZ_6, EZZ_7)
-        w12 = w0*w9 + w11 - w3*w5
-        w13 = EA0Z*(w0 + w10) - EB0Z*(w3 + w7) + w12
-        w14 = w13 + w2
-        w15 = w12 + w2
-        w16 = EB0Z*w15 + w7
-        w17 = w16 + w3
-        w18 = _polynomial(x, EYX_1, EYX_2, EYX_3, EYX_4, EYX_5, EYX_6, EYX_7)
+        w7 = w2*w4 + w3 - w5*w6
+        w8 = w1 + w7
+        w9 = _polynomial(z, EYZ_1, EYZ_2, EYZ_3, EYZ_4, EYZ_5, EYZ_6, EYZ_7)
+        w10 = _polynomial(z, ECZ_1, ECZ_2, ECZ_3, ECZ_4, ECZ_5, ECZ_6, ECZ_7)
+        w11 = -w0*w4 + w10*w6 + w9
+        w12 = -EA0Z*w8 + w11
+        w13 = w12 + w2
+        w14 = _polynomial(z, EXZ_1, EXZ_2, EXZ_3, EXZ_4, EXZ_5, EXZ_6, EXZ_7)
+        w15 = w0*w5 - w10*w2 + w14
+        w16 = EB0Z*w8 + w15
+        w17 = w16 + w6
+        w18 = _polynomial(x, EZX_1, EZX_2, EZX_3, EZX_4, EZX_5, EZX_6, EZX_7)
         w19 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, EAX_6, EAX_7)
-        w20 = _polynomial(x, ECX_1, ECX_2, ECX_3, ECX_4, ECX_5, ECX_6, ECX_7)
-        w21 = -EA0Z*w15 + w10
-        w22 = -w14*w19 + w17*w20 + w18 + w21
-        w23 = w0 + w22
-        w24 = w0 + w21
+        w20 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
+        w21 = EA0Z*(w11 + w2) - EB0Z*(w15 + w6) + w7
+        w22 = w13*w19 - w17*w20 + w18 + w21
+        w23 = w1 + w22
+        w24 = w1 + w21
         w25 = _polynomial(x, EXX_1, EXX_2, EXX_3, EXX_4, EXX_5, EXX_6, EXX_7)
-        w26 = _polynomial(x, EBX_1, EBX_2, EBX_3, EBX_4, EBX_5, EBX_6, EBX_7)
-        w27 = w14*w26 + w16 - w20*w24 + w25
-        w28 = w3 + x
-        w29 = w27 + w28
-        w30 = _polynomial(y, EZY_1, EZY_2, EZY_3, EZY_4, EZY_5, EZY_6, EZY_7)
-        w31 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
-        w32 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, EBY_6, EBY_7)
-        w33 = _polynomial(x, EZX_1, EZX_2, EZX_3, EZX_4, EZX_5, EZX_6, EZX_7)
-        w34 = w13 - w17*w26 + w19*w24 + w33
-        deviation[2, at] = w23*w31 - w29*w32 + w30 + w34
-        w35 = w2 + w34
-        w36 = _polynomial(y, EXY_1, EXY_2, EXY_3, EXY_4, EXY_5, EXY_6, EXY_7)
-        w37 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
-        w38 = -w23*w37 + w27 + w32*w35 + w36
-        w39 = _polynomial(y, EYY_1, EYY_2, EYY_3, EYY_4, EYY_5, EYY_6, EYY_7)
-        w40 = w22 + w29*w37 - w31*w35 + w39
-        w41 = w0 + y
-        deviation[0, at] = -EC0Y*(w40 + w41) + w38
-        deviation[1, at] = EC0Y*(w28 + w38) + w40
+        w26 = _polynomial(x, ECX_1, ECX_2, ECX_3, ECX_4, ECX_5, ECX_6, ECX_7)
+        w27 = -w13*w26 + w16 + w20*w24 + w25
+        w28 = _polynomial(x, EYX_1, EYX_2, EYX_3, EYX_4, EYX_5, EYX_6, EYX_7)
+        w29 = w12 + w17*w26 - w19*w24 + w28
+        w30 = w6 + x
+        w31 = EC0X*(w27 + w30) + w29
+        w32 = w2 + w31
+        w33 = _polynomial(y, EXY_1, EXY_2, EXY_3, EXY_4, EXY_5, EXY_6, EXY_7)
+        w34 = _polynomial(y, EBY_1, EBY_2, EBY_3, EBY_4, EBY_5, EBY_6, EBY_7)
+        w35 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
+        w36 = -EC0X*(w2 + w29) + w27
+        deviation[0, at] = w23*w34 - w32*w35 + w33 + w36
+        w37 = w30 + w36
+        w38 = _polynomial(y, EYY_1, EYY_2, EYY_3, EYY_4, EYY_5, EYY_6, EYY_7)
+        w39 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
+        deviation[1, at] = -w23*w39 + w31 + w35*w37 + w38
+        w40 = _polynomial(y, EZY_1, EZY_2, EZY_3, EZY_4, EZY_5, EZY_6, EZY_7)
+        deviation[2, at] = w22 + w32*w39 - w34*w37 + w40
     return deviation
 
 
 def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
 
-    Source: Eqs. (1)-(4), (44). Operations: 209 per point, 267 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 206 per point, 267 per call.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1751,7 +1740,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     EA0Z = float(parameters[4])
     EB0Z = float(parameters[5])
     rx = float(point[0])
@@ -1768,7 +1757,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
     w7 = EBZ_5*w0 + ECZ_5*w2 + EXZ_5
     w8 = EBZ_6*w0 + ECZ_6*w2 + EXZ_6
     w9 = EBZ_7*w0 + ECZ_7*w2 + EXZ_7
-    w11 = EB0Z*w0 + EC0Y*w2
+    w11 = EB0Z*w0 + EC0X*w2
     w12 = EBX_1*w0 + ECX_1*w2 + EXX_1
     w13 = EBX_2*w0 + ECX_2*w2 + EXX_2
     w14 = EBX_3*w0 + ECX_3*w2 + EXX_3
@@ -1783,53 +1772,53 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
     w24 = EBY_5*w0 + ECY_5*w2 + EXY_5
     w25 = EBY_6*w0 + ECY_6*w2 + EXY_6
     w26 = EBY_7*w0 + ECY_7*w2 + EXY_7
-    w35 = q_Px + rx
-    w36 = -w0
-    w37 = EAZ_1*w36 + ECZ_1*w35 + EYZ_1
-    w38 = EAZ_2*w36 + ECZ_2*w35 + EYZ_2
-    w39 = EAZ_3*w36 + ECZ_3*w35 + EYZ_3
-    w40 = EAZ_4*w36 + ECZ_4*w35 + EYZ_4
-    w41 = EAZ_5*w36 + ECZ_5*w35 + EYZ_5
-    w42 = EAZ_6*w36 + ECZ_6*w35 + EYZ_6
-    w43 = EAZ_7*w36 + ECZ_7*w35 + EYZ_7
-    w45 = EA0Z*w36 + EC0Y*w35
-    w46 = EAX_1*w36 + ECX_1*w35 + EYX_1
-    w47 = EAX_2*w36 + ECX_2*w35 + EYX_2
-    w48 = EAX_3*w36 + ECX_3*w35 + EYX_3
-    w49 = EAX_4*w36 + ECX_4*w35 + EYX_4
-    w50 = EAX_5*w36 + ECX_5*w35 + EYX_5
-    w51 = EAX_6*w36 + ECX_6*w35 + EYX_6
-    w52 = EAX_7*w36 + ECX_7*w35 + EYX_7
-    w54 = EAY_1*w36 + ECY_1*w35 + EYY_1
-    w55 = EAY_2*w36 + ECY_2*w35 + EYY_2
-    w56 = EAY_3*w36 + ECY_3*w35 + EYY_3
-    w57 = EAY_4*w36 + ECY_4*w35 + EYY_4
-    w58 = EAY_5*w36 + ECY_5*w35 + EYY_5
-    w59 = EAY_6*w36 + ECY_6*w35 + EYY_6
-    w60 = EAY_7*w36 + ECY_7*w35 + EYY_7
-    w70 = -w35
-    w71 = EAZ_1*w1 + EBZ_1*w70 + EZZ_1
-    w72 = EAZ_2*w1 + EBZ_2*w70 + EZZ_2
-    w73 = EAZ_3*w1 + EBZ_3*w70 + EZZ_3
-    w74 = EAZ_4*w1 + EBZ_4*w70 + EZZ_4
-    w75 = EAZ_5*w1 + EBZ_5*w70 + EZZ_5
-    w76 = EAZ_6*w1 + EBZ_6*w70 + EZZ_6
-    w77 = EAZ_7*w1 + EBZ_7*w70 + EZZ_7
-    w79 = EA0Z*w1 + EB0Z*w70
-    w80 = EAX_1*w1 + EBX_1*w70 + EZX_1
-    w81 = EAX_2*w1 + EBX_2*w70 + EZX_2
-    w82 = EAX_3*w1 + EBX_3*w70 + EZX_3
-    w83 = EAX_4*w1 + EBX_4*w70 + EZX_4
-    w84 = EAX_5*w1 + EBX_5*w70 + EZX_5
-    w85 = EAX_6*w1 + EBX_6*w70 + EZX_6
-    w86 = EAX_7*w1 + EBX_7*w70 + EZX_7
-    w88 = EAY_1*w1 + EBY_1*w70 + EZY_1
-    w89 = EAY_2*w1 + EBY_2*w70 + EZY_2
-    w90 = EAY_3*w1 + EBY_3*w70 + EZY_3
-    w91 = EAY_4*w1 + EBY_4*w70 + EZY_4
-    w92 = EAY_5*w1 + EBY_5*w70 + EZY_5
-    w93 = EAY_6*w1 + EBY_6*w70 + EZY_6
-    w94 = EAY_7*w1 + EBY_7*w70 + EZY_7
+    w34 = q_Px + rx
+    w35 = -w0
+    w36 = EAZ_1*w35 + ECZ_1*w34 + EYZ_1
+    w37 = EAZ_2*w35 + ECZ_2*w34 + EYZ_2
+    w38 = EAZ_3*w35 + ECZ_3*w34 + EYZ_3
+    w39 = EAZ_4*w35 + ECZ_4*w34 + EYZ_4
+    w40 = EAZ_5*w35 + ECZ_5*w34 + EYZ_5
+    w41 = EAZ_6*w35 + ECZ_6*w34 + EYZ_6
+    w42 = EAZ_7*w35 + ECZ_7*w34 + EYZ_7
+    w44 = EA0Z*w35 + EC0X*w34
+    w45 = EAX_1*w35 + ECX_1*w34 + EYX_1
+    w46 = EAX_2*w35 + ECX_2*w34 + EYX_2
+    w47 = EAX_3*w35 + ECX_3*w34 + EYX_3
+    w48 = EAX_4*w35 + ECX_4*w34 + EYX_4
+    w49 = EAX_5*w35 + ECX_5*w34 + EYX_5
+    w50 = EAX_6*w35 + ECX_6*w34 + EYX_6
+    w51 = EAX_7*w35 + ECX_7*w34 + EYX_7
+    w53 = EAY_1*w35 + ECY_1*w34 + EYY_1
+    w54 = EAY_2*w35 + ECY_2*w34 + EYY_2
+    w55 = EAY_3*w35 + ECY_3*w34 + EYY_3
+    w56 = EAY_4*w35 + ECY_4*w34 + EYY_4
+    w57 = EAY_5*w35 + ECY_5*w34 + EYY_5
+    w58 = EAY_6*w35 + ECY_6*w34 + EYY_6
+    w59 = EAY_7*w35 + ECY_7*w34 + EYY_7
+    w69 = -w34
+    w70 = EAZ_1*w1 + EBZ_1*w69 + EZZ_1
+    w71 = EAZ_2*w1 + EBZ_2*w69 + EZZ_2
+    w72 = EAZ_3*w1 + EBZ_3*w69 + EZZ_3
+    w73 = EAZ_4*w1 + EBZ_4*w69 + EZZ_4
+    w74 = EAZ_5*w1 + EBZ_5*w69 + EZZ_5
+    w75 = EAZ_6*w1 + EBZ_6*w69 + EZZ_6
+    w76 = EAZ_7*w1 + EBZ_7*w69 + EZZ_7
+    w78 = EA0Z*w1 + EB0Z*w69
+    w79 = EAX_1*w1 + EBX_1*w69 + EZX_1
+    w80 = EAX_2*w1 + EBX_2*w69 + EZX_2
+    w81 = EAX_3*w1 + EBX_3*w69 + EZX_3
+    w82 = EAX_4*w1 + EBX_4*w69 + EZX_4
+    w83 = EAX_5*w1 + EBX_5*w69 + EZX_5
+    w84 = EAX_6*w1 + EBX_6*w69 + EZX_6
+    w85 = EAX_7*w1 + EBX_7*w69 + EZX_7
+    w87 = EAY_1*w1 + EBY_1*w69 + EZY_1
+    w88 = EAY_2*w1 + EBY_2*w69 + EZY_2
+    w89 = EAY_3*w1 + EBY_3*w69 + EZY_3
+    w90 = EAY_4*w1 + EBY_4*w69 + EZY_4
+    w91 = EAY_5*w1 + EBY_5*w69 + EZY_5
+    w92 = EAY_6*w1 + EBY_6*w69 + EZY_6
+    w93 = EAY_7*w1 + EBY_7*w69 + EZY_7
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1845,27 +1834,26 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w31 = w30
         w32 = EB0Z + w29 + w31
         w33 = w32*z
-        w34 = -EC0Y*y
-        deviation[0, at] = w28 + w33 + w34
-        w44 = _polynomial(z, w37, w38, w39, w40, w41, w42, w43)
-        w53 = _polynomial(x, w46, w47, w48, w49, w50, w51, w52)
-        w61 = _polynomial(y, w54, w55, w56, w57, w58, w59, w60)
-        w62 = w44 + w45 + w53 + w61
-        w63 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, EAX_6, EAX_7)
-        w64 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
-        w65 = -EA0Z - w63 - w64
-        w66 = w65*z
-        w67 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
-        w68 = EC0Y + w67
-        w69 = w68*x
-        deviation[1, at] = w62 + w66 + w69
-        w78 = _polynomial(z, w71, w72, w73, w74, w75, w76, w77)
-        w87 = _polynomial(x, w80, w81, w82, w83, w84, w85, w86)
-        w95 = _polynomial(y, w88, w89, w90, w91, w92, w93, w94)
-        w96 = w78 + w79 + w87 + w95
-        w97 = w30
-        w98 = -w97*x
-        deviation[2, at] = w96 + w98
+        deviation[0, at] = w28 + w33
+        w43 = _polynomial(z, w36, w37, w38, w39, w40, w41, w42)
+        w52 = _polynomial(x, w45, w46, w47, w48, w49, w50, w51)
+        w60 = _polynomial(y, w53, w54, w55, w56, w57, w58, w59)
+        w61 = w43 + w44 + w52 + w60
+        w62 = _polynomial(x, EAX_1, EAX_2, EAX_3, EAX_4, EAX_5, EAX_6, EAX_7)
+        w63 = _polynomial(y, EAY_1, EAY_2, EAY_3, EAY_4, EAY_5, EAY_6, EAY_7)
+        w64 = -EA0Z - w62 - w63
+        w65 = w64*z
+        w66 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
+        w67 = EC0X + w66
+        w68 = w67*x
+        deviation[1, at] = w61 + w65 + w68
+        w77 = _polynomial(z, w70, w71, w72, w73, w74, w75, w76)
+        w86 = _polynomial(x, w79, w80, w81, w82, w83, w84, w85)
+        w94 = _polynomial(y, w87, w88, w89, w90, w91, w92, w93)
+        w95 = w77 + w78 + w86 + w94
+        w96 = w30
+        w97 = -w96*x
+        deviation[2, at] = w95 + w97
     return deviation
 
 
@@ -1891,7 +1879,7 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     EA0Z = float(parameters[4])
     EB0Z = float(parameters[5])
     for start in range(0, n, BLOCK):
@@ -1925,42 +1913,42 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
         bz = ball[2, at]
         length_ = length[0, at]
         # per point
-        w0 = q_Py + ry
-        w1 = q_Pz + rz
-        w2 = w1 + z
+        w0 = q_Pz + rz
+        w1 = w0 + z
+        w2 = q_Py + ry
         w3 = q_Px + rx
-        w4 = EBZ*w1 - ECZ*w0 + EXZ
-        w5 = -EAZ*w1 + ECZ*w3 + EYZ
-        w6 = EAZ*w0 - EBZ*w3 + EZZ
-        w7 = EA0Z*(w0 + w5) - EB0Z*(w3 + w4) + w6
+        w4 = EAZ*w2 - EBZ*w3 + EZZ
+        w5 = w1 + w4
+        w6 = -EAZ*w0 + ECZ*w3 + EYZ
+        w7 = -EA0Z*w5 + w6
         w8 = w2 + w7
-        w9 = w2 + w6
-        w10 = EB0Z*w9 + w4
+        w9 = EBZ*w0 - ECZ*w2 + EXZ
+        w10 = EB0Z*w5 + w9
         w11 = w10 + w3
-        w12 = -EA0Z*w9 + w5
-        w13 = -EAX*w8 + ECX*w11 + EYX + w12
-        w14 = w0 + w13
-        w15 = w0 + w12
-        w16 = EBX*w8 - ECX*w15 + EXX + w10
-        w17 = w3 + x
-        w18 = w16 + w17
-        w19 = EAX*w15 - EBX*w11 + EZX + w7
-        w20 = EAY*w14 - EBY*w18 + EZY + w19
-        w21 = w19 + w2
-        w22 = EBY*w21 - ECY*w14 + EXY + w16
-        w23 = -EAY*w21 + ECY*w18 + EYY + w13
-        w24 = w0 + y
-        w25 = -EC0Y*(w23 + w24) + w22
-        w26 = EC0Y*(w17 + w22) + w23
-        w27 = -bx + w17
-        w28 = -by + w24
-        w29 = -bz + w2
-        w30 = w25 + w27
-        w31 = w26 + w28
-        w32 = w20 + w29
-        w33 = np.sqrt((w27*w27) + (w28*w28) + (w29*w29))
+        w12 = EA0Z*(w2 + w6) - EB0Z*(w3 + w9) + w4
+        w13 = EAX*w8 - EBX*w11 + EZX + w12
+        w14 = w1 + w13
+        w15 = w1 + w12
+        w16 = EBX*w15 - ECX*w8 + EXX + w10
+        w17 = -EAX*w15 + ECX*w11 + EYX + w7
+        w18 = w3 + x
+        w19 = EC0X*(w16 + w18) + w17
+        w20 = w19 + w2
+        w21 = -EC0X*(w17 + w2) + w16
+        w22 = EBY*w14 - ECY*w20 + EXY + w21
+        w23 = w18 + w21
+        w24 = -EAY*w14 + ECY*w23 + EYY + w19
+        w25 = EAY*w20 - EBY*w23 + EZY + w13
+        w26 = -bx + w18
+        w27 = w2 + y
+        w28 = -by + w27
+        w29 = -bz + w1
+        w30 = w22 + w26
+        w31 = w24 + w28
+        w32 = w25 + w29
+        w33 = np.sqrt((w26*w26) + (w28*w28) + (w29*w29))
         w34 = np.sqrt((w30*w30) + (w31*w31) + (w32*w32))
-        error[0, at] = e = -length_ + w33 + (w20*(w29 + w32) + w25*(w27 + w30) + w26*(w28 + w31))/(w33 + w34)
+        error[0, at] = e = -length_ + w33 + (w22*(w26 + w30) + w24*(w28 + w31) + w25*(w29 + w32))/(w33 + w34)
         w35 = e/w34
         error[1, at] = w30*w35
         error[2, at] = w31*w35
@@ -2014,7 +2002,7 @@ def motion_X(positions, errors, parameters, tool_point):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2032,7 +2020,7 @@ def motion_X(positions, errors, parameters, tool_point):
         w1 = q_Py + rTy
         displacement[0, at] = EBX*w0 - ECX*w1 + EXX + x
         w2 = q_Px + rTx
-        displacement[1, at] = -EAX*w0 + EC0Y*x + ECX*w2 + EYX
+        displacement[1, at] = -EAX*w0 + EC0X*x + ECX*w2 + EYX
         displacement[2, at] = EAX*w1 - EBX*w2 + EZX
     return displacement
 
@@ -2040,7 +2028,7 @@ def motion_X(positions, errors, parameters, tool_point):
 def motion_Y(positions, errors, parameters, tool_point):
     """Motion equation of Y: displacement of the tool point since home, to first order.
 
-    Source: Eqs. (7)-(11). Operations: 18 per point.
+    Source: Eqs. (7)-(11). Operations: 16 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -2057,7 +2045,6 @@ def motion_Y(positions, errors, parameters, tool_point):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -2073,7 +2060,7 @@ def motion_Y(positions, errors, parameters, tool_point):
         # per point
         w0 = q_Pz + rTz
         w1 = q_Py + rTy
-        displacement[0, at] = EBY*w0 - EC0Y*y - ECY*w1 + EXY
+        displacement[0, at] = EBY*w0 - ECY*w1 + EXY
         w2 = q_Px + rTx
         displacement[1, at] = -EAY*w0 + ECY*w2 + EYY + y
         displacement[2, at] = EAY*w1 - EBY*w2 + EZY
@@ -2127,7 +2114,7 @@ def motion_Z(positions, errors, parameters, tool_point):
 def motion_XY(positions, errors, parameters, tool_point):
     """Motion equation of X and Y: displacement of the tool point since home, to first order.
 
-    Source: Eqs. (7)-(11). Operations: 39 per point.
+    Source: Eqs. (7)-(11). Operations: 37 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -2144,7 +2131,7 @@ def motion_XY(positions, errors, parameters, tool_point):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2168,11 +2155,11 @@ def motion_XY(positions, errors, parameters, tool_point):
         w0 = q_Pz + rTz
         w1 = q_Py + rTy
         w2 = -w1
-        displacement[0, at] = EBX*w0 + EBY*w0 - EC0Y*y + ECX*w2 + ECY*w2 + EXX + EXY + x
+        displacement[0, at] = EBX*w0 + EBY*w0 + ECX*w2 + ECY*w2 + EXX + EXY + x
         w3 = q_Px + rTx
         w4 = w3 + x
         w5 = -w0
-        displacement[1, at] = EAX*w5 + EAY*w5 + EC0Y*x + ECX*w3 + ECY*w4 + EYX + EYY + y
+        displacement[1, at] = EAX*w5 + EAY*w5 + EC0X*x + ECX*w3 + ECY*w4 + EYX + EYY + y
         displacement[2, at] = EAX*w1 + EAY*w1 - EBX*w3 - EBY*w4 + EZX + EZY
     return displacement
 
@@ -2197,7 +2184,7 @@ def motion_XZ(positions, errors, parameters, tool_point):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
+    EC0X = float(parameters[3])
     EA0Z = float(parameters[4])
     EB0Z = float(parameters[5])
     for start in range(0, n, BLOCK):
@@ -2226,7 +2213,7 @@ def motion_XZ(positions, errors, parameters, tool_point):
         w3 = -w2
         displacement[0, at] = EB0Z*z + EBX*w1 + EBZ*w0 + ECX*w3 + ECZ*w3 + EXX + EXZ + x
         w4 = q_Px + rTx
-        displacement[1, at] = -EA0Z*z - EAX*w1 - EAZ*w0 + EC0Y*x + ECX*w4 + ECZ*w4 + EYX + EYZ
+        displacement[1, at] = -EA0Z*z - EAX*w1 - EAZ*w0 + EC0X*x + ECX*w4 + ECZ*w4 + EYX + EYZ
         w5 = -w4
         displacement[2, at] = EAX*w2 + EAZ*w2 + EBX*w5 + EBZ*w5 + EZX + EZZ + z
     return displacement
@@ -2235,7 +2222,7 @@ def motion_XZ(positions, errors, parameters, tool_point):
 def motion_YZ(positions, errors, parameters, tool_point):
     """Motion equation of Y and Z: displacement of the tool point since home, to first order.
 
-    Source: Eqs. (7)-(11). Operations: 41 per point.
+    Source: Eqs. (7)-(11). Operations: 39 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -2252,7 +2239,6 @@ def motion_YZ(positions, errors, parameters, tool_point):
     q_Px = float(parameters[0])
     q_Py = float(parameters[1])
     q_Pz = float(parameters[2])
-    EC0Y = float(parameters[3])
     EA0Z = float(parameters[4])
     EB0Z = float(parameters[5])
     for start in range(0, n, BLOCK):
@@ -2279,7 +2265,7 @@ def motion_YZ(positions, errors, parameters, tool_point):
         w1 = w0 + z
         w2 = q_Py + rTy
         w3 = -w2
-        displacement[0, at] = EB0Z*z + EBY*w1 + EBZ*w0 - EC0Y*y + ECY*w3 + ECZ*w3 + EXY + EXZ
+        displacement[0, at] = EB0Z*z + EBY*w1 + EBZ*w0 + ECY*w3 + ECZ*w3 + EXY + EXZ
         w4 = q_Px + rTx
         displacement[1, at] = -EA0Z*z - EAY*w1 - EAZ*w0 + ECY*w4 + ECZ*w4 + EYY + EYZ + y
         w5 = -w4

@@ -1,6 +1,6 @@
 /* Generated from machines/cframe_mill.toml, do not edit; regenerate with: trueaxis derive machines/cframe_mill.toml
  * Kernels of C-frame mill: geometric error model in C17.
- * Spec: sha256 86b6ba87500dc116b740e9946cf1bb918bada1ce483e8417f4fe81859342df16
+ * Spec: sha256 69979ea05081b646266ff61dfa49b1225795e10d671a62300f526ba5a2a9755d
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
  * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
@@ -28,14 +28,14 @@ int cframe_mill_kernel_abi(void)
 
 const char *cframe_mill_spec_hash(void)
 {
-    return "86b6ba87500dc116b740e9946cf1bb918bada1ce483e8417f4fe81859342df16";
+    return "69979ea05081b646266ff61dfa49b1225795e10d671a62300f526ba5a2a9755d";
 }
 
 /*
  * Ideal position of a tool point in the workpiece frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 3 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; tool point in the workpiece frame, without errors (px py pz)
  */
@@ -68,7 +68,7 @@ void cframe_mill_tool_in_workpiece_ideal(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -81,11 +81,11 @@ void cframe_mill_tool_in_workpiece_deviation(
     double *restrict deviation)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     const double EA0Z = parameters[1];
     const double EB0Z = parameters[2];
-    const double w9 = (EC0Y*EC0Y);
-    const double w10 = (1.0/(w9 + 1.0));
+    const double w22 = (EC0X*EC0X);
+    const double w23 = (1.0/(w22 + 1.0));
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -119,41 +119,41 @@ void cframe_mill_tool_in_workpiece_deviation(
         const double w3 = w1 + w2;
         const double w4 = EBZ*rz - ECZ*ry + EXZ;
         const double w5 = EB0Z*w3 + w4;
-        const double w6 = -EAZ*rz + ECZ*rx + EYZ;
-        const double w7 = -EA0Z*w3 + w6;
-        const double w8 = ry + w7;
-        const double w11 = w10*(EC0Y*w8 - rx*w9 + w5);
-        const double w12 = -EXY + w11;
-        const double w13 = ry - y;
-        const double w14 = rx + w5;
-        const double w15 = w10*(-EC0Y*w14 - ry*w9 + w7);
-        const double w16 = -EYY + w15;
-        const double w17 = w13 + w16;
-        const double w18 = EA0Z*(ry + w6) - EB0Z*(rx + w4) + w1;
-        const double w19 = w18 + w2;
-        const double w20 = EC0Y*w19;
-        const double w21 = w10*(EC0Y*w20 + w18 - w2*w9);
-        const double w22 = -EZY + w21;
-        const double w23 = w2 + w22;
-        const double w24 = rx + w12;
-        const double w25 = EAY*w24 + EBY*w17 + ECY*w23;
-        const double w26 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY);
-        const double w27 = (1.0/(w26 + 1.0));
-        const double w28 = w27*(EAY*w25 - EBY*w23 + ECY*w17 - rx*w26 + w12);
-        const double w29 = -EXX + w28;
-        const double w30 = w27*(EAY*w23 + EBY*w25 - ECY*w24 - w13*w26 + w16);
-        const double w31 = -EYX + w30;
-        const double w32 = w13 + w31;
-        const double w33 = w27*(-EAY*w17 + EBY*w24 + ECY*w25 - w2*w26 + w22);
+        const double w6 = -EXY + w5;
+        const double w7 = ry - y;
+        const double w8 = -EAZ*rz + ECZ*rx + EYZ;
+        const double w9 = -EA0Z*w3 + w8;
+        const double w10 = -EYY + w9;
+        const double w11 = w10 + w7;
+        const double w12 = EA0Z*(ry + w8) - EB0Z*(rx + w4) + w1;
+        const double w13 = -EZY + w12;
+        const double w14 = w13 + w2;
+        const double w15 = rx + w6;
+        const double w16 = EAY*w15 + EBY*w11 + ECY*w14;
+        const double w17 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY);
+        const double w18 = (1.0/(w17 + 1.0));
+        const double w19 = w18*(EAY*w16 - EBY*w14 + ECY*w11 - rx*w17 + w6);
+        const double w20 = w18*(EAY*w14 + EBY*w16 - ECY*w15 + w10 - w17*w7);
+        const double w21 = w20 + w7;
+        const double w24 = w23*(EC0X*w21 - rx*w22 + w19);
+        const double w25 = -EXX + w24;
+        const double w26 = rx + w19;
+        const double w27 = w23*(-EC0X*w26 + w20 - w22*w7);
+        const double w28 = -EYX + w27;
+        const double w29 = w28 + w7;
+        const double w30 = w18*(-EAY*w11 + EBY*w15 + ECY*w16 + w13 - w17*w2);
+        const double w31 = w2 + w30;
+        const double w32 = EC0X*w31;
+        const double w33 = w23*(EC0X*w32 - w2*w22 + w30);
         const double w34 = -EZX + w33;
         const double w35 = w2 + w34;
-        const double w36 = w0 + w29;
-        const double w37 = EAX*w36 + EBX*w32 + ECX*w35;
+        const double w36 = w0 + w25;
+        const double w37 = EAX*w36 + EBX*w29 + ECX*w35;
         const double w38 = (EAX*EAX) + (EBX*EBX) + (ECX*ECX);
         const double w39 = (1.0/(w38 + 1.0));
-        deviation[0 * stride + i] = w39*(EAX*w37 - EBX*w35 + ECX*w32 - w0*w38 + w29);
-        deviation[1 * stride + i] = w39*(EAX*w35 + EBX*w37 - ECX*w36 - w13*w38 + w31);
-        deviation[2 * stride + i] = w39*(-EAX*w32 + EBX*w36 + ECX*w37 - w2*w38 + w34);
+        deviation[0 * stride + i] = w39*(EAX*w37 - EBX*w35 + ECX*w29 - w0*w38 + w25);
+        deviation[1 * stride + i] = w39*(EAX*w35 + EBX*w37 - ECX*w36 + w28 - w38*w7);
+        deviation[2 * stride + i] = w39*(-EAX*w29 + EBX*w36 + ECX*w37 - w2*w38 + w34);
     }
 }
 
@@ -163,7 +163,7 @@ void cframe_mill_tool_in_workpiece_deviation(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -176,7 +176,7 @@ void cframe_mill_tool_in_workpiece_deviation_first_order(
     double *restrict deviation)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     const double EA0Z = parameters[1];
     const double EB0Z = parameters[2];
     /* per point */
@@ -210,12 +210,12 @@ void cframe_mill_tool_in_workpiece_deviation_first_order(
         const double w1 = ry - y;
         const double w2 = EBZ*rz - ECZ*ry + EXZ;
         const double w3 = EB0Z*w0 + w2;
-        const double w4 = EC0Y*ry + w3;
-        const double w5 = -EBY*w0 + ECY*w1 - EXY + w4;
+        const double w4 = -EBY*w0 + ECY*w1 - EXY + w3;
+        const double w5 = EC0X*w1 + w4;
         const double w6 = -EAZ*rz + ECZ*rx + EYZ;
         const double w7 = -EA0Z*w0 + w6;
-        const double w8 = -EC0Y*rx + w7;
-        const double w9 = EAY*w0 - ECY*rx - EYY + w8;
+        const double w8 = EAY*w0 - ECY*rx - EYY + w7;
+        const double w9 = -EC0X*rx + w8;
         const double w10 = rx - x;
         const double w11 = EAZ*ry - EBZ*rx + EZZ;
         const double w12 = EA0Z*ry - EB0Z*rx + w11;
@@ -230,7 +230,7 @@ void cframe_mill_tool_in_workpiece_deviation_first_order(
  * Sensitivity of a tool point in the workpiece frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 15 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
  *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
@@ -276,7 +276,7 @@ void cframe_mill_tool_in_workpiece_sensitivity(
         sensitivity[15 * stride + i] = 0.0;
         sensitivity[16 * stride + i] = rz;
         sensitivity[17 * stride + i] = -ry;
-        sensitivity[18 * stride + i] = ry;
+        sensitivity[18 * stride + i] = dx_ECX;
         sensitivity[19 * stride + i] = 0.0;
         sensitivity[20 * stride + i] = dx_EB0Z;
         sensitivity[21 * stride + i] = 0.0;
@@ -328,7 +328,7 @@ void cframe_mill_tool_in_workpiece_sensitivity(
  * Ideal position of a tool point in the bed frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 1 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; tool point in the bed frame, without errors (px py pz)
  */
@@ -359,7 +359,7 @@ void cframe_mill_tool_in_bed_ideal(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -404,7 +404,7 @@ void cframe_mill_tool_in_bed_deviation(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -446,7 +446,7 @@ void cframe_mill_tool_in_bed_deviation_first_order(
  * Sensitivity of a tool point in the bed frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 5 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
  *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
@@ -538,7 +538,7 @@ void cframe_mill_tool_in_bed_sensitivity(
  * Ideal position of a workpiece point in the bed frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 2 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; workpiece point in the bed frame, without errors (px py pz)
  */
@@ -566,11 +566,11 @@ void cframe_mill_workpiece_in_bed_ideal(
 
 /*
  * Deviation of a workpiece point in the bed frame, exact.
- * Source: Eqs. (1)-(4). Operations: 38 per point.
+ * Source: Eqs. (1)-(4). Operations: 37 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -583,68 +583,11 @@ void cframe_mill_workpiece_in_bed_deviation(
     double *restrict deviation)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
         const double x = positions[0 * stride + i];
-        const double y = positions[1 * stride + i];
-        const double EXX = errors[0 * stride + i];
-        const double EYX = errors[1 * stride + i];
-        const double EZX = errors[2 * stride + i];
-        const double EAX = errors[3 * stride + i];
-        const double EBX = errors[4 * stride + i];
-        const double ECX = errors[5 * stride + i];
-        const double EXY = errors[6 * stride + i];
-        const double EYY = errors[7 * stride + i];
-        const double EZY = errors[8 * stride + i];
-        const double EAY = errors[9 * stride + i];
-        const double EBY = errors[10 * stride + i];
-        const double ECY = errors[11 * stride + i];
-        const double rx = point[0 * stride + i];
-        const double ry = point[1 * stride + i];
-        const double rz = point[2 * stride + i];
-        const double w0 = -EAX*rz + ECX*rx + EYX;
-        const double w1 = ry + w0;
-        const double w2 = EBX*rz - ECX*ry + EXX;
-        const double w3 = rx + x;
-        const double w4 = w2 + w3;
-        const double w5 = EAX*ry - EBX*rx + EZX;
-        const double w6 = rz + w5;
-        const double w7 = EBY*w6 - ECY*w1 + EXY + w2;
-        const double w8 = -EAY*w6 + ECY*w4 + EYY + w0;
-        const double w9 = ry + y;
-        deviation[0 * stride + i] = -EC0Y*(w8 + w9) + w7;
-        deviation[1 * stride + i] = EC0Y*(w3 + w7) + w8;
-        deviation[2 * stride + i] = EAY*w1 - EBY*w4 + EZY + w5;
-    }
-}
-
-/*
- * Deviation of a workpiece point in the bed frame, to first order in the errors.
- * Source: Eqs. (1)-(4). Operations: 33 per point.
- * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
- *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
- * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
- * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
- */
-void cframe_mill_workpiece_in_bed_deviation_first_order(
-    size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
-{
-    /* once per call */
-    const double EC0Y = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double x = positions[0 * stride + i];
-        const double y = positions[1 * stride + i];
         const double EXX = errors[0 * stride + i];
         const double EYX = errors[1 * stride + i];
         const double EZX = errors[2 * stride + i];
@@ -661,23 +604,76 @@ void cframe_mill_workpiece_in_bed_deviation_first_order(
         const double ry = point[1 * stride + i];
         const double rz = point[2 * stride + i];
         const double w0 = EAX*ry - EBX*rx + EZX;
-        const double w1 = rx + x;
+        const double w1 = rz + w0;
         const double w2 = EBX*rz - ECX*ry + EXX;
-        const double w3 = EBY*rz - ECY*ry + EXY + w2;
-        const double w4 = ry + y;
-        const double w5 = -EAX*rz + ECX*rx + EYX;
-        const double w6 = -EAY*rz + ECY*w1 + EYY + w5;
-        deviation[0 * stride + i] = -EC0Y*w4 + w3;
-        deviation[1 * stride + i] = EC0Y*w1 + w6;
-        deviation[2 * stride + i] = EAY*ry - EBY*w1 + EZY + w0;
+        const double w3 = -EAX*rz + ECX*rx + EYX;
+        const double w4 = rx + x;
+        const double w5 = EC0X*(w2 + w4) + w3;
+        const double w6 = ry + w5;
+        const double w7 = -EC0X*(ry + w3) + w2;
+        const double w8 = w4 + w7;
+        deviation[0 * stride + i] = EBY*w1 - ECY*w6 + EXY + w7;
+        deviation[1 * stride + i] = -EAY*w1 + ECY*w8 + EYY + w5;
+        deviation[2 * stride + i] = EAY*w6 - EBY*w8 + EZY + w0;
+    }
+}
+
+/*
+ * Deviation of a workpiece point in the bed frame, to first order in the errors.
+ * Source: Eqs. (1)-(4). Operations: 32 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
+ */
+void cframe_mill_workpiece_in_bed_deviation_first_order(
+    size_t n, size_t stride,
+    const double *restrict positions,
+    const double *restrict errors,
+    const double *restrict parameters,
+    const double *restrict point,
+    double *restrict deviation)
+{
+    /* once per call */
+    const double EC0X = parameters[0];
+    /* per point */
+    POINTS_ARE_INDEPENDENT
+    for (size_t i = 0; i < n; ++i) {
+        const double x = positions[0 * stride + i];
+        const double EXX = errors[0 * stride + i];
+        const double EYX = errors[1 * stride + i];
+        const double EZX = errors[2 * stride + i];
+        const double EAX = errors[3 * stride + i];
+        const double EBX = errors[4 * stride + i];
+        const double ECX = errors[5 * stride + i];
+        const double EXY = errors[6 * stride + i];
+        const double EYY = errors[7 * stride + i];
+        const double EZY = errors[8 * stride + i];
+        const double EAY = errors[9 * stride + i];
+        const double EBY = errors[10 * stride + i];
+        const double ECY = errors[11 * stride + i];
+        const double rx = point[0 * stride + i];
+        const double ry = point[1 * stride + i];
+        const double rz = point[2 * stride + i];
+        const double w0 = EBX*rz - ECX*ry + EXX;
+        const double w1 = -EC0X*ry + w0;
+        const double w2 = rx + x;
+        const double w3 = -EAX*rz + ECX*rx + EYX;
+        const double w4 = EC0X*w2 + w3;
+        const double w5 = EAX*ry - EBX*rx + EZX;
+        deviation[0 * stride + i] = EBY*rz - ECY*ry + EXY + w1;
+        deviation[1 * stride + i] = -EAY*rz + ECY*w2 + EYY + w4;
+        deviation[2 * stride + i] = EAY*ry - EBY*w2 + EZY + w5;
     }
 }
 
 /*
  * Sensitivity of a workpiece point in the bed frame to every error, at the error-free machine.
- * Source: Eqs. (1)-(4), first order. Operations: 7 per point.
+ * Source: Eqs. (1)-(4), first order. Operations: 5 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
  *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
@@ -694,7 +690,6 @@ void cframe_mill_workpiece_in_bed_sensitivity(
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
         const double x = positions[0 * stride + i];
-        const double y = positions[1 * stride + i];
         const double rx = point[0 * stride + i];
         const double ry = point[1 * stride + i];
         const double rz = point[2 * stride + i];
@@ -719,7 +714,7 @@ void cframe_mill_workpiece_in_bed_sensitivity(
         sensitivity[15 * stride + i] = 0.0;
         sensitivity[16 * stride + i] = 0.0;
         sensitivity[17 * stride + i] = 0.0;
-        sensitivity[18 * stride + i] = -ry - y;
+        sensitivity[18 * stride + i] = dx_ECX;
         sensitivity[19 * stride + i] = 0.0;
         sensitivity[20 * stride + i] = 0.0;
         sensitivity[21 * stride + i] = 0.0;
@@ -771,7 +766,7 @@ void cframe_mill_workpiece_in_bed_sensitivity(
  * Ideal position of a bed point in the workpiece frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 2 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; bed point in the workpiece frame, without errors (px py pz)
  */
@@ -799,11 +794,11 @@ void cframe_mill_bed_in_workpiece_ideal(
 
 /*
  * Deviation of a bed point in the workpiece frame, exact.
- * Source: Eqs. (1)-(4). Operations: 106 per point, 3 once per call.
+ * Source: Eqs. (1)-(4). Operations: 108 per point, 3 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -816,9 +811,9 @@ void cframe_mill_bed_in_workpiece_deviation(
     double *restrict deviation)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
-    const double w1 = (EC0Y*EC0Y);
-    const double w2 = (1.0/(w1 + 1.0));
+    const double EC0X = parameters[0];
+    const double w11 = (EC0X*EC0X);
+    const double w12 = (1.0/(w11 + 1.0));
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -840,45 +835,45 @@ void cframe_mill_bed_in_workpiece_deviation(
         const double ry = point[1 * stride + i];
         const double rz = point[2 * stride + i];
         const double w0 = rx - x;
-        const double w3 = w2*(EC0Y*ry - rx*w1);
-        const double w4 = -EXY + w3;
-        const double w5 = ry - y;
-        const double w6 = w2*(-EC0Y*rx - ry*w1);
-        const double w7 = -EYY + w6;
-        const double w8 = w5 + w7;
-        const double w9 = EC0Y*rz;
-        const double w10 = w2*(EC0Y*w9 - rz*w1);
-        const double w11 = -EZY + w10;
-        const double w12 = rz + w11;
-        const double w13 = rx + w4;
-        const double w14 = EAY*w13 + EBY*w8 + ECY*w12;
-        const double w15 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY);
-        const double w16 = (1.0/(w15 + 1.0));
-        const double w17 = w16*(EAY*w14 - EBY*w12 + ECY*w8 - rx*w15 + w4);
-        const double w18 = -EXX + w17;
-        const double w19 = w16*(EAY*w12 + EBY*w14 - ECY*w13 - w15*w5 + w7);
-        const double w20 = -EYX + w19;
-        const double w21 = w20 + w5;
-        const double w22 = w16*(-EAY*w8 + EBY*w13 + ECY*w14 - rz*w15 + w11);
+        const double w1 = ry - y;
+        const double w2 = -EYY + w1;
+        const double w3 = -EZY + rz;
+        const double w4 = -EXY + rx;
+        const double w5 = EAY*w4 + EBY*w2 + ECY*w3;
+        const double w6 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY);
+        const double w7 = (1.0/(w6 + 1.0));
+        const double w8 = w7*(EAY*w5 - EBY*w3 + ECY*w2 - EXY - rx*w6);
+        const double w9 = w7*(EAY*w3 + EBY*w5 - ECY*w4 - EYY - w1*w6);
+        const double w10 = w1 + w9;
+        const double w13 = w12*(EC0X*w10 - rx*w11 + w8);
+        const double w14 = -EXX + w13;
+        const double w15 = rx + w8;
+        const double w16 = w12*(-EC0X*w15 - w1*w11 + w9);
+        const double w17 = -EYX + w16;
+        const double w18 = w1 + w17;
+        const double w19 = w7*(-EAY*w2 + EBY*w4 + ECY*w5 - EZY - rz*w6);
+        const double w20 = rz + w19;
+        const double w21 = EC0X*w20;
+        const double w22 = w12*(EC0X*w21 - rz*w11 + w19);
         const double w23 = -EZX + w22;
         const double w24 = rz + w23;
-        const double w25 = w0 + w18;
-        const double w26 = EAX*w25 + EBX*w21 + ECX*w24;
+        const double w25 = w0 + w14;
+        const double w26 = EAX*w25 + EBX*w18 + ECX*w24;
         const double w27 = (EAX*EAX) + (EBX*EBX) + (ECX*ECX);
         const double w28 = (1.0/(w27 + 1.0));
-        deviation[0 * stride + i] = w28*(EAX*w26 - EBX*w24 + ECX*w21 - w0*w27 + w18);
-        deviation[1 * stride + i] = w28*(EAX*w24 + EBX*w26 - ECX*w25 + w20 - w27*w5);
-        deviation[2 * stride + i] = w28*(-EAX*w21 + EBX*w25 + ECX*w26 - rz*w27 + w23);
+        deviation[0 * stride + i] = w28*(EAX*w26 - EBX*w24 + ECX*w18 - w0*w27 + w14);
+        deviation[1 * stride + i] = w28*(EAX*w24 + EBX*w26 - ECX*w25 - w1*w27 + w17);
+        deviation[2 * stride + i] = w28*(-EAX*w18 + EBX*w25 + ECX*w26 - rz*w27 + w23);
     }
 }
 
 /*
  * Deviation of a bed point in the workpiece frame, to first order in the errors.
- * Source: Eqs. (1)-(4). Operations: 34 per point.
+ * Source: Eqs. (1)-(4). Operations: 33 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -891,7 +886,7 @@ void cframe_mill_bed_in_workpiece_deviation_first_order(
     double *restrict deviation)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -913,10 +908,10 @@ void cframe_mill_bed_in_workpiece_deviation_first_order(
         const double ry = point[1 * stride + i];
         const double rz = point[2 * stride + i];
         const double w0 = ry - y;
-        const double w1 = EC0Y*ry;
-        const double w2 = -EBY*rz + ECY*w0 - EXY + w1;
-        const double w3 = -EC0Y*rx;
-        const double w4 = EAY*rz - ECY*rx - EYY + w3;
+        const double w1 = -EBY*rz + ECY*w0 - EXY;
+        const double w2 = EC0X*w0 + w1;
+        const double w3 = EAY*rz - ECY*rx - EYY;
+        const double w4 = -EC0X*rx + w3;
         const double w5 = rx - x;
         const double w6 = -EAY*w0 + EBY*rx - EZY;
         deviation[0 * stride + i] = -EBX*rz + ECX*w0 - EXX + w2;
@@ -929,7 +924,7 @@ void cframe_mill_bed_in_workpiece_deviation_first_order(
  * Sensitivity of a bed point in the workpiece frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 12 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
  *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
@@ -973,7 +968,7 @@ void cframe_mill_bed_in_workpiece_sensitivity(
         sensitivity[15 * stride + i] = 0.0;
         sensitivity[16 * stride + i] = 0.0;
         sensitivity[17 * stride + i] = 0.0;
-        sensitivity[18 * stride + i] = ry;
+        sensitivity[18 * stride + i] = dx_ECX;
         sensitivity[19 * stride + i] = 0.0;
         sensitivity[20 * stride + i] = 0.0;
         sensitivity[21 * stride + i] = 0.0;
@@ -1027,7 +1022,7 @@ void cframe_mill_bed_in_workpiece_sensitivity(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
  */
@@ -1040,11 +1035,11 @@ void cframe_mill_tool_in_workpiece_position(
     double *restrict position)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     const double EA0Z = parameters[1];
     const double EB0Z = parameters[2];
-    const double w9 = (EC0Y*EC0Y);
-    const double w10 = (1.0/(w9 + 1.0));
+    const double w22 = (EC0X*EC0X);
+    const double w23 = (1.0/(w22 + 1.0));
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1078,43 +1073,43 @@ void cframe_mill_tool_in_workpiece_position(
         const double w3 = w1 + w2;
         const double w4 = EBZ*rz - ECZ*ry + EXZ;
         const double w5 = EB0Z*w3 + w4;
-        const double w6 = -EAZ*rz + ECZ*rx + EYZ;
-        const double w7 = -EA0Z*w3 + w6;
-        const double w8 = ry + w7;
-        const double w11 = w10*(EC0Y*w8 - rx*w9 + w5);
-        const double w12 = -EXY + w11;
-        const double w13 = ry - y;
-        const double w14 = rx + w5;
-        const double w15 = w10*(-EC0Y*w14 - ry*w9 + w7);
-        const double w16 = -EYY + w15;
-        const double w17 = w13 + w16;
-        const double w18 = EA0Z*(ry + w6) - EB0Z*(rx + w4) + w1;
-        const double w19 = w18 + w2;
-        const double w20 = EC0Y*w19;
-        const double w21 = w10*(EC0Y*w20 + w18 - w2*w9);
-        const double w22 = -EZY + w21;
-        const double w23 = w2 + w22;
-        const double w24 = rx + w12;
-        const double w25 = EAY*w24 + EBY*w17 + ECY*w23;
-        const double w26 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY);
-        const double w27 = (1.0/(w26 + 1.0));
-        const double w28 = w27*(EAY*w25 - EBY*w23 + ECY*w17 - rx*w26 + w12);
-        const double w29 = -EXX + w28;
-        const double w30 = w27*(EAY*w23 + EBY*w25 - ECY*w24 - w13*w26 + w16);
-        const double w31 = -EYX + w30;
-        const double w32 = w13 + w31;
-        const double w33 = w27*(-EAY*w17 + EBY*w24 + ECY*w25 - w2*w26 + w22);
+        const double w6 = -EXY + w5;
+        const double w7 = ry - y;
+        const double w8 = -EAZ*rz + ECZ*rx + EYZ;
+        const double w9 = -EA0Z*w3 + w8;
+        const double w10 = -EYY + w9;
+        const double w11 = w10 + w7;
+        const double w12 = EA0Z*(ry + w8) - EB0Z*(rx + w4) + w1;
+        const double w13 = -EZY + w12;
+        const double w14 = w13 + w2;
+        const double w15 = rx + w6;
+        const double w16 = EAY*w15 + EBY*w11 + ECY*w14;
+        const double w17 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY);
+        const double w18 = (1.0/(w17 + 1.0));
+        const double w19 = w18*(EAY*w16 - EBY*w14 + ECY*w11 - rx*w17 + w6);
+        const double w20 = w18*(EAY*w14 + EBY*w16 - ECY*w15 + w10 - w17*w7);
+        const double w21 = w20 + w7;
+        const double w24 = w23*(EC0X*w21 - rx*w22 + w19);
+        const double w25 = -EXX + w24;
+        const double w26 = rx + w19;
+        const double w27 = w23*(-EC0X*w26 + w20 - w22*w7);
+        const double w28 = -EYX + w27;
+        const double w29 = w28 + w7;
+        const double w30 = w18*(-EAY*w11 + EBY*w15 + ECY*w16 + w13 - w17*w2);
+        const double w31 = w2 + w30;
+        const double w32 = EC0X*w31;
+        const double w33 = w23*(EC0X*w32 - w2*w22 + w30);
         const double w34 = -EZX + w33;
         const double w35 = w2 + w34;
-        const double w36 = w0 + w29;
-        const double w37 = EAX*w36 + EBX*w32 + ECX*w35;
+        const double w36 = w0 + w25;
+        const double w37 = EAX*w36 + EBX*w29 + ECX*w35;
         const double w38 = (EAX*EAX) + (EBX*EBX) + (ECX*ECX);
         const double w39 = (1.0/(w38 + 1.0));
-        const double w40 = w39*(EAX*w37 - EBX*w35 + ECX*w32 - w0*w38 + w29);
-        const double w41 = w39*(EAX*w35 + EBX*w37 - ECX*w36 - w13*w38 + w31);
-        const double w42 = w39*(-EAX*w32 + EBX*w36 + ECX*w37 - w2*w38 + w34);
+        const double w40 = w39*(EAX*w37 - EBX*w35 + ECX*w29 - w0*w38 + w25);
+        const double w41 = w39*(EAX*w35 + EBX*w37 - ECX*w36 + w28 - w38*w7);
+        const double w42 = w39*(-EAX*w29 + EBX*w36 + ECX*w37 - w2*w38 + w34);
         position[0 * stride + i] = w0 + w40;
-        position[1 * stride + i] = w13 + w41;
+        position[1 * stride + i] = w41 + w7;
         position[2 * stride + i] = w2 + w42;
     }
 }
@@ -1125,7 +1120,7 @@ void cframe_mill_tool_in_workpiece_position(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
  */
@@ -1138,7 +1133,7 @@ void cframe_mill_tool_in_workpiece_position_first_order(
     double *restrict position)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     const double EA0Z = parameters[1];
     const double EB0Z = parameters[2];
     /* per point */
@@ -1173,13 +1168,13 @@ void cframe_mill_tool_in_workpiece_position_first_order(
         const double w2 = ry - y;
         const double w3 = EBZ*rz - ECZ*ry + EXZ;
         const double w4 = EB0Z*w1 + w3;
-        const double w5 = EC0Y*ry + w4;
-        const double w6 = -EBY*w1 + ECY*w2 - EXY + w5;
+        const double w5 = -EBY*w1 + ECY*w2 - EXY + w4;
+        const double w6 = EC0X*w2 + w5;
         const double w7 = -EBX*w1 + ECX*w2 - EXX + w6;
         const double w8 = -EAZ*rz + ECZ*rx + EYZ;
         const double w9 = -EA0Z*w1 + w8;
-        const double w10 = -EC0Y*rx + w9;
-        const double w11 = EAY*w1 - ECY*rx - EYY + w10;
+        const double w10 = EAY*w1 - ECY*rx - EYY + w9;
+        const double w11 = -EC0X*rx + w10;
         const double w12 = EAX*w1 - ECX*w0 - EYX + w11;
         const double w13 = EAZ*ry - EBZ*rx + EZZ;
         const double w14 = EA0Z*ry - EB0Z*rx + w13;
@@ -1197,7 +1192,7 @@ void cframe_mill_tool_in_workpiece_position_first_order(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -1336,14 +1331,14 @@ void cframe_mill_tool_in_workpiece_deviation_curves(
     const double ECZ_5 = curves[123];
     const double ECZ_6 = curves[124];
     const double ECZ_7 = curves[125];
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     const double EA0Z = parameters[1];
     const double EB0Z = parameters[2];
     const double rx = point[0];
     const double ry = point[1];
     const double rz = point[2];
-    const double w23 = (EC0Y*EC0Y);
-    const double w24 = (1.0/(w23 + 1.0));
+    const double w38 = (EC0X*EC0X);
+    const double w39 = (1.0/(w38 + 1.0));
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1369,56 +1364,56 @@ void cframe_mill_tool_in_workpiece_deviation_curves(
         const double w16 = z*(ECZ_1 + z*(ECZ_2 + z*(ECZ_3 + z*(ECZ_4 + z*(ECZ_5 + z*(ECZ_6 + ECZ_7*z))))));
         const double w17 = -ry*w16 + rz*w11 + w15;
         const double w18 = EB0Z*w14 + w17;
-        const double w19 = z*(EYZ_1 + z*(EYZ_2 + z*(EYZ_3 + z*(EYZ_4 + z*(EYZ_5 + z*(EYZ_6 + EYZ_7*z))))));
-        const double w20 = rx*w16 - rz*w10 + w19;
-        const double w21 = -EA0Z*w14 + w20;
-        const double w22 = ry + w21;
-        const double w25 = w24*(EC0Y*w22 - rx*w23 + w18);
-        const double w26 = w25 - w8;
-        const double w27 = ry - y;
-        const double w28 = y*(EYY_1 + y*(EYY_2 + y*(EYY_3 + y*(EYY_4 + y*(EYY_5 + y*(EYY_6 + EYY_7*y))))));
-        const double w29 = rx + w18;
-        const double w30 = w24*(-EC0Y*w29 - ry*w23 + w21);
-        const double w31 = -w28 + w30;
-        const double w32 = w27 + w31;
-        const double w33 = y*(EZY_1 + y*(EZY_2 + y*(EZY_3 + y*(EZY_4 + y*(EZY_5 + y*(EZY_6 + EZY_7*y))))));
-        const double w34 = EA0Z*(ry + w20) - EB0Z*(rx + w17) + w12;
-        const double w35 = w13 + w34;
-        const double w36 = EC0Y*w35;
-        const double w37 = w24*(EC0Y*w36 - w13*w23 + w34);
-        const double w38 = -w33 + w37;
-        const double w39 = w13 + w38;
-        const double w40 = rx + w26;
-        const double w41 = w32*w6 + w39*w7 + w40*w5;
-        const double w42 = (w5*w5) + (w6*w6) + (w7*w7);
-        const double w43 = (1.0/(w42 + 1.0));
-        const double w44 = w43*(-rx*w42 + w26 + w32*w7 - w39*w6 + w41*w5);
-        const double w45 = -w4 + w44;
-        const double w46 = x*(EYX_1 + x*(EYX_2 + x*(EYX_3 + x*(EYX_4 + x*(EYX_5 + x*(EYX_6 + EYX_7*x))))));
-        const double w47 = w43*(-w27*w42 + w31 + w39*w5 - w40*w7 + w41*w6);
-        const double w48 = -w46 + w47;
-        const double w49 = w27 + w48;
-        const double w50 = x*(EZX_1 + x*(EZX_2 + x*(EZX_3 + x*(EZX_4 + x*(EZX_5 + x*(EZX_6 + EZX_7*x))))));
-        const double w51 = w43*(-w13*w42 - w32*w5 + w38 + w40*w6 + w41*w7);
-        const double w52 = -w50 + w51;
+        const double w19 = w18 - w8;
+        const double w20 = ry - y;
+        const double w21 = y*(EYY_1 + y*(EYY_2 + y*(EYY_3 + y*(EYY_4 + y*(EYY_5 + y*(EYY_6 + EYY_7*y))))));
+        const double w22 = z*(EYZ_1 + z*(EYZ_2 + z*(EYZ_3 + z*(EYZ_4 + z*(EYZ_5 + z*(EYZ_6 + EYZ_7*z))))));
+        const double w23 = rx*w16 - rz*w10 + w22;
+        const double w24 = -EA0Z*w14 + w23;
+        const double w25 = -w21 + w24;
+        const double w26 = w20 + w25;
+        const double w27 = y*(EZY_1 + y*(EZY_2 + y*(EZY_3 + y*(EZY_4 + y*(EZY_5 + y*(EZY_6 + EZY_7*y))))));
+        const double w28 = EA0Z*(ry + w23) - EB0Z*(rx + w17) + w12;
+        const double w29 = -w27 + w28;
+        const double w30 = w13 + w29;
+        const double w31 = rx + w19;
+        const double w32 = w26*w6 + w30*w7 + w31*w5;
+        const double w33 = (w5*w5) + (w6*w6) + (w7*w7);
+        const double w34 = (1.0/(w33 + 1.0));
+        const double w35 = w34*(-rx*w33 + w19 + w26*w7 - w30*w6 + w32*w5);
+        const double w36 = w34*(-w20*w33 + w25 + w30*w5 - w31*w7 + w32*w6);
+        const double w37 = w20 + w36;
+        const double w40 = w39*(EC0X*w37 - rx*w38 + w35);
+        const double w41 = -w4 + w40;
+        const double w42 = x*(EYX_1 + x*(EYX_2 + x*(EYX_3 + x*(EYX_4 + x*(EYX_5 + x*(EYX_6 + EYX_7*x))))));
+        const double w43 = rx + w35;
+        const double w44 = w39*(-EC0X*w43 - w20*w38 + w36);
+        const double w45 = -w42 + w44;
+        const double w46 = w20 + w45;
+        const double w47 = x*(EZX_1 + x*(EZX_2 + x*(EZX_3 + x*(EZX_4 + x*(EZX_5 + x*(EZX_6 + EZX_7*x))))));
+        const double w48 = w34*(-w13*w33 - w26*w5 + w29 + w31*w6 + w32*w7);
+        const double w49 = w13 + w48;
+        const double w50 = EC0X*w49;
+        const double w51 = w39*(EC0X*w50 - w13*w38 + w48);
+        const double w52 = -w47 + w51;
         const double w53 = w13 + w52;
-        const double w54 = w3 + w45;
-        const double w55 = w0*w54 + w1*w49 + w2*w53;
+        const double w54 = w3 + w41;
+        const double w55 = w0*w54 + w1*w46 + w2*w53;
         const double w56 = (w0*w0) + (w1*w1) + (w2*w2);
         const double w57 = (1.0/(w56 + 1.0));
-        deviation[0 * stride + i] = w57*(w0*w55 - w1*w53 + w2*w49 - w3*w56 + w45);
-        deviation[1 * stride + i] = w57*(w0*w53 + w1*w55 - w2*w54 - w27*w56 + w48);
-        deviation[2 * stride + i] = w57*(-w0*w49 + w1*w54 - w13*w56 + w2*w55 + w52);
+        deviation[0 * stride + i] = w57*(w0*w55 - w1*w53 + w2*w46 - w3*w56 + w41);
+        deviation[1 * stride + i] = w57*(w0*w53 + w1*w55 - w2*w54 - w20*w56 + w45);
+        deviation[2 * stride + i] = w57*(-w0*w46 + w1*w54 - w13*w56 + w2*w55 + w52);
     }
 }
 
 /*
  * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
- * Source: Eqs. (1)-(4), (44). Operations: 224 per point, 262 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 225 per point, 262 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -1557,7 +1552,7 @@ void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
     const double ECZ_5 = curves[123];
     const double ECZ_6 = curves[124];
     const double ECZ_7 = curves[125];
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     const double EA0Z = parameters[1];
     const double EB0Z = parameters[2];
     const double rx = point[0];
@@ -1570,7 +1565,7 @@ void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
     const double w4 = EBZ_5*rz - ECZ_5*ry + EXZ_5;
     const double w5 = EBZ_6*rz - ECZ_6*ry + EXZ_6;
     const double w6 = EBZ_7*rz - ECZ_7*ry + EXZ_7;
-    const double w8 = EB0Z*rz + EC0Y*ry;
+    const double w8 = EB0Z*rz + EC0X*ry;
     const double w9 = -EBY_1*rz + ECY_1*ry - EXY_1;
     const double w10 = -EBY_2*rz + ECY_2*ry - EXY_2;
     const double w11 = -EBY_3*rz + ECY_3*ry - EXY_3;
@@ -1592,7 +1587,7 @@ void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
     const double w40 = -EAZ_5*rz + ECZ_5*rx + EYZ_5;
     const double w41 = -EAZ_6*rz + ECZ_6*rx + EYZ_6;
     const double w42 = -EAZ_7*rz + ECZ_7*rx + EYZ_7;
-    const double w44 = -EA0Z*rz - EC0Y*rx;
+    const double w44 = -EA0Z*rz - EC0X*rx;
     const double w45 = EAY_1*rz - ECY_1*rx - EYY_1;
     const double w46 = EAY_2*rz - ECY_2*rx - EYY_2;
     const double w47 = EAY_3*rz - ECY_3*rx - EYY_3;
@@ -1647,7 +1642,7 @@ void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
         const double w31 = y*(ECY_1 + y*(ECY_2 + y*(ECY_3 + y*(ECY_4 + y*(ECY_5 + y*(ECY_6 + ECY_7*y))))));
         const double w32 = x*(ECX_1 + x*(ECX_2 + x*(ECX_3 + x*(ECX_4 + x*(ECX_5 + x*(ECX_6 + ECX_7*x))))));
         const double w33 = w32;
-        const double w34 = -w31 - w33;
+        const double w34 = -EC0X - w31 - w33;
         const double w35 = w34*y;
         const double w43 = z*(w36 + z*(w37 + z*(w38 + z*(w39 + z*(w40 + z*(w41 + w42*z))))));
         const double w52 = y*(w45 + y*(w46 + y*(w47 + y*(w48 + y*(w49 + y*(w50 + w51*y))))));
@@ -1683,7 +1678,7 @@ void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * in ball: 3 rows of stride, mm; point in the workpiece frame (bx by bz)
  * in length: 1 rows of stride, mm; ideal length of the ball bar (length)
@@ -1700,11 +1695,11 @@ void cframe_mill_ballbar_error(
     double *restrict error)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     const double EA0Z = parameters[1];
     const double EB0Z = parameters[2];
-    const double w9 = (EC0Y*EC0Y);
-    const double w10 = (1.0/(w9 + 1.0));
+    const double w22 = (EC0X*EC0X);
+    const double w23 = (1.0/(w22 + 1.0));
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1742,43 +1737,43 @@ void cframe_mill_ballbar_error(
         const double w3 = w1 + w2;
         const double w4 = EBZ*rz - ECZ*ry + EXZ;
         const double w5 = EB0Z*w3 + w4;
-        const double w6 = -EAZ*rz + ECZ*rx + EYZ;
-        const double w7 = -EA0Z*w3 + w6;
-        const double w8 = ry + w7;
-        const double w11 = w10*(EC0Y*w8 - rx*w9 + w5);
-        const double w12 = -EXY + w11;
-        const double w13 = ry - y;
-        const double w14 = rx + w5;
-        const double w15 = w10*(-EC0Y*w14 - ry*w9 + w7);
-        const double w16 = -EYY + w15;
-        const double w17 = w13 + w16;
-        const double w18 = EA0Z*(ry + w6) - EB0Z*(rx + w4) + w1;
-        const double w19 = w18 + w2;
-        const double w20 = EC0Y*w19;
-        const double w21 = w10*(EC0Y*w20 + w18 - w2*w9);
-        const double w22 = -EZY + w21;
-        const double w23 = w2 + w22;
-        const double w24 = rx + w12;
-        const double w25 = EAY*w24 + EBY*w17 + ECY*w23;
-        const double w26 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY);
-        const double w27 = (1.0/(w26 + 1.0));
-        const double w28 = w27*(EAY*w25 - EBY*w23 + ECY*w17 - rx*w26 + w12);
-        const double w29 = -EXX + w28;
-        const double w30 = w27*(EAY*w23 + EBY*w25 - ECY*w24 - w13*w26 + w16);
-        const double w31 = -EYX + w30;
-        const double w32 = w13 + w31;
-        const double w33 = w27*(-EAY*w17 + EBY*w24 + ECY*w25 - w2*w26 + w22);
+        const double w6 = -EXY + w5;
+        const double w7 = ry - y;
+        const double w8 = -EAZ*rz + ECZ*rx + EYZ;
+        const double w9 = -EA0Z*w3 + w8;
+        const double w10 = -EYY + w9;
+        const double w11 = w10 + w7;
+        const double w12 = EA0Z*(ry + w8) - EB0Z*(rx + w4) + w1;
+        const double w13 = -EZY + w12;
+        const double w14 = w13 + w2;
+        const double w15 = rx + w6;
+        const double w16 = EAY*w15 + EBY*w11 + ECY*w14;
+        const double w17 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY);
+        const double w18 = (1.0/(w17 + 1.0));
+        const double w19 = w18*(EAY*w16 - EBY*w14 + ECY*w11 - rx*w17 + w6);
+        const double w20 = w18*(EAY*w14 + EBY*w16 - ECY*w15 + w10 - w17*w7);
+        const double w21 = w20 + w7;
+        const double w24 = w23*(EC0X*w21 - rx*w22 + w19);
+        const double w25 = -EXX + w24;
+        const double w26 = rx + w19;
+        const double w27 = w23*(-EC0X*w26 + w20 - w22*w7);
+        const double w28 = -EYX + w27;
+        const double w29 = w28 + w7;
+        const double w30 = w18*(-EAY*w11 + EBY*w15 + ECY*w16 + w13 - w17*w2);
+        const double w31 = w2 + w30;
+        const double w32 = EC0X*w31;
+        const double w33 = w23*(EC0X*w32 - w2*w22 + w30);
         const double w34 = -EZX + w33;
         const double w35 = w2 + w34;
-        const double w36 = w0 + w29;
-        const double w37 = EAX*w36 + EBX*w32 + ECX*w35;
+        const double w36 = w0 + w25;
+        const double w37 = EAX*w36 + EBX*w29 + ECX*w35;
         const double w38 = (EAX*EAX) + (EBX*EBX) + (ECX*ECX);
         const double w39 = (1.0/(w38 + 1.0));
-        const double w40 = w39*(EAX*w37 - EBX*w35 + ECX*w32 - w0*w38 + w29);
-        const double w41 = w39*(EAX*w35 + EBX*w37 - ECX*w36 - w13*w38 + w31);
-        const double w42 = w39*(-EAX*w32 + EBX*w36 + ECX*w37 - w2*w38 + w34);
+        const double w40 = w39*(EAX*w37 - EBX*w35 + ECX*w29 - w0*w38 + w25);
+        const double w41 = w39*(EAX*w35 + EBX*w37 - ECX*w36 + w28 - w38*w7);
+        const double w42 = w39*(-EAX*w29 + EBX*w36 + ECX*w37 - w2*w38 + w34);
         const double w43 = -bx + w0;
-        const double w44 = -by + w13;
+        const double w44 = -by + w7;
         const double w45 = -bz + w2;
         const double w46 = w40 + w43;
         const double w47 = w41 + w44;
@@ -1826,7 +1821,7 @@ void cframe_mill_correction(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in workpiece_point: 3 rows of stride, mm; point in the workpiece frame (rWx rWy rWz)
  * out displacement: 3 rows of stride, mm; workpiece point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -1839,7 +1834,7 @@ void cframe_mill_motion_X(
     double *restrict displacement)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1854,18 +1849,18 @@ void cframe_mill_motion_X(
         const double rWy = workpiece_point[1 * stride + i];
         const double rWz = workpiece_point[2 * stride + i];
         displacement[0 * stride + i] = EBX*rWz - ECX*rWy + EXX + x;
-        displacement[1 * stride + i] = -EAX*rWz + EC0Y*x + ECX*rWx + EYX;
+        displacement[1 * stride + i] = -EAX*rWz + EC0X*x + ECX*rWx + EYX;
         displacement[2 * stride + i] = EAX*rWy - EBX*rWx + EZX;
     }
 }
 
 /*
  * Motion equation of Y: displacement of the workpiece point since home, to first order.
- * Source: Eqs. (7)-(11). Operations: 15 per point.
+ * Source: Eqs. (7)-(11). Operations: 13 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in workpiece_point: 3 rows of stride, mm; point in the workpiece frame (rWx rWy rWz)
  * out displacement: 3 rows of stride, mm; workpiece point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -1877,8 +1872,7 @@ void cframe_mill_motion_Y(
     const double *restrict workpiece_point,
     double *restrict displacement)
 {
-    /* once per call */
-    const double EC0Y = parameters[0];
+    (void)parameters;
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1892,7 +1886,7 @@ void cframe_mill_motion_Y(
         const double rWx = workpiece_point[0 * stride + i];
         const double rWy = workpiece_point[1 * stride + i];
         const double rWz = workpiece_point[2 * stride + i];
-        displacement[0 * stride + i] = EBY*rWz - EC0Y*y - ECY*rWy + EXY;
+        displacement[0 * stride + i] = EBY*rWz - ECY*rWy + EXY;
         displacement[1 * stride + i] = -EAY*rWz + ECY*rWx + EYY + y;
         displacement[2 * stride + i] = EAY*rWy - EBY*rWx + EZY;
     }
@@ -1904,7 +1898,7 @@ void cframe_mill_motion_Y(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -1940,11 +1934,11 @@ void cframe_mill_motion_Z(
 
 /*
  * Motion equation of X and Y: displacement of the workpiece point since home, to first order.
- * Source: Eqs. (7)-(11). Operations: 34 per point.
+ * Source: Eqs. (7)-(11). Operations: 32 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in workpiece_point: 3 rows of stride, mm; point in the workpiece frame (rWx rWy rWz)
  * out displacement: 3 rows of stride, mm; workpiece point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -1957,7 +1951,7 @@ void cframe_mill_motion_XY(
     double *restrict displacement)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -1979,8 +1973,8 @@ void cframe_mill_motion_XY(
         const double rWy = workpiece_point[1 * stride + i];
         const double rWz = workpiece_point[2 * stride + i];
         const double w0 = rWx + x;
-        displacement[0 * stride + i] = EBX*rWz + EBY*rWz - EC0Y*y - ECX*rWy - ECY*rWy + EXX + EXY + x;
-        displacement[1 * stride + i] = -EAX*rWz - EAY*rWz + EC0Y*x + ECX*rWx + ECY*w0 + EYX + EYY + y;
+        displacement[0 * stride + i] = EBX*rWz + EBY*rWz - ECX*rWy - ECY*rWy + EXX + EXY + x;
+        displacement[1 * stride + i] = -EAX*rWz - EAY*rWz + EC0X*x + ECX*rWx + ECY*w0 + EYX + EYY + y;
         displacement[2 * stride + i] = EAX*rWy + EAY*rWy - EBX*rWx - EBY*w0 + EZX + EZY;
     }
 }
@@ -1991,7 +1985,7 @@ void cframe_mill_motion_XY(
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in workpiece_point: 3 rows of stride, mm; point in the workpiece frame (rWx rWy rWz)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; workpiece point minus tool point, displacement since home, in the bed frame
@@ -2007,7 +2001,7 @@ void cframe_mill_motion_XZ(
     double *restrict displacement)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
+    const double EC0X = parameters[0];
     const double EA0Z = parameters[1];
     const double EB0Z = parameters[2];
     /* per point */
@@ -2034,18 +2028,18 @@ void cframe_mill_motion_XZ(
         const double rTy = tool_point[1 * stride + i];
         const double rTz = tool_point[2 * stride + i];
         displacement[0 * stride + i] = -EB0Z*z + EBX*rWz - EBZ*rTz - ECX*rWy + ECZ*rTy + EXX - EXZ + x;
-        displacement[1 * stride + i] = EA0Z*z - EAX*rWz + EAZ*rTz + EC0Y*x + ECX*rWx - ECZ*rTx + EYX - EYZ;
+        displacement[1 * stride + i] = EA0Z*z - EAX*rWz + EAZ*rTz + EC0X*x + ECX*rWx - ECZ*rTx + EYX - EYZ;
         displacement[2 * stride + i] = EAX*rWy - EAZ*rTy - EBX*rWx + EBZ*rTx + EZX - EZZ - z;
     }
 }
 
 /*
  * Motion equation of Y and Z: displacement of the workpiece point minus tool point since home, to first order.
- * Source: Eqs. (7)-(11). Operations: 35 per point.
+ * Source: Eqs. (7)-(11). Operations: 33 per point.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
- * in parameters: 3 values, mm, rad; home positions and location errors (EC0Y EA0Z EB0Z)
+ * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in workpiece_point: 3 rows of stride, mm; point in the workpiece frame (rWx rWy rWz)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; workpiece point minus tool point, displacement since home, in the bed frame
@@ -2061,7 +2055,6 @@ void cframe_mill_motion_YZ(
     double *restrict displacement)
 {
     /* once per call */
-    const double EC0Y = parameters[0];
     const double EA0Z = parameters[1];
     const double EB0Z = parameters[2];
     /* per point */
@@ -2087,7 +2080,7 @@ void cframe_mill_motion_YZ(
         const double rTx = tool_point[0 * stride + i];
         const double rTy = tool_point[1 * stride + i];
         const double rTz = tool_point[2 * stride + i];
-        displacement[0 * stride + i] = -EB0Z*z + EBY*rWz - EBZ*rTz - EC0Y*y - ECY*rWy + ECZ*rTy + EXY - EXZ;
+        displacement[0 * stride + i] = -EB0Z*z + EBY*rWz - EBZ*rTz - ECY*rWy + ECZ*rTy + EXY - EXZ;
         displacement[1 * stride + i] = EA0Z*z - EAY*rWz + EAZ*rTz + ECY*rWx - ECZ*rTx + EYY - EYZ + y;
         displacement[2 * stride + i] = EAY*rWy - EAZ*rTy - EBY*rWx + EBZ*rTx + EZY - EZZ - z;
     }

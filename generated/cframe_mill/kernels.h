@@ -1,6 +1,6 @@
 /* Generated from machines/cframe_mill.toml, do not edit; regenerate with: trueaxis derive machines/cframe_mill.toml
  * Kernels of C-frame mill: geometric error model in C17.
- * Spec: sha256 86b6ba87500dc116b740e9946cf1bb918bada1ce483e8417f4fe81859342df16
+ * Spec: sha256 69979ea05081b646266ff61dfa49b1225795e10d671a62300f526ba5a2a9755d
  *
  * Every function computes n points; row k of an array that has a value per point holds point i at [k * stride + i],
  * n <= stride. Arrays must not overlap. Lengths mm, angles rad, rotary axes deg. Rows and units: kernels.c.

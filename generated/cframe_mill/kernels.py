@@ -8,7 +8,7 @@ deviation (3, n). An array that is the same at all points may have n = 1. Length
 import numpy as np
 
 ABI = 1
-SPEC_HASH = "86b6ba87500dc116b740e9946cf1bb918bada1ce483e8417f4fe81859342df16"
+SPEC_HASH = "69979ea05081b646266ff61dfa49b1225795e10d671a62300f526ba5a2a9755d"
 
 META = {'machine': 'cframe_mill',
  'title': 'C-frame mill',
@@ -69,15 +69,15 @@ META = {'machine': 'cframe_mill',
                             'angular error of Z about X (pitch or yaw)',
                             'angular error of Z about Y (pitch or yaw)',
                             'roll error of Z'],
- 'parameters': ['EC0Y', 'EA0Z', 'EB0Z'],
+ 'parameters': ['EC0X', 'EA0Z', 'EB0Z'],
  'parameter_units': ['rad', 'rad', 'rad'],
- 'parameter_descriptions': ['location error, rotation about Z, body 2 (Y slide) on body 1',
+ 'parameter_descriptions': ['location error, rotation about Z, body 3 (X slide) on body 2',
                             'location error, rotation about X, body 5 (Z slide) on body 1',
                             'location error, rotation about Y, body 5 (Z slide) on body 1'],
  'dimensions': [],
- 'location_errors': ['EC0Y', 'EA0Z', 'EB0Z'],
+ 'location_errors': ['EC0X', 'EA0Z', 'EB0Z'],
  'curve_degree': 7,
- 'squareness': [{'axes': ['X', 'Y'], 'location_errors': {}},
+ 'squareness': [{'axes': ['X', 'Y'], 'location_errors': {'EC0X': 1.0}},
                 {'axes': ['X', 'Z'], 'location_errors': {'EB0Z': 1.0}},
                 {'axes': ['Y', 'Z'], 'location_errors': {'EA0Z': -1.0}}],
  'routines': {'tool_in_workpiece_ideal': {'inputs': [{'name': 'positions',
@@ -263,7 +263,7 @@ META = {'machine': 'cframe_mill',
                                                           'shape': [3],
                                                           'per_point': True,
                                                           'unit': 'mm'}],
-                                             'operations': 38,
+                                             'operations': 37,
                                              'operations_per_call': 0},
               'workpiece_in_bed_deviation_first_order': {'inputs': [{'name': 'positions',
                                                                      'shape': [3],
@@ -285,7 +285,7 @@ META = {'machine': 'cframe_mill',
                                                                       'shape': [3],
                                                                       'per_point': True,
                                                                       'unit': 'mm'}],
-                                                         'operations': 33,
+                                                         'operations': 32,
                                                          'operations_per_call': 0},
               'workpiece_in_bed_sensitivity': {'inputs': [{'name': 'positions',
                                                            'shape': [3],
@@ -303,7 +303,7 @@ META = {'machine': 'cframe_mill',
                                                             'shape': [3, 21],
                                                             'per_point': True,
                                                             'unit': 'mm/mm, mm/rad'}],
-                                               'operations': 7,
+                                               'operations': 5,
                                                'operations_per_call': 0},
               'bed_in_workpiece_ideal': {'inputs': [{'name': 'positions',
                                                      'shape': [3],
@@ -340,7 +340,7 @@ META = {'machine': 'cframe_mill',
                                                           'shape': [3],
                                                           'per_point': True,
                                                           'unit': 'mm'}],
-                                             'operations': 106,
+                                             'operations': 108,
                                              'operations_per_call': 3},
               'bed_in_workpiece_deviation_first_order': {'inputs': [{'name': 'positions',
                                                                      'shape': [3],
@@ -362,7 +362,7 @@ META = {'machine': 'cframe_mill',
                                                                       'shape': [3],
                                                                       'per_point': True,
                                                                       'unit': 'mm'}],
-                                                         'operations': 34,
+                                                         'operations': 33,
                                                          'operations_per_call': 0},
               'bed_in_workpiece_sensitivity': {'inputs': [{'name': 'positions',
                                                            'shape': [3],
@@ -469,7 +469,7 @@ META = {'machine': 'cframe_mill',
                                                                               'shape': [3],
                                                                               'per_point': True,
                                                                               'unit': 'mm'}],
-                                                                 'operations': 224,
+                                                                 'operations': 225,
                                                                  'operations_per_call': 262},
               'ballbar_error': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -500,7 +500,7 @@ META = {'machine': 'cframe_mill',
                                       {'name': 'parameters', 'shape': [3], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'workpiece_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                           'operations': 15,
+                           'operations': 13,
                            'operations_per_call': 0},
               'motion_Z': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                       {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -514,7 +514,7 @@ META = {'machine': 'cframe_mill',
                                        {'name': 'parameters', 'shape': [3], 'per_point': False, 'unit': 'mm, rad'},
                                        {'name': 'workpiece_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                            'operations': 34,
+                            'operations': 32,
                             'operations_per_call': 0},
               'motion_XZ': {'inputs': [{'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                        {'name': 'errors', 'shape': [18], 'per_point': True, 'unit': 'mm, rad'},
@@ -530,7 +530,7 @@ META = {'machine': 'cframe_mill',
                                        {'name': 'workpiece_point', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                            'operations': 35,
+                            'operations': 33,
                             'operations_per_call': 0}}}
 
 # Points per block: the intermediate rows of a block stay in the processor's second-level cache.
@@ -599,12 +599,12 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     EA0Z = float(parameters[1])
     EB0Z = float(parameters[2])
     # once per call
-    w9 = (EC0Y*EC0Y)
-    w10 = 1.0/(w9 + 1)
+    w22 = (EC0X*EC0X)
+    w23 = 1.0/(w22 + 1)
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -638,41 +638,41 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
         w3 = w1 + w2
         w4 = EBZ*rz - ECZ*ry + EXZ
         w5 = EB0Z*w3 + w4
-        w6 = -EAZ*rz + ECZ*rx + EYZ
-        w7 = -EA0Z*w3 + w6
-        w8 = ry + w7
-        w11 = w10*(EC0Y*w8 - rx*w9 + w5)
-        w12 = -EXY + w11
-        w13 = ry - y
-        w14 = rx + w5
-        w15 = w10*(-EC0Y*w14 - ry*w9 + w7)
-        w16 = -EYY + w15
-        w17 = w13 + w16
-        w18 = EA0Z*(ry + w6) - EB0Z*(rx + w4) + w1
-        w19 = w18 + w2
-        w20 = EC0Y*w19
-        w21 = w10*(EC0Y*w20 + w18 - w2*w9)
-        w22 = -EZY + w21
-        w23 = w2 + w22
-        w24 = rx + w12
-        w25 = EAY*w24 + EBY*w17 + ECY*w23
-        w26 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
-        w27 = 1.0/(w26 + 1)
-        w28 = w27*(EAY*w25 - EBY*w23 + ECY*w17 - rx*w26 + w12)
-        w29 = -EXX + w28
-        w30 = w27*(EAY*w23 + EBY*w25 - ECY*w24 - w13*w26 + w16)
-        w31 = -EYX + w30
-        w32 = w13 + w31
-        w33 = w27*(-EAY*w17 + EBY*w24 + ECY*w25 - w2*w26 + w22)
+        w6 = -EXY + w5
+        w7 = ry - y
+        w8 = -EAZ*rz + ECZ*rx + EYZ
+        w9 = -EA0Z*w3 + w8
+        w10 = -EYY + w9
+        w11 = w10 + w7
+        w12 = EA0Z*(ry + w8) - EB0Z*(rx + w4) + w1
+        w13 = -EZY + w12
+        w14 = w13 + w2
+        w15 = rx + w6
+        w16 = EAY*w15 + EBY*w11 + ECY*w14
+        w17 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
+        w18 = 1.0/(w17 + 1)
+        w19 = w18*(EAY*w16 - EBY*w14 + ECY*w11 - rx*w17 + w6)
+        w20 = w18*(EAY*w14 + EBY*w16 - ECY*w15 + w10 - w17*w7)
+        w21 = w20 + w7
+        w24 = w23*(EC0X*w21 - rx*w22 + w19)
+        w25 = -EXX + w24
+        w26 = rx + w19
+        w27 = w23*(-EC0X*w26 + w20 - w22*w7)
+        w28 = -EYX + w27
+        w29 = w28 + w7
+        w30 = w18*(-EAY*w11 + EBY*w15 + ECY*w16 + w13 - w17*w2)
+        w31 = w2 + w30
+        w32 = EC0X*w31
+        w33 = w23*(EC0X*w32 - w2*w22 + w30)
         w34 = -EZX + w33
         w35 = w2 + w34
-        w36 = w0 + w29
-        w37 = EAX*w36 + EBX*w32 + ECX*w35
+        w36 = w0 + w25
+        w37 = EAX*w36 + EBX*w29 + ECX*w35
         w38 = (EAX*EAX) + (EBX*EBX) + (ECX*ECX)
         w39 = 1.0/(w38 + 1)
-        deviation[0, at] = w39*(EAX*w37 - EBX*w35 + ECX*w32 - w0*w38 + w29)
-        deviation[1, at] = w39*(EAX*w35 + EBX*w37 - ECX*w36 - w13*w38 + w31)
-        deviation[2, at] = w39*(-EAX*w32 + EBX*w36 + ECX*w37 - w2*w38 + w34)
+        deviation[0, at] = w39*(EAX*w37 - EBX*w35 + ECX*w29 - w0*w38 + w25)
+        deviation[1, at] = w39*(EAX*w35 + EBX*w37 - ECX*w36 + w28 - w38*w7)
+        deviation[2, at] = w39*(-EAX*w29 + EBX*w36 + ECX*w37 - w2*w38 + w34)
     return deviation
 
 
@@ -693,7 +693,7 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     EA0Z = float(parameters[1])
     EB0Z = float(parameters[2])
     for start in range(0, n, BLOCK):
@@ -727,13 +727,13 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
         w1 = ry - y
         w2 = EBZ*rz - ECZ*ry + EXZ
         w3 = EB0Z*w0 + w2
-        w4 = EC0Y*ry + w3
-        w5 = -EBY*w0 + ECY*w1 - EXY + w4
+        w4 = -EBY*w0 + ECY*w1 - EXY + w3
+        w5 = EC0X*w1 + w4
         deviation[0, at] = -EBX*w0 + ECX*w1 - EXX + w5
         w6 = -EAZ*rz + ECZ*rx + EYZ
         w7 = -EA0Z*w0 + w6
-        w8 = -EC0Y*rx + w7
-        w9 = EAY*w0 - ECY*rx - EYY + w8
+        w8 = EAY*w0 - ECY*rx - EYY + w7
+        w9 = -EC0X*rx + w8
         w10 = rx - x
         deviation[1, at] = EAX*w0 - ECX*w10 - EYX + w9
         w11 = EAZ*ry - EBZ*rx + EZZ
@@ -780,7 +780,7 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
         sensitivity[12, at] = 1.0
         sensitivity[16, at] = rz
         sensitivity[17, at] = -ry
-        sensitivity[18, at] = ry
+        sensitivity[18, at] = dx_ECX
         sensitivity[22, at] = -1.0
         sensitivity[24, at] = dx_EB0Z
         sensitivity[26, at] = -dz_EBX
@@ -986,7 +986,7 @@ def workpiece_in_bed_ideal(positions, parameters, point):
 def workpiece_in_bed_deviation(positions, errors, parameters, point):
     """Deviation of a workpiece point in the bed frame, exact.
 
-    Source: Eqs. (1)-(4). Operations: 38 per point.
+    Source: Eqs. (1)-(4). Operations: 37 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1000,65 +1000,10 @@ def workpiece_in_bed_deviation(positions, errors, parameters, point):
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
-        y = positions[1, at]
-        EXX = errors[0, at]
-        EYX = errors[1, at]
-        EZX = errors[2, at]
-        EAX = errors[3, at]
-        EBX = errors[4, at]
-        ECX = errors[5, at]
-        EXY = errors[6, at]
-        EYY = errors[7, at]
-        EZY = errors[8, at]
-        EAY = errors[9, at]
-        EBY = errors[10, at]
-        ECY = errors[11, at]
-        rx = point[0, at]
-        ry = point[1, at]
-        rz = point[2, at]
-        # per point
-        w0 = -EAX*rz + ECX*rx + EYX
-        w1 = ry + w0
-        w2 = EBX*rz - ECX*ry + EXX
-        w3 = rx + x
-        w4 = w2 + w3
-        w5 = EAX*ry - EBX*rx + EZX
-        deviation[2, at] = EAY*w1 - EBY*w4 + EZY + w5
-        w6 = rz + w5
-        w7 = EBY*w6 - ECY*w1 + EXY + w2
-        w8 = -EAY*w6 + ECY*w4 + EYY + w0
-        w9 = ry + y
-        deviation[0, at] = -EC0Y*(w8 + w9) + w7
-        deviation[1, at] = EC0Y*(w3 + w7) + w8
-    return deviation
-
-
-def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point):
-    """Deviation of a workpiece point in the bed frame, to first order in the errors.
-
-    Source: Eqs. (1)-(4). Operations: 33 per point.
-
-    Arguments (float64):
-        positions (3, n): commanded positions of X Y Z [mm]
-        errors (18, n): component errors at the point [mm, rad]
-        parameters (3,): home positions and location errors [mm, rad]
-        point (3, n): point in the workpiece frame [mm]
-
-    Returns:
-        deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
-    """
-    n, positions, errors, point = _points(positions, errors, point)
-    deviation = np.zeros((3, n))
-    # constants
-    EC0Y = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        x = positions[0, at]
-        y = positions[1, at]
         EXX = errors[0, at]
         EYX = errors[1, at]
         EZX = errors[2, at]
@@ -1076,22 +1021,73 @@ def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point)
         rz = point[2, at]
         # per point
         w0 = EAX*ry - EBX*rx + EZX
-        w1 = rx + x
-        deviation[2, at] = EAY*ry - EBY*w1 + EZY + w0
+        w1 = rz + w0
         w2 = EBX*rz - ECX*ry + EXX
-        w3 = EBY*rz - ECY*ry + EXY + w2
-        w4 = ry + y
-        deviation[0, at] = -EC0Y*w4 + w3
-        w5 = -EAX*rz + ECX*rx + EYX
-        w6 = -EAY*rz + ECY*w1 + EYY + w5
-        deviation[1, at] = EC0Y*w1 + w6
+        w3 = -EAX*rz + ECX*rx + EYX
+        w4 = rx + x
+        w5 = EC0X*(w2 + w4) + w3
+        w6 = ry + w5
+        w7 = -EC0X*(ry + w3) + w2
+        deviation[0, at] = EBY*w1 - ECY*w6 + EXY + w7
+        w8 = w4 + w7
+        deviation[1, at] = -EAY*w1 + ECY*w8 + EYY + w5
+        deviation[2, at] = EAY*w6 - EBY*w8 + EZY + w0
+    return deviation
+
+
+def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point):
+    """Deviation of a workpiece point in the bed frame, to first order in the errors.
+
+    Source: Eqs. (1)-(4). Operations: 32 per point.
+
+    Arguments (float64):
+        positions (3, n): commanded positions of X Y Z [mm]
+        errors (18, n): component errors at the point [mm, rad]
+        parameters (3,): home positions and location errors [mm, rad]
+        point (3, n): point in the workpiece frame [mm]
+
+    Returns:
+        deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
+    """
+    n, positions, errors, point = _points(positions, errors, point)
+    deviation = np.zeros((3, n))
+    # constants
+    EC0X = float(parameters[0])
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        x = positions[0, at]
+        EXX = errors[0, at]
+        EYX = errors[1, at]
+        EZX = errors[2, at]
+        EAX = errors[3, at]
+        EBX = errors[4, at]
+        ECX = errors[5, at]
+        EXY = errors[6, at]
+        EYY = errors[7, at]
+        EZY = errors[8, at]
+        EAY = errors[9, at]
+        EBY = errors[10, at]
+        ECY = errors[11, at]
+        rx = point[0, at]
+        ry = point[1, at]
+        rz = point[2, at]
+        # per point
+        w0 = EBX*rz - ECX*ry + EXX
+        w1 = -EC0X*ry + w0
+        deviation[0, at] = EBY*rz - ECY*ry + EXY + w1
+        w2 = rx + x
+        w3 = -EAX*rz + ECX*rx + EYX
+        w4 = EC0X*w2 + w3
+        deviation[1, at] = -EAY*rz + ECY*w2 + EYY + w4
+        w5 = EAX*ry - EBX*rx + EZX
+        deviation[2, at] = EAY*ry - EBY*w2 + EZY + w5
     return deviation
 
 
 def workpiece_in_bed_sensitivity(positions, parameters, point):
     """Sensitivity of a workpiece point in the bed frame to every error, at the error-free machine.
 
-    Source: Eqs. (1)-(4), first order. Operations: 7 per point.
+    Source: Eqs. (1)-(4), first order. Operations: 5 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1106,7 +1102,6 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
-        y = positions[1, at]
         rx = point[0, at]
         ry = point[1, at]
         rz = point[2, at]
@@ -1119,7 +1114,7 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
         sensitivity[6, at] = 1.0
         sensitivity[10, at] = rz
         sensitivity[11, at] = dx_ECX
-        sensitivity[18, at] = -ry - y
+        sensitivity[18, at] = dx_ECX
         sensitivity[22, at] = 1.0
         sensitivity[26, at] = rx
         sensitivity[28, at] = 1.0
@@ -1166,7 +1161,7 @@ def bed_in_workpiece_ideal(positions, parameters, point):
 def bed_in_workpiece_deviation(positions, errors, parameters, point):
     """Deviation of a bed point in the workpiece frame, exact.
 
-    Source: Eqs. (1)-(4). Operations: 106 per point, 3 per call.
+    Source: Eqs. (1)-(4). Operations: 108 per point, 3 per call.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1180,10 +1175,10 @@ def bed_in_workpiece_deviation(positions, errors, parameters, point):
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     # once per call
-    w1 = (EC0Y*EC0Y)
-    w2 = 1.0/(w1 + 1)
+    w11 = (EC0X*EC0X)
+    w12 = 1.0/(w11 + 1)
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1205,42 +1200,42 @@ def bed_in_workpiece_deviation(positions, errors, parameters, point):
         rz = point[2, at]
         # per point
         w0 = rx - x
-        w3 = w2*(EC0Y*ry - rx*w1)
-        w4 = -EXY + w3
-        w5 = ry - y
-        w6 = w2*(-EC0Y*rx - ry*w1)
-        w7 = -EYY + w6
-        w8 = w5 + w7
-        w9 = EC0Y*rz
-        w10 = w2*(EC0Y*w9 - rz*w1)
-        w11 = -EZY + w10
-        w12 = rz + w11
-        w13 = rx + w4
-        w14 = EAY*w13 + EBY*w8 + ECY*w12
-        w15 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
-        w16 = 1.0/(w15 + 1)
-        w17 = w16*(EAY*w14 - EBY*w12 + ECY*w8 - rx*w15 + w4)
-        w18 = -EXX + w17
-        w19 = w16*(EAY*w12 + EBY*w14 - ECY*w13 - w15*w5 + w7)
-        w20 = -EYX + w19
-        w21 = w20 + w5
-        w22 = w16*(-EAY*w8 + EBY*w13 + ECY*w14 - rz*w15 + w11)
+        w1 = ry - y
+        w2 = -EYY + w1
+        w3 = -EZY + rz
+        w4 = -EXY + rx
+        w5 = EAY*w4 + EBY*w2 + ECY*w3
+        w6 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
+        w7 = 1.0/(w6 + 1)
+        w8 = w7*(EAY*w5 - EBY*w3 + ECY*w2 - EXY - rx*w6)
+        w9 = w7*(EAY*w3 + EBY*w5 - ECY*w4 - EYY - w1*w6)
+        w10 = w1 + w9
+        w13 = w12*(EC0X*w10 - rx*w11 + w8)
+        w14 = -EXX + w13
+        w15 = rx + w8
+        w16 = w12*(-EC0X*w15 - w1*w11 + w9)
+        w17 = -EYX + w16
+        w18 = w1 + w17
+        w19 = w7*(-EAY*w2 + EBY*w4 + ECY*w5 - EZY - rz*w6)
+        w20 = rz + w19
+        w21 = EC0X*w20
+        w22 = w12*(EC0X*w21 - rz*w11 + w19)
         w23 = -EZX + w22
         w24 = rz + w23
-        w25 = w0 + w18
-        w26 = EAX*w25 + EBX*w21 + ECX*w24
+        w25 = w0 + w14
+        w26 = EAX*w25 + EBX*w18 + ECX*w24
         w27 = (EAX*EAX) + (EBX*EBX) + (ECX*ECX)
         w28 = 1.0/(w27 + 1)
-        deviation[0, at] = w28*(EAX*w26 - EBX*w24 + ECX*w21 - w0*w27 + w18)
-        deviation[1, at] = w28*(EAX*w24 + EBX*w26 - ECX*w25 + w20 - w27*w5)
-        deviation[2, at] = w28*(-EAX*w21 + EBX*w25 + ECX*w26 - rz*w27 + w23)
+        deviation[0, at] = w28*(EAX*w26 - EBX*w24 + ECX*w18 - w0*w27 + w14)
+        deviation[1, at] = w28*(EAX*w24 + EBX*w26 - ECX*w25 - w1*w27 + w17)
+        deviation[2, at] = w28*(-EAX*w18 + EBX*w25 + ECX*w26 - rz*w27 + w23)
     return deviation
 
 
 def bed_in_workpiece_deviation_first_order(positions, errors, parameters, point):
     """Deviation of a bed point in the workpiece frame, to first order in the errors.
 
-    Source: Eqs. (1)-(4). Operations: 34 per point.
+    Source: Eqs. (1)-(4). Operations: 33 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1254,7 +1249,7 @@ def bed_in_workpiece_deviation_first_order(positions, errors, parameters, point)
     n, positions, errors, point = _points(positions, errors, point)
     deviation = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1276,11 +1271,11 @@ def bed_in_workpiece_deviation_first_order(positions, errors, parameters, point)
         rz = point[2, at]
         # per point
         w0 = ry - y
-        w1 = EC0Y*ry
-        w2 = -EBY*rz + ECY*w0 - EXY + w1
+        w1 = -EBY*rz + ECY*w0 - EXY
+        w2 = EC0X*w0 + w1
         deviation[0, at] = -EBX*rz + ECX*w0 - EXX + w2
-        w3 = -EC0Y*rx
-        w4 = EAY*rz - ECY*rx - EYY + w3
+        w3 = EAY*rz - ECY*rx - EYY
+        w4 = -EC0X*rx + w3
         w5 = rx - x
         deviation[1, at] = EAX*rz - ECX*w5 - EYX + w4
         w6 = -EAY*w0 + EBY*rx - EZY
@@ -1320,7 +1315,7 @@ def bed_in_workpiece_sensitivity(positions, parameters, point):
         sensitivity[6, at] = -1.0
         sensitivity[10, at] = dx_EBX
         sensitivity[11, at] = dx_ECX
-        sensitivity[18, at] = ry
+        sensitivity[18, at] = dx_ECX
         sensitivity[22, at] = -1.0
         sensitivity[24, at] = rz
         sensitivity[26, at] = -dz_EBX
@@ -1351,12 +1346,12 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
     n, positions, errors, point = _points(positions, errors, point)
     position = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     EA0Z = float(parameters[1])
     EB0Z = float(parameters[2])
     # once per call
-    w9 = (EC0Y*EC0Y)
-    w10 = 1.0/(w9 + 1)
+    w22 = (EC0X*EC0X)
+    w23 = 1.0/(w22 + 1)
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1390,43 +1385,43 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
         w3 = w1 + w2
         w4 = EBZ*rz - ECZ*ry + EXZ
         w5 = EB0Z*w3 + w4
-        w6 = -EAZ*rz + ECZ*rx + EYZ
-        w7 = -EA0Z*w3 + w6
-        w8 = ry + w7
-        w11 = w10*(EC0Y*w8 - rx*w9 + w5)
-        w12 = -EXY + w11
-        w13 = ry - y
-        w14 = rx + w5
-        w15 = w10*(-EC0Y*w14 - ry*w9 + w7)
-        w16 = -EYY + w15
-        w17 = w13 + w16
-        w18 = EA0Z*(ry + w6) - EB0Z*(rx + w4) + w1
-        w19 = w18 + w2
-        w20 = EC0Y*w19
-        w21 = w10*(EC0Y*w20 + w18 - w2*w9)
-        w22 = -EZY + w21
-        w23 = w2 + w22
-        w24 = rx + w12
-        w25 = EAY*w24 + EBY*w17 + ECY*w23
-        w26 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
-        w27 = 1.0/(w26 + 1)
-        w28 = w27*(EAY*w25 - EBY*w23 + ECY*w17 - rx*w26 + w12)
-        w29 = -EXX + w28
-        w30 = w27*(EAY*w23 + EBY*w25 - ECY*w24 - w13*w26 + w16)
-        w31 = -EYX + w30
-        w32 = w13 + w31
-        w33 = w27*(-EAY*w17 + EBY*w24 + ECY*w25 - w2*w26 + w22)
+        w6 = -EXY + w5
+        w7 = ry - y
+        w8 = -EAZ*rz + ECZ*rx + EYZ
+        w9 = -EA0Z*w3 + w8
+        w10 = -EYY + w9
+        w11 = w10 + w7
+        w12 = EA0Z*(ry + w8) - EB0Z*(rx + w4) + w1
+        w13 = -EZY + w12
+        w14 = w13 + w2
+        w15 = rx + w6
+        w16 = EAY*w15 + EBY*w11 + ECY*w14
+        w17 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
+        w18 = 1.0/(w17 + 1)
+        w19 = w18*(EAY*w16 - EBY*w14 + ECY*w11 - rx*w17 + w6)
+        w20 = w18*(EAY*w14 + EBY*w16 - ECY*w15 + w10 - w17*w7)
+        w21 = w20 + w7
+        w24 = w23*(EC0X*w21 - rx*w22 + w19)
+        w25 = -EXX + w24
+        w26 = rx + w19
+        w27 = w23*(-EC0X*w26 + w20 - w22*w7)
+        w28 = -EYX + w27
+        w29 = w28 + w7
+        w30 = w18*(-EAY*w11 + EBY*w15 + ECY*w16 + w13 - w17*w2)
+        w31 = w2 + w30
+        w32 = EC0X*w31
+        w33 = w23*(EC0X*w32 - w2*w22 + w30)
         w34 = -EZX + w33
         w35 = w2 + w34
-        w36 = w0 + w29
-        w37 = EAX*w36 + EBX*w32 + ECX*w35
+        w36 = w0 + w25
+        w37 = EAX*w36 + EBX*w29 + ECX*w35
         w38 = (EAX*EAX) + (EBX*EBX) + (ECX*ECX)
         w39 = 1.0/(w38 + 1)
-        w40 = w39*(EAX*w37 - EBX*w35 + ECX*w32 - w0*w38 + w29)
+        w40 = w39*(EAX*w37 - EBX*w35 + ECX*w29 - w0*w38 + w25)
         position[0, at] = w0 + w40
-        w41 = w39*(EAX*w35 + EBX*w37 - ECX*w36 - w13*w38 + w31)
-        position[1, at] = w13 + w41
-        w42 = w39*(-EAX*w32 + EBX*w36 + ECX*w37 - w2*w38 + w34)
+        w41 = w39*(EAX*w35 + EBX*w37 - ECX*w36 + w28 - w38*w7)
+        position[1, at] = w41 + w7
+        w42 = w39*(-EAX*w29 + EBX*w36 + ECX*w37 - w2*w38 + w34)
         position[2, at] = w2 + w42
     return position
 
@@ -1448,7 +1443,7 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
     n, positions, errors, point = _points(positions, errors, point)
     position = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     EA0Z = float(parameters[1])
     EB0Z = float(parameters[2])
     for start in range(0, n, BLOCK):
@@ -1483,14 +1478,14 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
         w2 = ry - y
         w3 = EBZ*rz - ECZ*ry + EXZ
         w4 = EB0Z*w1 + w3
-        w5 = EC0Y*ry + w4
-        w6 = -EBY*w1 + ECY*w2 - EXY + w5
+        w5 = -EBY*w1 + ECY*w2 - EXY + w4
+        w6 = EC0X*w2 + w5
         w7 = -EBX*w1 + ECX*w2 - EXX + w6
         position[0, at] = w0 + w7
         w8 = -EAZ*rz + ECZ*rx + EYZ
         w9 = -EA0Z*w1 + w8
-        w10 = -EC0Y*rx + w9
-        w11 = EAY*w1 - ECY*rx - EYY + w10
+        w10 = EAY*w1 - ECY*rx - EYY + w9
+        w11 = -EC0X*rx + w10
         w12 = EAX*w1 - ECX*w0 - EYX + w11
         position[1, at] = w12 + w2
         w13 = EAZ*ry - EBZ*rx + EZZ
@@ -1644,15 +1639,15 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     ECZ_5 = float(curves[17, 4])
     ECZ_6 = float(curves[17, 5])
     ECZ_7 = float(curves[17, 6])
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     EA0Z = float(parameters[1])
     EB0Z = float(parameters[2])
     rx = float(point[0])
     ry = float(point[1])
     rz = float(point[2])
     # once per call
-    w23 = (EC0Y*EC0Y)
-    w24 = 1.0/(w23 + 1)
+    w38 = (EC0X*EC0X)
+    w39 = 1.0/(w38 + 1)
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1678,53 +1673,53 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
         w16 = _polynomial(z, ECZ_1, ECZ_2, ECZ_3, ECZ_4, ECZ_5, ECZ_6, ECZ_7)
         w17 = -ry*w16 + rz*w11 + w15
         w18 = EB0Z*w14 + w17
-        w19 = _polynomial(z, EYZ_1, EYZ_2, EYZ_3, EYZ_4, EYZ_5, EYZ_6, EYZ_7)
-        w20 = rx*w16 - rz*w10 + w19
-        w21 = -EA0Z*w14 + w20
-        w22 = ry + w21
-        w25 = w24*(EC0Y*w22 - rx*w23 + w18)
-        w26 = w25 - w8
-        w27 = ry - y
-        w28 = _polynomial(y, EYY_1, EYY_2, EYY_3, EYY_4, EYY_5, EYY_6, EYY_7)
-        w29 = rx + w18
-        w30 = w24*(-EC0Y*w29 - ry*w23 + w21)
-        w31 = -w28 + w30
-        w32 = w27 + w31
-        w33 = _polynomial(y, EZY_1, EZY_2, EZY_3, EZY_4, EZY_5, EZY_6, EZY_7)
-        w34 = EA0Z*(ry + w20) - EB0Z*(rx + w17) + w12
-        w35 = w13 + w34
-        w36 = EC0Y*w35
-        w37 = w24*(EC0Y*w36 - w13*w23 + w34)
-        w38 = -w33 + w37
-        w39 = w13 + w38
-        w40 = rx + w26
-        w41 = w32*w6 + w39*w7 + w40*w5
-        w42 = (w5*w5) + (w6*w6) + (w7*w7)
-        w43 = 1.0/(w42 + 1)
-        w44 = w43*(-rx*w42 + w26 + w32*w7 - w39*w6 + w41*w5)
-        w45 = -w4 + w44
-        w46 = _polynomial(x, EYX_1, EYX_2, EYX_3, EYX_4, EYX_5, EYX_6, EYX_7)
-        w47 = w43*(-w27*w42 + w31 + w39*w5 - w40*w7 + w41*w6)
-        w48 = -w46 + w47
-        w49 = w27 + w48
-        w50 = _polynomial(x, EZX_1, EZX_2, EZX_3, EZX_4, EZX_5, EZX_6, EZX_7)
-        w51 = w43*(-w13*w42 - w32*w5 + w38 + w40*w6 + w41*w7)
-        w52 = -w50 + w51
+        w19 = w18 - w8
+        w20 = ry - y
+        w21 = _polynomial(y, EYY_1, EYY_2, EYY_3, EYY_4, EYY_5, EYY_6, EYY_7)
+        w22 = _polynomial(z, EYZ_1, EYZ_2, EYZ_3, EYZ_4, EYZ_5, EYZ_6, EYZ_7)
+        w23 = rx*w16 - rz*w10 + w22
+        w24 = -EA0Z*w14 + w23
+        w25 = -w21 + w24
+        w26 = w20 + w25
+        w27 = _polynomial(y, EZY_1, EZY_2, EZY_3, EZY_4, EZY_5, EZY_6, EZY_7)
+        w28 = EA0Z*(ry + w23) - EB0Z*(rx + w17) + w12
+        w29 = -w27 + w28
+        w30 = w13 + w29
+        w31 = rx + w19
+        w32 = w26*w6 + w30*w7 + w31*w5
+        w33 = (w5*w5) + (w6*w6) + (w7*w7)
+        w34 = 1.0/(w33 + 1)
+        w35 = w34*(-rx*w33 + w19 + w26*w7 - w30*w6 + w32*w5)
+        w36 = w34*(-w20*w33 + w25 + w30*w5 - w31*w7 + w32*w6)
+        w37 = w20 + w36
+        w40 = w39*(EC0X*w37 - rx*w38 + w35)
+        w41 = -w4 + w40
+        w42 = _polynomial(x, EYX_1, EYX_2, EYX_3, EYX_4, EYX_5, EYX_6, EYX_7)
+        w43 = rx + w35
+        w44 = w39*(-EC0X*w43 - w20*w38 + w36)
+        w45 = -w42 + w44
+        w46 = w20 + w45
+        w47 = _polynomial(x, EZX_1, EZX_2, EZX_3, EZX_4, EZX_5, EZX_6, EZX_7)
+        w48 = w34*(-w13*w33 - w26*w5 + w29 + w31*w6 + w32*w7)
+        w49 = w13 + w48
+        w50 = EC0X*w49
+        w51 = w39*(EC0X*w50 - w13*w38 + w48)
+        w52 = -w47 + w51
         w53 = w13 + w52
-        w54 = w3 + w45
-        w55 = w0*w54 + w1*w49 + w2*w53
+        w54 = w3 + w41
+        w55 = w0*w54 + w1*w46 + w2*w53
         w56 = (w0*w0) + (w1*w1) + (w2*w2)
         w57 = 1.0/(w56 + 1)
-        deviation[0, at] = w57*(w0*w55 - w1*w53 + w2*w49 - w3*w56 + w45)
-        deviation[1, at] = w57*(w0*w53 + w1*w55 - w2*w54 - w27*w56 + w48)
-        deviation[2, at] = w57*(-w0*w49 + w1*w54 - w13*w56 + w2*w55 + w52)
+        deviation[0, at] = w57*(w0*w55 - w1*w53 + w2*w46 - w3*w56 + w41)
+        deviation[1, at] = w57*(w0*w53 + w1*w55 - w2*w54 - w20*w56 + w45)
+        deviation[2, at] = w57*(-w0*w46 + w1*w54 - w13*w56 + w2*w55 + w52)
     return deviation
 
 
 def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
 
-    Source: Eqs. (1)-(4), (44). Operations: 224 per point, 262 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 225 per point, 262 per call.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -1864,7 +1859,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
     ECZ_5 = float(curves[17, 4])
     ECZ_6 = float(curves[17, 5])
     ECZ_7 = float(curves[17, 6])
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     EA0Z = float(parameters[1])
     EB0Z = float(parameters[2])
     rx = float(point[0])
@@ -1878,7 +1873,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
     w4 = EBZ_5*rz - ECZ_5*ry + EXZ_5
     w5 = EBZ_6*rz - ECZ_6*ry + EXZ_6
     w6 = EBZ_7*rz - ECZ_7*ry + EXZ_7
-    w8 = EB0Z*rz + EC0Y*ry
+    w8 = EB0Z*rz + EC0X*ry
     w9 = -EBY_1*rz + ECY_1*ry - EXY_1
     w10 = -EBY_2*rz + ECY_2*ry - EXY_2
     w11 = -EBY_3*rz + ECY_3*ry - EXY_3
@@ -1900,7 +1895,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
     w40 = -EAZ_5*rz + ECZ_5*rx + EYZ_5
     w41 = -EAZ_6*rz + ECZ_6*rx + EYZ_6
     w42 = -EAZ_7*rz + ECZ_7*rx + EYZ_7
-    w44 = -EA0Z*rz - EC0Y*rx
+    w44 = -EA0Z*rz - EC0X*rx
     w45 = EAY_1*rz - ECY_1*rx - EYY_1
     w46 = EAY_2*rz - ECY_2*rx - EYY_2
     w47 = EAY_3*rz - ECY_3*rx - EYY_3
@@ -1955,7 +1950,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w31 = _polynomial(y, ECY_1, ECY_2, ECY_3, ECY_4, ECY_5, ECY_6, ECY_7)
         w32 = _polynomial(x, ECX_1, ECX_2, ECX_3, ECX_4, ECX_5, ECX_6, ECX_7)
         w33 = w32
-        w34 = -w31 - w33
+        w34 = -EC0X - w31 - w33
         w35 = w34*y
         deviation[0, at] = w25 + w30 + w35
         w43 = _polynomial(z, w36, w37, w38, w39, w40, w41, w42)
@@ -2004,12 +1999,12 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
     n, positions, errors, point, ball, length = _points(positions, errors, point, ball, length)
     error = np.zeros((4, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     EA0Z = float(parameters[1])
     EB0Z = float(parameters[2])
     # once per call
-    w9 = (EC0Y*EC0Y)
-    w10 = 1.0/(w9 + 1)
+    w22 = (EC0X*EC0X)
+    w23 = 1.0/(w22 + 1)
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2047,43 +2042,43 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
         w3 = w1 + w2
         w4 = EBZ*rz - ECZ*ry + EXZ
         w5 = EB0Z*w3 + w4
-        w6 = -EAZ*rz + ECZ*rx + EYZ
-        w7 = -EA0Z*w3 + w6
-        w8 = ry + w7
-        w11 = w10*(EC0Y*w8 - rx*w9 + w5)
-        w12 = -EXY + w11
-        w13 = ry - y
-        w14 = rx + w5
-        w15 = w10*(-EC0Y*w14 - ry*w9 + w7)
-        w16 = -EYY + w15
-        w17 = w13 + w16
-        w18 = EA0Z*(ry + w6) - EB0Z*(rx + w4) + w1
-        w19 = w18 + w2
-        w20 = EC0Y*w19
-        w21 = w10*(EC0Y*w20 + w18 - w2*w9)
-        w22 = -EZY + w21
-        w23 = w2 + w22
-        w24 = rx + w12
-        w25 = EAY*w24 + EBY*w17 + ECY*w23
-        w26 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
-        w27 = 1.0/(w26 + 1)
-        w28 = w27*(EAY*w25 - EBY*w23 + ECY*w17 - rx*w26 + w12)
-        w29 = -EXX + w28
-        w30 = w27*(EAY*w23 + EBY*w25 - ECY*w24 - w13*w26 + w16)
-        w31 = -EYX + w30
-        w32 = w13 + w31
-        w33 = w27*(-EAY*w17 + EBY*w24 + ECY*w25 - w2*w26 + w22)
+        w6 = -EXY + w5
+        w7 = ry - y
+        w8 = -EAZ*rz + ECZ*rx + EYZ
+        w9 = -EA0Z*w3 + w8
+        w10 = -EYY + w9
+        w11 = w10 + w7
+        w12 = EA0Z*(ry + w8) - EB0Z*(rx + w4) + w1
+        w13 = -EZY + w12
+        w14 = w13 + w2
+        w15 = rx + w6
+        w16 = EAY*w15 + EBY*w11 + ECY*w14
+        w17 = (EAY*EAY) + (EBY*EBY) + (ECY*ECY)
+        w18 = 1.0/(w17 + 1)
+        w19 = w18*(EAY*w16 - EBY*w14 + ECY*w11 - rx*w17 + w6)
+        w20 = w18*(EAY*w14 + EBY*w16 - ECY*w15 + w10 - w17*w7)
+        w21 = w20 + w7
+        w24 = w23*(EC0X*w21 - rx*w22 + w19)
+        w25 = -EXX + w24
+        w26 = rx + w19
+        w27 = w23*(-EC0X*w26 + w20 - w22*w7)
+        w28 = -EYX + w27
+        w29 = w28 + w7
+        w30 = w18*(-EAY*w11 + EBY*w15 + ECY*w16 + w13 - w17*w2)
+        w31 = w2 + w30
+        w32 = EC0X*w31
+        w33 = w23*(EC0X*w32 - w2*w22 + w30)
         w34 = -EZX + w33
         w35 = w2 + w34
-        w36 = w0 + w29
-        w37 = EAX*w36 + EBX*w32 + ECX*w35
+        w36 = w0 + w25
+        w37 = EAX*w36 + EBX*w29 + ECX*w35
         w38 = (EAX*EAX) + (EBX*EBX) + (ECX*ECX)
         w39 = 1.0/(w38 + 1)
-        w40 = w39*(EAX*w37 - EBX*w35 + ECX*w32 - w0*w38 + w29)
-        w41 = w39*(EAX*w35 + EBX*w37 - ECX*w36 - w13*w38 + w31)
-        w42 = w39*(-EAX*w32 + EBX*w36 + ECX*w37 - w2*w38 + w34)
+        w40 = w39*(EAX*w37 - EBX*w35 + ECX*w29 - w0*w38 + w25)
+        w41 = w39*(EAX*w35 + EBX*w37 - ECX*w36 + w28 - w38*w7)
+        w42 = w39*(-EAX*w29 + EBX*w36 + ECX*w37 - w2*w38 + w34)
         w43 = -bx + w0
-        w44 = -by + w13
+        w44 = -by + w7
         w45 = -bz + w2
         w46 = w40 + w43
         w47 = w41 + w44
@@ -2141,7 +2136,7 @@ def motion_X(positions, errors, parameters, workpiece_point):
     n, positions, errors, workpiece_point = _points(positions, errors, workpiece_point)
     displacement = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2156,7 +2151,7 @@ def motion_X(positions, errors, parameters, workpiece_point):
         rWz = workpiece_point[2, at]
         # per point
         displacement[0, at] = EBX*rWz - ECX*rWy + EXX + x
-        displacement[1, at] = -EAX*rWz + EC0Y*x + ECX*rWx + EYX
+        displacement[1, at] = -EAX*rWz + EC0X*x + ECX*rWx + EYX
         displacement[2, at] = EAX*rWy - EBX*rWx + EZX
     return displacement
 
@@ -2164,7 +2159,7 @@ def motion_X(positions, errors, parameters, workpiece_point):
 def motion_Y(positions, errors, parameters, workpiece_point):
     """Motion equation of Y: displacement of the workpiece point since home, to first order.
 
-    Source: Eqs. (7)-(11). Operations: 15 per point.
+    Source: Eqs. (7)-(11). Operations: 13 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -2177,8 +2172,6 @@ def motion_Y(positions, errors, parameters, workpiece_point):
     """
     n, positions, errors, workpiece_point = _points(positions, errors, workpiece_point)
     displacement = np.zeros((3, n))
-    # constants
-    EC0Y = float(parameters[0])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         y = positions[1, at]
@@ -2192,7 +2185,7 @@ def motion_Y(positions, errors, parameters, workpiece_point):
         rWy = workpiece_point[1, at]
         rWz = workpiece_point[2, at]
         # per point
-        displacement[0, at] = EBY*rWz - EC0Y*y - ECY*rWy + EXY
+        displacement[0, at] = EBY*rWz - ECY*rWy + EXY
         displacement[1, at] = -EAY*rWz + ECY*rWx + EYY + y
         displacement[2, at] = EAY*rWy - EBY*rWx + EZY
     return displacement
@@ -2239,7 +2232,7 @@ def motion_Z(positions, errors, parameters, tool_point):
 def motion_XY(positions, errors, parameters, workpiece_point):
     """Motion equation of X and Y: displacement of the workpiece point since home, to first order.
 
-    Source: Eqs. (7)-(11). Operations: 34 per point.
+    Source: Eqs. (7)-(11). Operations: 32 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -2253,7 +2246,7 @@ def motion_XY(positions, errors, parameters, workpiece_point):
     n, positions, errors, workpiece_point = _points(positions, errors, workpiece_point)
     displacement = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2274,9 +2267,9 @@ def motion_XY(positions, errors, parameters, workpiece_point):
         rWy = workpiece_point[1, at]
         rWz = workpiece_point[2, at]
         # per point
-        displacement[0, at] = EBX*rWz + EBY*rWz - EC0Y*y - ECX*rWy - ECY*rWy + EXX + EXY + x
+        displacement[0, at] = EBX*rWz + EBY*rWz - ECX*rWy - ECY*rWy + EXX + EXY + x
         w0 = rWx + x
-        displacement[1, at] = -EAX*rWz - EAY*rWz + EC0Y*x + ECX*rWx + ECY*w0 + EYX + EYY + y
+        displacement[1, at] = -EAX*rWz - EAY*rWz + EC0X*x + ECX*rWx + ECY*w0 + EYX + EYY + y
         displacement[2, at] = EAX*rWy + EAY*rWy - EBX*rWx - EBY*w0 + EZX + EZY
     return displacement
 
@@ -2299,7 +2292,7 @@ def motion_XZ(positions, errors, parameters, workpiece_point, tool_point):
     n, positions, errors, workpiece_point, tool_point = _points(positions, errors, workpiece_point, tool_point)
     displacement = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
+    EC0X = float(parameters[0])
     EA0Z = float(parameters[1])
     EB0Z = float(parameters[2])
     for start in range(0, n, BLOCK):
@@ -2326,7 +2319,7 @@ def motion_XZ(positions, errors, parameters, workpiece_point, tool_point):
         rTz = tool_point[2, at]
         # per point
         displacement[0, at] = -EB0Z*z + EBX*rWz - EBZ*rTz - ECX*rWy + ECZ*rTy + EXX - EXZ + x
-        displacement[1, at] = EA0Z*z - EAX*rWz + EAZ*rTz + EC0Y*x + ECX*rWx - ECZ*rTx + EYX - EYZ
+        displacement[1, at] = EA0Z*z - EAX*rWz + EAZ*rTz + EC0X*x + ECX*rWx - ECZ*rTx + EYX - EYZ
         displacement[2, at] = EAX*rWy - EAZ*rTy - EBX*rWx + EBZ*rTx + EZX - EZZ - z
     return displacement
 
@@ -2334,7 +2327,7 @@ def motion_XZ(positions, errors, parameters, workpiece_point, tool_point):
 def motion_YZ(positions, errors, parameters, workpiece_point, tool_point):
     """Motion equation of Y and Z: displacement of the workpiece point minus tool point since home, to first order.
 
-    Source: Eqs. (7)-(11). Operations: 35 per point.
+    Source: Eqs. (7)-(11). Operations: 33 per point.
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
@@ -2349,7 +2342,6 @@ def motion_YZ(positions, errors, parameters, workpiece_point, tool_point):
     n, positions, errors, workpiece_point, tool_point = _points(positions, errors, workpiece_point, tool_point)
     displacement = np.zeros((3, n))
     # constants
-    EC0Y = float(parameters[0])
     EA0Z = float(parameters[1])
     EB0Z = float(parameters[2])
     for start in range(0, n, BLOCK):
@@ -2375,7 +2367,7 @@ def motion_YZ(positions, errors, parameters, workpiece_point, tool_point):
         rTy = tool_point[1, at]
         rTz = tool_point[2, at]
         # per point
-        displacement[0, at] = -EB0Z*z + EBY*rWz - EBZ*rTz - EC0Y*y - ECY*rWy + ECZ*rTy + EXY - EXZ
+        displacement[0, at] = -EB0Z*z + EBY*rWz - EBZ*rTz - ECY*rWy + ECZ*rTy + EXY - EXZ
         displacement[1, at] = EA0Z*z - EAY*rWz + EAZ*rTz + ECY*rWx - ECZ*rTx + EYY - EYZ + y
         displacement[2, at] = EAY*rWy - EAZ*rTy - EBY*rWx + EBZ*rTx + EZY - EZZ - z
     return displacement

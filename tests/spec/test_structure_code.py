@@ -1,7 +1,11 @@
 """Structure codes: hand-worked orders, the machine they build, and refusals."""
 
-import pytest
+from itertools import permutations
 
+import pytest
+import sympy as sp
+
+from trueaxis.derive.squareness import squarenesses
 from trueaxis.faults import Faults, InputError
 from trueaxis.spec.machine import Machine
 from trueaxis.spec.read import parse_machine
@@ -50,6 +54,32 @@ def test_the_code_of_the_paper_builds_its_bodies() -> None:
     assert built.axes == ("X", "Y", "Z", "B", "C")
     assert len(built.components) == 30
     assert built.location_errors == tuple("EC0Y EX0C EY0C EA0C EB0C EA0Z EB0Z EX0B EZ0B EA0B EC0B".split())
+
+
+@pytest.mark.parametrize(
+    ("code", "errors"),
+    [
+        ("[w b X Y Z t]", "EC0Y EA0Z EB0Z"),
+        ("[w b Y X Z t]", "EC0X EA0Z EB0Z"),  # a rotation of Y would turn X as well
+        ("[w X' Y' b Z t]", "EC0X EA0Z EB0Z"),
+        ("[w b Z X Y t]", "EB0X EA0Y EC0Y"),
+    ],
+)
+def test_squareness_is_on_the_outer_of_two_axes(code: str, errors: str) -> None:
+    assert sorted(machine(code).location_errors) == sorted(errors.split())
+
+
+@pytest.mark.parametrize("order", list(permutations("XYZ")))
+@pytest.mark.parametrize("bed", range(4))
+def test_default_squarenesses_determine_the_three_right_angles(order: tuple[str, ...], bed: int) -> None:
+    # Their effects on the three scalar products of axis directions must be independent.
+    code = (
+        "[w" + "".join(f" {axis}'" for axis in order[:bed]) + " b" + "".join(f" {axis}" for axis in order[bed:]) + " t]"
+    )
+    built = machine(code)
+    names = [sp.Symbol(name, real=True) for name in built.location_errors]
+    products = sp.Matrix([pair.product for pair in squarenesses(built)])
+    assert products.jacobian(names).rank() == 3
 
 
 def test_tables_set_what_the_code_leaves_open() -> None:

@@ -48,20 +48,35 @@ def parse_structure(code: str) -> AxisOrder:
 
 
 def default_location_errors(axis: str, order: AxisOrder) -> tuple[tuple[str, str], ...]:
-    """Location errors of an axis by their ISO 230-1 names: the usual set, that determines every axis line.
+    """Location errors of an axis by their ISO 230-1 names: the usual set, that places every axis line.
 
-    The first linear axis is the reference of directions; the second is square to it in their plane, the third to both.
-    The line of a rotary axis is placed by two offsets and two tilts.
+    The linear axis nearest to the bed is the reference of directions; the next outwards is square to it in their plane,
+    the third to both. A rotation of an axis turns all that stands on it, so it must not be on the inner of two axes:
+    there it would turn both. The line of a rotary axis is placed by two offsets and two tilts.
     """
-    linear = [letter for letter in LINEAR if letter in order.workpiece + order.tool]
+    linear = _from_bed_outwards(order)
     if axis in linear:
-        about = {0: (), 1: (_third(linear[0], axis),), 2: tuple(_angle(letter) for letter in linear[:2])}
-        directions: tuple[str, ...] = about[linear.index(axis)]
+        place = linear.index(axis)
+        directions: tuple[str, ...] = ()
+        if place == 1:
+            directions = (_third(linear[0], axis),)
+        elif place == 2:
+            directions = tuple(_angle(letter) for letter in LINEAR if letter != axis)
     else:
         own = {"A": "X", "B": "Y", "C": "Z"}[axis]
         others = [letter for letter in LINEAR if letter != own]
         directions = (*(f"E{letter}" for letter in others), *(_angle(letter) for letter in others))
     return tuple((direction, f"{direction}0{axis}") for direction in directions)
+
+
+def _from_bed_outwards(order: AxisOrder) -> list[str]:
+    """The linear axes, none before one that it stands on; of those that may come next, X before Y before Z."""
+    branches = [[axis for axis in branch if axis in LINEAR] for branch in (order.workpiece, order.tool)]
+    found: list[str] = []
+    while any(branches):
+        following = min((branch for branch in branches if branch), key=lambda branch: branch[0])
+        found.append(following.pop(0))
+    return found
 
 
 def _iso(found: re.Match[str]) -> AxisOrder:
