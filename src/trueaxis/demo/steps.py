@@ -1,5 +1,6 @@
 """The demonstration, step by step: real commands, each shown as a user would type it, run in the results folder."""
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -47,9 +48,11 @@ def run_demo(out: Path, noise_um: float, seed: int) -> str:
     ):
         _command(out, f"identify {MACHINE} --data {data} --out {found} {noise} {options}")
     pictured = "--picture error_curves.png"
-    _command(out, f"fit {MACHINE} --errors identified_points.json --out identified.json {pictured}")
+    # 1: at more noise a small component has no significant polynomial, and fit says which.
+    _command(out, f"fit {MACHINE} --errors identified_points.json --out identified.json {pictured}", allowed=(0, 1))
     for way, options in WAYS.items():
-        _command(out, f"{compensate} programs/s_path.cl --out compensated/s_path_{way}.nc --ball {ball} {options}")
+        written = f"--out compensated/s_path_{way}.nc --report compensated/s_path_{way}.json"
+        _command(out, f"{compensate} programs/s_path.cl {written} --ball {ball} {options}")
     for run in ("ccw", "cw"):
         _command(out, f"{compensate} programs/circle_{run}.nc --out compensated/circle_{run}.nc {inputs.circle_ball()}")
     _ballbar_plans(out)
@@ -61,10 +64,10 @@ def run_demo(out: Path, noise_um: float, seed: int) -> str:
     return summary
 
 
-def _command(out: Path, words: str) -> None:
+def _command(out: Path, words: str, allowed: tuple[int, ...] = (0,)) -> None:
     print(f"\n$ trueaxis {words}", flush=True)
     code = subprocess.run([sys.executable, "-m", "trueaxis", *words.split()], cwd=out, check=False).returncode
-    if code:
+    if code not in allowed:
         raise StepError(f"trueaxis {words.split(maxsplit=1)[0]} ended with exit code {code}")
 
 
@@ -98,7 +101,7 @@ def _figures(out: Path, noise_um: float) -> Figures:
     names = {"ccw": "counter-clockwise", "cw": "clockwise"}
     panels = [
         (title, [Trace(names[run], angles, found_circle.radial) for run, (angles, found_circle) in runs.items()])
-        for title, runs in (("not compensated", before), ("compensated, iterative", after))
+        for title, runs in (("not compensated", before), ("compensated, words along the bar", after))
     ]
     title = "Ball bar 300 mm, XY, the arcs that 540 mm of X allow"
     write_files({out / "ball_bar.png": polar_plot(panels, title)})
@@ -109,8 +112,15 @@ def _figures(out: Path, noise_um: float) -> Figures:
         truth,
         on_model,
         on_machine,
+        {way: _along(out / f"compensated/s_path_{way}.json") for way in WAYS},
         {run: (before[run][1].deviation, after[run][1].deviation) for run in before},
     )
+
+
+def _along(report: Path) -> tuple[float, float]:
+    """Mean and largest |E| (mm) at the ends and middles of all executed blocks, as `compensate` reports them."""
+    along = json.loads(report.read_text())["ball"]["along"]
+    return along["mean"], along["largest"]
 
 
 def _draw_map(out: Path, model: MachineModel, wanted: np.ndarray, errors: dict[str, PathErrors]) -> None:
