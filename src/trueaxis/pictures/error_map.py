@@ -39,7 +39,7 @@ def _figure(path: FloatArray, left: Mapping[str, PathErrors], title: str) -> Fig
     panels = figure.subplots(2, len(left), squeeze=False)
     steps = np.linalg.norm(np.diff(path, axis=1), axis=0)
     distance = np.concatenate([[0.0], np.cumsum(steps)])
-    top = 2e3 * max(float(errors.vector.max()) for errors in left.values())
+    top = 4e3 * max(float(errors.vector.max()) for errors in left.values())
     for column, (name, errors) in enumerate(left.items()):
         _along(panels[0, column], distance, errors, name, COLOURS[column % len(COLOURS)])
         panels[0, column].set_ylim(FLOOR_UM, top)
@@ -58,7 +58,7 @@ def _along(panel: Axes, distance: FloatArray, errors: PathErrors, name: str, col
     panel.set_xlabel("distance along the path (mm)", fontsize=8)
     panel.set_ylabel("error (\N{MICRO SIGN}m)", fontsize=8)
     panel.tick_params(labelsize=8)
-    panel.legend(fontsize=7, frameon=False, loc="lower center", ncols=2)
+    panel.legend(fontsize=7, frameon=False, loc="upper center", ncols=2)
     panel.spines[["top", "right"]].set_visible(False)
 
 

@@ -1,5 +1,6 @@
 """A machine with its error values: the numeric model that everything right of the kernels runs on."""
 
+import logging
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -7,11 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.runtime.curves import FloatArray, evaluate_components, pack_polynomials
+from trueaxis.runtime.curves import FloatArray, TableCurve, evaluate_components, pack_polynomials
 from trueaxis.runtime.errors import ErrorValues, read_errors
 from trueaxis.runtime.kernels import Kernels, load_kernels
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.machine import LINEAR
+
+_LOG = logging.getLogger(__name__)
 
 VIEWS = ("tool_in_workpiece", "tool_in_bed", "workpiece_in_bed", "bed_in_workpiece")
 
@@ -145,4 +148,11 @@ def load_model(
         errors = read_errors(
             errors_path, machine=machine.name, components=machine.components, parameters=machine.parameters
         )
+    for name, curve in errors.motion_errors.items():
+        if isinstance(curve, TableCurve):
+            low, high = machine.travel[name[2]]
+            first, last = curve.positions[0], curve.positions[-1]
+            if first > low or last < high:
+                told = f"{name} is tabled from {first:g} to {last:g} of a travel from {low:g} to {high:g}"
+                _LOG.warning("%s: %s; beyond, its end values hold", errors_path, told)
     return MachineModel(machine, load_kernels(machine, machine_path, kernels_dir, backend=backend), errors)
