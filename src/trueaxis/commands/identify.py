@@ -70,9 +70,10 @@ def add_parser(subparsers: "Subparsers") -> None:
     )
     parser.add_argument(
         "--curves",
-        choices=("table", "polynomial"),
+        choices=("table", "polynomial", "held-out"),
         default="table",
-        help="method paper: components as tables of the measured positions or as optimal polynomials (%(default)s)",
+        help="method paper: components as tables of the measured positions, polynomials by the paper's procedure, or "
+        "polynomials whose order held-out positions choose (%(default)s)",
     )
     parser.add_argument(
         "--degree",

@@ -96,6 +96,20 @@ class OrderReport:
 
 
 @dataclass(frozen=True, slots=True)
+class CurveOrderReport:
+    """Powers of a component's polynomial by the paper's procedure and by held-out positions, and by what each is off at
+    positions held out (rms, mm or rad); none by the paper: no term is significant.
+    """
+
+    name: str
+    by_paper: tuple[int, ...]
+    by_held_out: tuple[int, ...]
+    held_out_by_paper: float
+    held_out: float
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
 class IdentificationReport:
     """Everything besides the values. Lengths mm and angles rad unless a name says otherwise.
 
@@ -105,7 +119,8 @@ class IdentificationReport:
     undetermined as in the error values; notes: everything else a reader must know; instruments: their unknowns;
     noise_groups: where the noise differs; noise_ratio: rms of the residuals over the noise, for the degrees of freedom
     left, 1 where model and noise agree (None where the residuals gave the noise); robust: how readings were weighed
-    down, empty if not; doubted: which; orders: how degrees were chosen, None if given.
+    down, empty if not; doubted: which; orders: how degrees were chosen, None if given;
+    curve_orders: of tables that were made polynomials.
     """
 
     machine: str
@@ -132,6 +147,7 @@ class IdentificationReport:
     robust: str = ""
     doubted: tuple[DoubtedReading, ...] = ()
     orders: OrderReport | None = None
+    curve_orders: tuple[CurveOrderReport, ...] = ()
 
     @property
     def nothing_determined(self) -> bool:

@@ -8,6 +8,7 @@ from typing import Any
 from trueaxis.identify.report import (
     BlockReport,
     ComponentReport,
+    CurveOrderReport,
     IdentificationReport,
     InstrumentReport,
     LocationReport,
@@ -45,6 +46,9 @@ def report_text(report: IdentificationReport) -> str:
         lines += [line for one in report.instruments for line in _instrument(one)]
     if report.orders is not None:
         lines += ["", *_orders(report.orders)]
+    if report.curve_orders:
+        lines += ["", "powers of the polynomials, and rms at positions held out:"]
+        lines += [_curve_order(one) for one in report.curve_orders]
     lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing"]
     for item in report.undetermined:
         lines += _wrapped(item.combination, "- ")
@@ -87,6 +91,18 @@ def _orders(orders: OrderReport) -> list[str]:
         f"held-out rms ({orders.parts} parts): {orders.held_out_um:.4g} um; all of degree {orders.highest}: "
         f"{orders.held_out_highest_um:.4g} um; no motion error: {orders.held_out_none_um:.4g} um",
     ]
+
+
+def _curve_order(one: CurveOrderReport) -> str:
+    sides = [
+        f"{how} {' '.join(map(str, powers)) or 'none'}: {value:.4g} {unit}"
+        for how, powers, off in (
+            ("paper", one.by_paper, one.held_out_by_paper),
+            ("held-out", one.by_held_out, one.held_out),
+        )
+        for value, unit in [_small(off, one.unit)]
+    ]
+    return f"  {one.name}  {sides[0]:<36} {sides[1]}"
 
 
 def _instrument(one: InstrumentReport) -> list[str]:

@@ -17,7 +17,7 @@ from trueaxis.identify.paper.result import PaperOptions, PaperResult
 from trueaxis.identify.paper.solution import Exact, Response, Solution, natural, solve, tables, with_rule
 from trueaxis.identify.paper.squareness import Squareness, covered, squareness_rule
 from trueaxis.identify.paper.steps import RANK_TOLERANCE, Steps, solve_steps, steps_in_order
-from trueaxis.identify.report import Identification, IdentificationReport
+from trueaxis.identify.report import CurveOrderReport, Identification, IdentificationReport
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import ErrorValues
 
@@ -97,10 +97,11 @@ def _identification(result: PaperResult) -> Identification:
     curves = tables(grid, result.solution.nodes, result.steps.reached, result.u_nodes)
     found = describe.components(result)
     notes = (*dimension_notes(machine, result.given), *weak_notes(found))
-    if result.options.curves == "polynomial":
-        from trueaxis.identify.curve_fit import fit_tables, polynomial_curves  # noqa: PLC0415  statsmodels takes long to import
+    orders: tuple[CurveOrderReport, ...] = ()
+    if result.options.curves != "table":
+        from trueaxis.identify.curve_orders import ordered_curves  # noqa: PLC0415  statsmodels takes long to import
 
-        curves, more = polynomial_curves(curves, fit_tables(curves))
+        curves, more, orders = ordered_curves(curves, result.options.curves)
         notes += more
     undetermined = describe.undetermined(result)
     located = dict(zip(machine.location_errors, result.solution.locations.tolist(), strict=True))
@@ -134,5 +135,6 @@ def _identification(result: PaperResult) -> Identification:
         components=found,
         undetermined=undetermined,
         notes=notes,
+        curve_orders=orders,
     )
     return Identification(values, report)

@@ -14,7 +14,7 @@ from trueaxis.identify.paper.steps import Steps
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import ErrorValues
 
-Curves = Literal["table", "polynomial"]
+Curves = Literal["table", "polynomial", "held-out"]
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,31 @@
+"""Identified tables as polynomials: by the paper's procedure or by held-out positions, each beside the other."""
+
+from collections.abc import Mapping
+from typing import Literal
+
+import numpy as np
+
+from trueaxis.identify.curve_fit import fit_tables, polynomial_curves
+from trueaxis.identify.held_out import held_out
+from trueaxis.identify.report import CurveOrderReport
+from trueaxis.identify.words import unit_of
+from trueaxis.runtime.curves import Curve, PolynomialCurve
+
+
+def ordered_curves(
+    curves: Mapping[str, Curve], choice: Literal["polynomial", "held-out"]
+) -> tuple[dict[str, Curve], tuple[str, ...], tuple[CurveOrderReport, ...]]:
+    """The curves, notes on those that stay as they are, and both choices of powers with their held-out errors."""
+    fits = fit_tables(curves)
+    checked = held_out(fits)
+    found, notes = polynomial_curves(curves, fits)
+    if choice == "held-out":
+        notes = tuple(note for note in notes if "stays a table" in note)
+        for name, one in checked.items():
+            numbers = (tuple(np.asarray(part).tolist()) for part in (one.fit.coefficients, one.fit.u))
+            found[name] = PolynomialCurve(one.fit.powers, *numbers)
+    orders = tuple(
+        CurveOrderReport(name, fits[name].after.powers, one.fit.powers, one.rms_optimal, one.rms, unit_of(name))
+        for name, one in checked.items()
+    )
+    return found, notes, orders
