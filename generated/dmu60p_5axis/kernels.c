@@ -1,6 +1,6 @@
 /* Generated from machines/dmu60p_5axis.toml, do not edit; regenerate with: trueaxis derive machines/dmu60p_5axis.toml
  * Kernels of DECKEL MAHO DMU60P, all five axes: geometric error model in C17.
- * Spec: sha256 608b2e931833b79798f32000e6a4a74e399a0a7da566f3085963344ddd4cf819
+ * Spec: sha256 1e9ea96f6f8f6e09b7241f720eb3aea43e5fed8e47f7e01dd1ada9d8988cb39b
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
  * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
@@ -28,15 +28,15 @@ int dmu60p_5axis_kernel_abi(void)
 
 const char *dmu60p_5axis_spec_hash(void)
 {
-    return "608b2e931833b79798f32000e6a4a74e399a0a7da566f3085963344ddd4cf819";
+    return "1e9ea96f6f8f6e09b7241f720eb3aea43e5fed8e47f7e01dd1ada9d8988cb39b";
 }
 
 /*
  * Ideal position of a tool point in the workpiece frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 87 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; tool point in the workpiece frame, without errors (px py pz)
  */
@@ -109,12 +109,12 @@ void dmu60p_5axis_tool_in_workpiece_ideal(
 
 /*
  * Deviation of a tool point in the workpiece frame, exact.
- * Source: Eqs. (1)-(4). Operations: 243 per point, 5 once per call.
+ * Source: Eqs. (1)-(4). Operations: 244 per point, 5 once per call.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -146,9 +146,10 @@ void dmu60p_5axis_tool_in_workpiece_deviation(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EZ0B = parameters[22];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EX0B = parameters[22];
+    const double EZ0B = parameters[23];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     const double w63 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w64 = (1.0/(w63 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
@@ -238,7 +239,7 @@ void dmu60p_5axis_tool_in_workpiece_deviation(
             const double w24 = cos_b*w19 + sin_b*w20;
             const double w25 = -EA0B*(w14 + w21) + EC0B*(w24 + w4) + w17;
             const double w26 = w10 + w25;
-            const double w27 = -EC0B*w18 + w24;
+            const double w27 = -EC0B*w18 + EX0B + w24;
             const double w28 = EBZ*w23 - ECZ*w26 + EXZ + w27;
             const double w29 = w27 + w5;
             const double w30 = -EAZ*w23 + ECZ*w29 + EYZ + w25;
@@ -298,12 +299,12 @@ void dmu60p_5axis_tool_in_workpiece_deviation(
 
 /*
  * Deviation of a tool point in the workpiece frame, to first order in the errors.
- * Source: Eqs. (1)-(4). Operations: 150 per point.
+ * Source: Eqs. (1)-(4). Operations: 151 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -335,9 +336,10 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EZ0B = parameters[22];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EX0B = parameters[22];
+    const double EZ0B = parameters[23];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -419,7 +421,7 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order(
             const double w18 = EBB*w3 - ECB*w13 + EXB;
             const double w19 = EAB*w13 - EBB*w1 + EZB;
             const double w20 = cos_b*w18 + sin_b*w19;
-            const double w21 = -EC0B*w13 + w20;
+            const double w21 = -EC0B*w13 + EX0B + w20;
             const double w22 = EBZ*w5 - ECZ*w14 + EXZ + w21;
             const double w23 = eps_xz*w6 + w22;
             const double w24 = EBX*w6 - ECX*w14 + EXX + w23;
@@ -455,10 +457,10 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order(
  * Sensitivity of a tool point in the workpiece frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 219 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
- * out sensitivity: 120 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
+ * out sensitivity: 123 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
  *     each location error (dx_EXX dx_EYX .. dz_EC0B, last index fastest)
  */
 void dmu60p_5axis_tool_in_workpiece_sensitivity(
@@ -596,89 +598,92 @@ void dmu60p_5axis_tool_in_workpiece_sensitivity(
             sensitivity[34 * stride + i] = dx_eps_xy;
             sensitivity[35 * stride + i] = dx_EAX;
             sensitivity[36 * stride + i] = dx_EBX;
-            sensitivity[37 * stride + i] = 0.0;
-            sensitivity[38 * stride + i] = dx_EA0B;
-            sensitivity[39 * stride + i] = dx_EC0B;
-            sensitivity[40 * stride + i] = dx_EYY;
-            sensitivity[41 * stride + i] = cos_c;
-            sensitivity[42 * stride + i] = 0.0;
-            sensitivity[43 * stride + i] = dx_EBY;
-            sensitivity[44 * stride + i] = dx_EAX;
-            sensitivity[45 * stride + i] = dy_ECX;
-            sensitivity[46 * stride + i] = sin_c;
-            sensitivity[47 * stride + i] = dx_EXY;
-            sensitivity[48 * stride + i] = 0.0;
-            sensitivity[49 * stride + i] = dx_EBX;
-            sensitivity[50 * stride + i] = dx_EAY;
-            sensitivity[51 * stride + i] = -w15;
-            sensitivity[52 * stride + i] = dx_EYY;
-            sensitivity[53 * stride + i] = cos_c;
-            sensitivity[54 * stride + i] = 0.0;
-            sensitivity[55 * stride + i] = -dx_EBZ;
-            sensitivity[56 * stride + i] = dx_EAZ;
-            sensitivity[57 * stride + i] = dy_ECX;
-            sensitivity[58 * stride + i] = -cos_b*sin_c;
-            sensitivity[59 * stride + i] = cos_c;
-            sensitivity[60 * stride + i] = -sin_b*sin_c;
-            sensitivity[61 * stride + i] = -cos_c*q_Sz - cos_c*q_Tz - cos_c*rz - sin_b*w12 - sin_b*w13 - sin_b*w14;
-            sensitivity[62 * stride + i] = dx_EA0B;
-            sensitivity[63 * stride + i] = cos_b*w12 + cos_b*w13 + cos_b*w14 + cos_c*q_Sx + cos_c*q_Tx + cos_c*rx;
-            sensitivity[64 * stride + i] = 0.0;
-            sensitivity[65 * stride + i] = -1.0;
-            sensitivity[66 * stride + i] = 0.0;
-            sensitivity[67 * stride + i] = dy_EAC;
-            sensitivity[68 * stride + i] = 0.0;
-            sensitivity[69 * stride + i] = -dz_EBC;
-            sensitivity[70 * stride + i] = sin_c;
-            sensitivity[71 * stride + i] = dx_EXY;
-            sensitivity[72 * stride + i] = dy_EA0C;
-            sensitivity[73 * stride + i] = dx_EA0C;
-            sensitivity[74 * stride + i] = dy_eps_xy;
-            sensitivity[75 * stride + i] = dx_EBY;
-            sensitivity[76 * stride + i] = dx_EAX;
-            sensitivity[77 * stride + i] = 0.0;
-            sensitivity[78 * stride + i] = -dx_EBB;
-            sensitivity[79 * stride + i] = dy_EC0B;
-            sensitivity[80 * stride + i] = 0.0;
-            sensitivity[81 * stride + i] = 0.0;
-            sensitivity[82 * stride + i] = 1.0;
-            sensitivity[83 * stride + i] = dz_EAX;
-            sensitivity[84 * stride + i] = dz_EBX;
-            sensitivity[85 * stride + i] = 0.0;
-            sensitivity[86 * stride + i] = 0.0;
+            sensitivity[37 * stride + i] = cos_c;
+            sensitivity[38 * stride + i] = 0.0;
+            sensitivity[39 * stride + i] = dx_EA0B;
+            sensitivity[40 * stride + i] = dx_EC0B;
+            sensitivity[41 * stride + i] = dx_EYY;
+            sensitivity[42 * stride + i] = cos_c;
+            sensitivity[43 * stride + i] = 0.0;
+            sensitivity[44 * stride + i] = dx_EBY;
+            sensitivity[45 * stride + i] = dx_EAX;
+            sensitivity[46 * stride + i] = dy_ECX;
+            sensitivity[47 * stride + i] = sin_c;
+            sensitivity[48 * stride + i] = dx_EXY;
+            sensitivity[49 * stride + i] = 0.0;
+            sensitivity[50 * stride + i] = dx_EBX;
+            sensitivity[51 * stride + i] = dx_EAY;
+            sensitivity[52 * stride + i] = -w15;
+            sensitivity[53 * stride + i] = dx_EYY;
+            sensitivity[54 * stride + i] = cos_c;
+            sensitivity[55 * stride + i] = 0.0;
+            sensitivity[56 * stride + i] = -dx_EBZ;
+            sensitivity[57 * stride + i] = dx_EAZ;
+            sensitivity[58 * stride + i] = dy_ECX;
+            sensitivity[59 * stride + i] = -cos_b*sin_c;
+            sensitivity[60 * stride + i] = cos_c;
+            sensitivity[61 * stride + i] = -sin_b*sin_c;
+            sensitivity[62 * stride + i] = -cos_c*q_Sz - cos_c*q_Tz - cos_c*rz - sin_b*w12 - sin_b*w13 - sin_b*w14;
+            sensitivity[63 * stride + i] = dx_EA0B;
+            sensitivity[64 * stride + i] = cos_b*w12 + cos_b*w13 + cos_b*w14 + cos_c*q_Sx + cos_c*q_Tx + cos_c*rx;
+            sensitivity[65 * stride + i] = 0.0;
+            sensitivity[66 * stride + i] = -1.0;
+            sensitivity[67 * stride + i] = 0.0;
+            sensitivity[68 * stride + i] = dy_EAC;
+            sensitivity[69 * stride + i] = 0.0;
+            sensitivity[70 * stride + i] = -dz_EBC;
+            sensitivity[71 * stride + i] = sin_c;
+            sensitivity[72 * stride + i] = dx_EXY;
+            sensitivity[73 * stride + i] = dy_EA0C;
+            sensitivity[74 * stride + i] = dx_EA0C;
+            sensitivity[75 * stride + i] = dy_eps_xy;
+            sensitivity[76 * stride + i] = dx_EBY;
+            sensitivity[77 * stride + i] = dx_EAX;
+            sensitivity[78 * stride + i] = dx_EYY;
+            sensitivity[79 * stride + i] = 0.0;
+            sensitivity[80 * stride + i] = -dx_EBB;
+            sensitivity[81 * stride + i] = dy_EC0B;
+            sensitivity[82 * stride + i] = 0.0;
+            sensitivity[83 * stride + i] = 0.0;
+            sensitivity[84 * stride + i] = 1.0;
+            sensitivity[85 * stride + i] = dz_EAX;
+            sensitivity[86 * stride + i] = dz_EBX;
             sensitivity[87 * stride + i] = 0.0;
-            sensitivity[88 * stride + i] = -1.0;
-            sensitivity[89 * stride + i] = -w18;
-            sensitivity[90 * stride + i] = dz_EBY;
-            sensitivity[91 * stride + i] = 0.0;
-            sensitivity[92 * stride + i] = 0.0;
+            sensitivity[88 * stride + i] = 0.0;
+            sensitivity[89 * stride + i] = 0.0;
+            sensitivity[90 * stride + i] = -1.0;
+            sensitivity[91 * stride + i] = -w18;
+            sensitivity[92 * stride + i] = dz_EBY;
             sensitivity[93 * stride + i] = 0.0;
-            sensitivity[94 * stride + i] = 1.0;
-            sensitivity[95 * stride + i] = dz_EAX;
-            sensitivity[96 * stride + i] = dz_EBX;
-            sensitivity[97 * stride + i] = 0.0;
-            sensitivity[98 * stride + i] = -sin_b;
+            sensitivity[94 * stride + i] = 0.0;
+            sensitivity[95 * stride + i] = 0.0;
+            sensitivity[96 * stride + i] = 1.0;
+            sensitivity[97 * stride + i] = dz_EAX;
+            sensitivity[98 * stride + i] = dz_EBX;
             sensitivity[99 * stride + i] = 0.0;
-            sensitivity[100 * stride + i] = cos_b;
-            sensitivity[101 * stride + i] = cos_b*q_Sy + cos_b*q_Ty + cos_b*ry;
-            sensitivity[102 * stride + i] = -w16;
-            sensitivity[103 * stride + i] = q_Sy*sin_b + q_Ty*sin_b + ry*sin_b;
-            sensitivity[104 * stride + i] = 0.0;
-            sensitivity[105 * stride + i] = 0.0;
-            sensitivity[106 * stride + i] = -1.0;
-            sensitivity[107 * stride + i] = dz_EAC;
-            sensitivity[108 * stride + i] = dz_EBC;
-            sensitivity[109 * stride + i] = 0.0;
-            sensitivity[110 * stride + i] = 0.0;
+            sensitivity[100 * stride + i] = -sin_b;
+            sensitivity[101 * stride + i] = 0.0;
+            sensitivity[102 * stride + i] = cos_b;
+            sensitivity[103 * stride + i] = cos_b*q_Sy + cos_b*q_Ty + cos_b*ry;
+            sensitivity[104 * stride + i] = -w16;
+            sensitivity[105 * stride + i] = q_Sy*sin_b + q_Ty*sin_b + ry*sin_b;
+            sensitivity[106 * stride + i] = 0.0;
+            sensitivity[107 * stride + i] = 0.0;
+            sensitivity[108 * stride + i] = -1.0;
+            sensitivity[109 * stride + i] = dz_EAC;
+            sensitivity[110 * stride + i] = dz_EBC;
             sensitivity[111 * stride + i] = 0.0;
-            sensitivity[112 * stride + i] = q_Cy - w18;
-            sensitivity[113 * stride + i] = dz_EBY - q_Cx;
-            sensitivity[114 * stride + i] = 0.0;
-            sensitivity[115 * stride + i] = dz_EAX;
-            sensitivity[116 * stride + i] = dz_EBX;
-            sensitivity[117 * stride + i] = 1.0;
-            sensitivity[118 * stride + i] = dz_EA0B;
+            sensitivity[112 * stride + i] = 0.0;
+            sensitivity[113 * stride + i] = 0.0;
+            sensitivity[114 * stride + i] = q_Cy - w18;
+            sensitivity[115 * stride + i] = dz_EBY - q_Cx;
+            sensitivity[116 * stride + i] = 0.0;
+            sensitivity[117 * stride + i] = dz_EAX;
+            sensitivity[118 * stride + i] = dz_EBX;
             sensitivity[119 * stride + i] = 0.0;
+            sensitivity[120 * stride + i] = 1.0;
+            sensitivity[121 * stride + i] = dz_EA0B;
+            sensitivity[122 * stride + i] = 0.0;
         }
     }
 }
@@ -687,8 +692,8 @@ void dmu60p_5axis_tool_in_workpiece_sensitivity(
  * Ideal position of a tool point in the bed frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 33 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; tool point in the bed frame, without errors (px py pz)
  */
@@ -740,12 +745,12 @@ void dmu60p_5axis_tool_in_bed_ideal(
 
 /*
  * Deviation of a tool point in the bed frame, exact.
- * Source: Eqs. (1)-(4). Operations: 104 per point.
+ * Source: Eqs. (1)-(4). Operations: 105 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -770,9 +775,10 @@ void dmu60p_5axis_tool_in_bed_deviation(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EZ0B = parameters[22];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EX0B = parameters[22];
+    const double EZ0B = parameters[23];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -830,7 +836,7 @@ void dmu60p_5axis_tool_in_bed_deviation(
             const double w14 = -EA0B*(w13 + w9) + EC0B*(w12 + w8) + w7;
             const double w15 = w14 + w2;
             const double w16 = w1 + w7;
-            const double w17 = -EC0B*w16 + w12;
+            const double w17 = -EC0B*w16 + EX0B + w12;
             const double w18 = q_Bx + w8;
             const double w19 = w17 + w18;
             const double w20 = EA0B*w16 + EZ0B + w13;
@@ -859,12 +865,12 @@ void dmu60p_5axis_tool_in_bed_deviation(
 
 /*
  * Deviation of a tool point in the bed frame, to first order in the errors.
- * Source: Eqs. (1)-(4). Operations: 90 per point.
+ * Source: Eqs. (1)-(4). Operations: 91 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -889,9 +895,10 @@ void dmu60p_5axis_tool_in_bed_deviation_first_order(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EZ0B = parameters[22];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EX0B = parameters[22];
+    const double EZ0B = parameters[23];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -951,7 +958,7 @@ void dmu60p_5axis_tool_in_bed_deviation_first_order(
             const double w16 = q_Bz + w15;
             const double w17 = w16 + z;
             const double w18 = cos_b*w9 + sin_b*w10;
-            const double w19 = -EC0B*w7 + w18;
+            const double w19 = -EC0B*w7 + EX0B + w18;
             const double w20 = EBZ*w16 - ECZ*w8 + EXZ + w19;
             const double w21 = eps_xz*w17 + w20;
             const double w22 = EBX*w17 - ECX*w8 + EXX + w21;
@@ -972,10 +979,10 @@ void dmu60p_5axis_tool_in_bed_deviation_first_order(
  * Sensitivity of a tool point in the bed frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 57 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
- * out sensitivity: 120 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
+ * out sensitivity: 123 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
  *     each location error (dx_EXX dx_EYX .. dz_EC0B, last index fastest)
  */
 void dmu60p_5axis_tool_in_bed_sensitivity(
@@ -1066,34 +1073,34 @@ void dmu60p_5axis_tool_in_bed_sensitivity(
             sensitivity[34 * stride + i] = dx_ECX;
             sensitivity[35 * stride + i] = 0.0;
             sensitivity[36 * stride + i] = dx_EBX;
-            sensitivity[37 * stride + i] = 0.0;
+            sensitivity[37 * stride + i] = 1.0;
             sensitivity[38 * stride + i] = 0.0;
-            sensitivity[39 * stride + i] = -dz_EA0B;
-            sensitivity[40 * stride + i] = 0.0;
-            sensitivity[41 * stride + i] = 1.0;
-            sensitivity[42 * stride + i] = 0.0;
-            sensitivity[43 * stride + i] = dy_EAX;
-            sensitivity[44 * stride + i] = 0.0;
-            sensitivity[45 * stride + i] = dy_ECX;
-            sensitivity[46 * stride + i] = 0.0;
+            sensitivity[39 * stride + i] = 0.0;
+            sensitivity[40 * stride + i] = -dz_EA0B;
+            sensitivity[41 * stride + i] = 0.0;
+            sensitivity[42 * stride + i] = 1.0;
+            sensitivity[43 * stride + i] = 0.0;
+            sensitivity[44 * stride + i] = dy_EAX;
+            sensitivity[45 * stride + i] = 0.0;
+            sensitivity[46 * stride + i] = dy_ECX;
             sensitivity[47 * stride + i] = 0.0;
             sensitivity[48 * stride + i] = 0.0;
             sensitivity[49 * stride + i] = 0.0;
             sensitivity[50 * stride + i] = 0.0;
             sensitivity[51 * stride + i] = 0.0;
             sensitivity[52 * stride + i] = 0.0;
-            sensitivity[53 * stride + i] = 1.0;
-            sensitivity[54 * stride + i] = 0.0;
-            sensitivity[55 * stride + i] = -dx_EBZ;
-            sensitivity[56 * stride + i] = 0.0;
-            sensitivity[57 * stride + i] = dy_ECX;
-            sensitivity[58 * stride + i] = 0.0;
-            sensitivity[59 * stride + i] = 1.0;
-            sensitivity[60 * stride + i] = 0.0;
-            sensitivity[61 * stride + i] = -q_Sz - q_Tz - rz;
-            sensitivity[62 * stride + i] = 0.0;
-            sensitivity[63 * stride + i] = q_Sx + q_Tx + rx;
-            sensitivity[64 * stride + i] = 0.0;
+            sensitivity[53 * stride + i] = 0.0;
+            sensitivity[54 * stride + i] = 1.0;
+            sensitivity[55 * stride + i] = 0.0;
+            sensitivity[56 * stride + i] = -dx_EBZ;
+            sensitivity[57 * stride + i] = 0.0;
+            sensitivity[58 * stride + i] = dy_ECX;
+            sensitivity[59 * stride + i] = 0.0;
+            sensitivity[60 * stride + i] = 1.0;
+            sensitivity[61 * stride + i] = 0.0;
+            sensitivity[62 * stride + i] = -q_Sz - q_Tz - rz;
+            sensitivity[63 * stride + i] = 0.0;
+            sensitivity[64 * stride + i] = q_Sx + q_Tx + rx;
             sensitivity[65 * stride + i] = 0.0;
             sensitivity[66 * stride + i] = 0.0;
             sensitivity[67 * stride + i] = 0.0;
@@ -1103,19 +1110,19 @@ void dmu60p_5axis_tool_in_bed_sensitivity(
             sensitivity[71 * stride + i] = 0.0;
             sensitivity[72 * stride + i] = 0.0;
             sensitivity[73 * stride + i] = 0.0;
-            sensitivity[74 * stride + i] = dy_ECX + x;
-            sensitivity[75 * stride + i] = dy_EAX;
-            sensitivity[76 * stride + i] = 0.0;
+            sensitivity[74 * stride + i] = 0.0;
+            sensitivity[75 * stride + i] = dy_ECX + x;
+            sensitivity[76 * stride + i] = dy_EAX;
             sensitivity[77 * stride + i] = 0.0;
-            sensitivity[78 * stride + i] = -dx_EBB;
-            sensitivity[79 * stride + i] = dy_EC0B;
-            sensitivity[80 * stride + i] = 0.0;
-            sensitivity[81 * stride + i] = 0.0;
-            sensitivity[82 * stride + i] = 1.0;
-            sensitivity[83 * stride + i] = dz_EAX;
-            sensitivity[84 * stride + i] = dz_EBX;
-            sensitivity[85 * stride + i] = 0.0;
-            sensitivity[86 * stride + i] = 0.0;
+            sensitivity[78 * stride + i] = 0.0;
+            sensitivity[79 * stride + i] = 0.0;
+            sensitivity[80 * stride + i] = -dx_EBB;
+            sensitivity[81 * stride + i] = dy_EC0B;
+            sensitivity[82 * stride + i] = 0.0;
+            sensitivity[83 * stride + i] = 0.0;
+            sensitivity[84 * stride + i] = 1.0;
+            sensitivity[85 * stride + i] = dz_EAX;
+            sensitivity[86 * stride + i] = dz_EBX;
             sensitivity[87 * stride + i] = 0.0;
             sensitivity[88 * stride + i] = 0.0;
             sensitivity[89 * stride + i] = 0.0;
@@ -1123,18 +1130,18 @@ void dmu60p_5axis_tool_in_bed_sensitivity(
             sensitivity[91 * stride + i] = 0.0;
             sensitivity[92 * stride + i] = 0.0;
             sensitivity[93 * stride + i] = 0.0;
-            sensitivity[94 * stride + i] = 1.0;
-            sensitivity[95 * stride + i] = dz_EAX;
-            sensitivity[96 * stride + i] = dz_EBX;
-            sensitivity[97 * stride + i] = 0.0;
-            sensitivity[98 * stride + i] = -sin_b;
+            sensitivity[94 * stride + i] = 0.0;
+            sensitivity[95 * stride + i] = 0.0;
+            sensitivity[96 * stride + i] = 1.0;
+            sensitivity[97 * stride + i] = dz_EAX;
+            sensitivity[98 * stride + i] = dz_EBX;
             sensitivity[99 * stride + i] = 0.0;
-            sensitivity[100 * stride + i] = cos_b;
-            sensitivity[101 * stride + i] = dz_EAB;
-            sensitivity[102 * stride + i] = -dy_EC0B;
-            sensitivity[103 * stride + i] = dx_EAB;
-            sensitivity[104 * stride + i] = 0.0;
-            sensitivity[105 * stride + i] = 0.0;
+            sensitivity[100 * stride + i] = -sin_b;
+            sensitivity[101 * stride + i] = 0.0;
+            sensitivity[102 * stride + i] = cos_b;
+            sensitivity[103 * stride + i] = dz_EAB;
+            sensitivity[104 * stride + i] = -dy_EC0B;
+            sensitivity[105 * stride + i] = dx_EAB;
             sensitivity[106 * stride + i] = 0.0;
             sensitivity[107 * stride + i] = 0.0;
             sensitivity[108 * stride + i] = 0.0;
@@ -1144,11 +1151,14 @@ void dmu60p_5axis_tool_in_bed_sensitivity(
             sensitivity[112 * stride + i] = 0.0;
             sensitivity[113 * stride + i] = 0.0;
             sensitivity[114 * stride + i] = 0.0;
-            sensitivity[115 * stride + i] = dz_EAX;
-            sensitivity[116 * stride + i] = dz_EBX;
-            sensitivity[117 * stride + i] = 1.0;
-            sensitivity[118 * stride + i] = dz_EA0B;
+            sensitivity[115 * stride + i] = 0.0;
+            sensitivity[116 * stride + i] = 0.0;
+            sensitivity[117 * stride + i] = dz_EAX;
+            sensitivity[118 * stride + i] = dz_EBX;
             sensitivity[119 * stride + i] = 0.0;
+            sensitivity[120 * stride + i] = 1.0;
+            sensitivity[121 * stride + i] = dz_EA0B;
+            sensitivity[122 * stride + i] = 0.0;
         }
     }
 }
@@ -1157,8 +1167,8 @@ void dmu60p_5axis_tool_in_bed_sensitivity(
  * Ideal position of a workpiece point in the bed frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 23 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; workpiece point in the bed frame, without errors (px py pz)
  */
@@ -1210,8 +1220,8 @@ void dmu60p_5axis_workpiece_in_bed_ideal(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -1299,8 +1309,8 @@ void dmu60p_5axis_workpiece_in_bed_deviation(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
  */
@@ -1382,10 +1392,10 @@ void dmu60p_5axis_workpiece_in_bed_deviation_first_order(
  * Sensitivity of a workpiece point in the bed frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 39 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
- * out sensitivity: 120 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
+ * out sensitivity: 123 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
  *     each location error (dx_EXX dx_EYX .. dz_EC0B, last index fastest)
  */
 void dmu60p_5axis_workpiece_in_bed_sensitivity(
@@ -1477,12 +1487,12 @@ void dmu60p_5axis_workpiece_in_bed_sensitivity(
             sensitivity[44 * stride + i] = 0.0;
             sensitivity[45 * stride + i] = 0.0;
             sensitivity[46 * stride + i] = 0.0;
-            sensitivity[47 * stride + i] = 1.0;
-            sensitivity[48 * stride + i] = 0.0;
-            sensitivity[49 * stride + i] = -dx_EBY;
-            sensitivity[50 * stride + i] = 0.0;
-            sensitivity[51 * stride + i] = dy_ECY;
-            sensitivity[52 * stride + i] = 0.0;
+            sensitivity[47 * stride + i] = 0.0;
+            sensitivity[48 * stride + i] = 1.0;
+            sensitivity[49 * stride + i] = 0.0;
+            sensitivity[50 * stride + i] = -dx_EBY;
+            sensitivity[51 * stride + i] = 0.0;
+            sensitivity[52 * stride + i] = dy_ECY;
             sensitivity[53 * stride + i] = 0.0;
             sensitivity[54 * stride + i] = 0.0;
             sensitivity[55 * stride + i] = 0.0;
@@ -1494,16 +1504,16 @@ void dmu60p_5axis_workpiece_in_bed_sensitivity(
             sensitivity[61 * stride + i] = 0.0;
             sensitivity[62 * stride + i] = 0.0;
             sensitivity[63 * stride + i] = 0.0;
-            sensitivity[64 * stride + i] = sin_c;
-            sensitivity[65 * stride + i] = cos_c;
-            sensitivity[66 * stride + i] = 0.0;
-            sensitivity[67 * stride + i] = -dx_EBC;
-            sensitivity[68 * stride + i] = dx_EAC;
-            sensitivity[69 * stride + i] = dy_ECC;
-            sensitivity[70 * stride + i] = 0.0;
-            sensitivity[71 * stride + i] = 1.0;
-            sensitivity[72 * stride + i] = -dx_EB0C;
-            sensitivity[73 * stride + i] = 0.0;
+            sensitivity[64 * stride + i] = 0.0;
+            sensitivity[65 * stride + i] = sin_c;
+            sensitivity[66 * stride + i] = cos_c;
+            sensitivity[67 * stride + i] = 0.0;
+            sensitivity[68 * stride + i] = -dx_EBC;
+            sensitivity[69 * stride + i] = dx_EAC;
+            sensitivity[70 * stride + i] = dy_ECC;
+            sensitivity[71 * stride + i] = 0.0;
+            sensitivity[72 * stride + i] = 1.0;
+            sensitivity[73 * stride + i] = -dx_EB0C;
             sensitivity[74 * stride + i] = 0.0;
             sensitivity[75 * stride + i] = 0.0;
             sensitivity[76 * stride + i] = 0.0;
@@ -1518,11 +1528,11 @@ void dmu60p_5axis_workpiece_in_bed_sensitivity(
             sensitivity[85 * stride + i] = 0.0;
             sensitivity[86 * stride + i] = 0.0;
             sensitivity[87 * stride + i] = 0.0;
-            sensitivity[88 * stride + i] = 1.0;
-            sensitivity[89 * stride + i] = dz_EAY;
-            sensitivity[90 * stride + i] = -dy_ECY;
-            sensitivity[91 * stride + i] = 0.0;
-            sensitivity[92 * stride + i] = 0.0;
+            sensitivity[88 * stride + i] = 0.0;
+            sensitivity[89 * stride + i] = 0.0;
+            sensitivity[90 * stride + i] = 1.0;
+            sensitivity[91 * stride + i] = dz_EAY;
+            sensitivity[92 * stride + i] = -dy_ECY;
             sensitivity[93 * stride + i] = 0.0;
             sensitivity[94 * stride + i] = 0.0;
             sensitivity[95 * stride + i] = 0.0;
@@ -1536,20 +1546,23 @@ void dmu60p_5axis_workpiece_in_bed_sensitivity(
             sensitivity[103 * stride + i] = 0.0;
             sensitivity[104 * stride + i] = 0.0;
             sensitivity[105 * stride + i] = 0.0;
-            sensitivity[106 * stride + i] = 1.0;
-            sensitivity[107 * stride + i] = q_wy + ry;
-            sensitivity[108 * stride + i] = -q_wx - rx;
-            sensitivity[109 * stride + i] = 0.0;
-            sensitivity[110 * stride + i] = 0.0;
+            sensitivity[106 * stride + i] = 0.0;
+            sensitivity[107 * stride + i] = 0.0;
+            sensitivity[108 * stride + i] = 1.0;
+            sensitivity[109 * stride + i] = q_wy + ry;
+            sensitivity[110 * stride + i] = -q_wx - rx;
             sensitivity[111 * stride + i] = 0.0;
-            sensitivity[112 * stride + i] = dz_EA0C;
-            sensitivity[113 * stride + i] = -dy_ECC;
-            sensitivity[114 * stride + i] = 0.0;
-            sensitivity[115 * stride + i] = 0.0;
+            sensitivity[112 * stride + i] = 0.0;
+            sensitivity[113 * stride + i] = 0.0;
+            sensitivity[114 * stride + i] = dz_EA0C;
+            sensitivity[115 * stride + i] = -dy_ECC;
             sensitivity[116 * stride + i] = 0.0;
             sensitivity[117 * stride + i] = 0.0;
             sensitivity[118 * stride + i] = 0.0;
             sensitivity[119 * stride + i] = 0.0;
+            sensitivity[120 * stride + i] = 0.0;
+            sensitivity[121 * stride + i] = 0.0;
+            sensitivity[122 * stride + i] = 0.0;
         }
     }
 }
@@ -1558,8 +1571,8 @@ void dmu60p_5axis_workpiece_in_bed_sensitivity(
  * Ideal position of a bed point in the workpiece frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 26 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out ideal: 3 rows of stride, mm; bed point in the workpiece frame, without errors (px py pz)
  */
@@ -1611,8 +1624,8 @@ void dmu60p_5axis_bed_in_workpiece_ideal(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -1717,8 +1730,8 @@ void dmu60p_5axis_bed_in_workpiece_deviation(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -1796,10 +1809,10 @@ void dmu60p_5axis_bed_in_workpiece_deviation_first_order(
  * Sensitivity of a bed point in the workpiece frame to every error, at the error-free machine.
  * Source: Eqs. (1)-(4), first order. Operations: 48 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
- * out sensitivity: 120 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
+ * out sensitivity: 123 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by
  *     each location error (dx_EXX dx_EYX .. dz_EC0B, last index fastest)
  */
 void dmu60p_5axis_bed_in_workpiece_sensitivity(
@@ -1894,13 +1907,13 @@ void dmu60p_5axis_bed_in_workpiece_sensitivity(
             sensitivity[43 * stride + i] = 0.0;
             sensitivity[44 * stride + i] = 0.0;
             sensitivity[45 * stride + i] = 0.0;
-            sensitivity[46 * stride + i] = sin_c;
-            sensitivity[47 * stride + i] = dx_EXY;
-            sensitivity[48 * stride + i] = 0.0;
-            sensitivity[49 * stride + i] = dy_EAY;
-            sensitivity[50 * stride + i] = dx_EAY;
-            sensitivity[51 * stride + i] = -w1 - w2 + w3;
-            sensitivity[52 * stride + i] = 0.0;
+            sensitivity[46 * stride + i] = 0.0;
+            sensitivity[47 * stride + i] = sin_c;
+            sensitivity[48 * stride + i] = dx_EXY;
+            sensitivity[49 * stride + i] = 0.0;
+            sensitivity[50 * stride + i] = dy_EAY;
+            sensitivity[51 * stride + i] = dx_EAY;
+            sensitivity[52 * stride + i] = -w1 - w2 + w3;
             sensitivity[53 * stride + i] = 0.0;
             sensitivity[54 * stride + i] = 0.0;
             sensitivity[55 * stride + i] = 0.0;
@@ -1913,16 +1926,16 @@ void dmu60p_5axis_bed_in_workpiece_sensitivity(
             sensitivity[62 * stride + i] = 0.0;
             sensitivity[63 * stride + i] = 0.0;
             sensitivity[64 * stride + i] = 0.0;
-            sensitivity[65 * stride + i] = -1.0;
-            sensitivity[66 * stride + i] = 0.0;
-            sensitivity[67 * stride + i] = -dx_EBC;
-            sensitivity[68 * stride + i] = 0.0;
-            sensitivity[69 * stride + i] = dy_ECC;
-            sensitivity[70 * stride + i] = sin_c;
-            sensitivity[71 * stride + i] = dx_EXY;
-            sensitivity[72 * stride + i] = -dx_EB0C;
-            sensitivity[73 * stride + i] = dx_EA0C;
-            sensitivity[74 * stride + i] = 0.0;
+            sensitivity[65 * stride + i] = 0.0;
+            sensitivity[66 * stride + i] = -1.0;
+            sensitivity[67 * stride + i] = 0.0;
+            sensitivity[68 * stride + i] = -dx_EBC;
+            sensitivity[69 * stride + i] = 0.0;
+            sensitivity[70 * stride + i] = dy_ECC;
+            sensitivity[71 * stride + i] = sin_c;
+            sensitivity[72 * stride + i] = dx_EXY;
+            sensitivity[73 * stride + i] = -dx_EB0C;
+            sensitivity[74 * stride + i] = dx_EA0C;
             sensitivity[75 * stride + i] = 0.0;
             sensitivity[76 * stride + i] = 0.0;
             sensitivity[77 * stride + i] = 0.0;
@@ -1936,11 +1949,11 @@ void dmu60p_5axis_bed_in_workpiece_sensitivity(
             sensitivity[85 * stride + i] = 0.0;
             sensitivity[86 * stride + i] = 0.0;
             sensitivity[87 * stride + i] = 0.0;
-            sensitivity[88 * stride + i] = -1.0;
-            sensitivity[89 * stride + i] = -ry + y;
-            sensitivity[90 * stride + i] = rx;
-            sensitivity[91 * stride + i] = 0.0;
-            sensitivity[92 * stride + i] = 0.0;
+            sensitivity[88 * stride + i] = 0.0;
+            sensitivity[89 * stride + i] = 0.0;
+            sensitivity[90 * stride + i] = -1.0;
+            sensitivity[91 * stride + i] = -ry + y;
+            sensitivity[92 * stride + i] = rx;
             sensitivity[93 * stride + i] = 0.0;
             sensitivity[94 * stride + i] = 0.0;
             sensitivity[95 * stride + i] = 0.0;
@@ -1954,32 +1967,35 @@ void dmu60p_5axis_bed_in_workpiece_sensitivity(
             sensitivity[103 * stride + i] = 0.0;
             sensitivity[104 * stride + i] = 0.0;
             sensitivity[105 * stride + i] = 0.0;
-            sensitivity[106 * stride + i] = -1.0;
-            sensitivity[107 * stride + i] = dz_EAC;
-            sensitivity[108 * stride + i] = -dy_ECC;
-            sensitivity[109 * stride + i] = 0.0;
-            sensitivity[110 * stride + i] = 0.0;
+            sensitivity[106 * stride + i] = 0.0;
+            sensitivity[107 * stride + i] = 0.0;
+            sensitivity[108 * stride + i] = -1.0;
+            sensitivity[109 * stride + i] = dz_EAC;
+            sensitivity[110 * stride + i] = -dy_ECC;
             sensitivity[111 * stride + i] = 0.0;
-            sensitivity[112 * stride + i] = q_Cy - ry + y;
-            sensitivity[113 * stride + i] = -q_Cx + rx;
-            sensitivity[114 * stride + i] = 0.0;
-            sensitivity[115 * stride + i] = 0.0;
+            sensitivity[112 * stride + i] = 0.0;
+            sensitivity[113 * stride + i] = 0.0;
+            sensitivity[114 * stride + i] = q_Cy - ry + y;
+            sensitivity[115 * stride + i] = -q_Cx + rx;
             sensitivity[116 * stride + i] = 0.0;
             sensitivity[117 * stride + i] = 0.0;
             sensitivity[118 * stride + i] = 0.0;
             sensitivity[119 * stride + i] = 0.0;
+            sensitivity[120 * stride + i] = 0.0;
+            sensitivity[121 * stride + i] = 0.0;
+            sensitivity[122 * stride + i] = 0.0;
         }
     }
 }
 
 /*
  * Actual position of the tool point in the workpiece frame, exact.
- * Source: Eq. (4). Operations: 249 per point, 5 once per call.
+ * Source: Eq. (4). Operations: 250 per point, 5 once per call.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
  */
@@ -2014,9 +2030,10 @@ void dmu60p_5axis_tool_in_workpiece_position(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EZ0B = parameters[22];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EX0B = parameters[22];
+    const double EZ0B = parameters[23];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     const double w63 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w64 = (1.0/(w63 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
@@ -2106,7 +2123,7 @@ void dmu60p_5axis_tool_in_workpiece_position(
             const double w24 = cos_b*w19 + sin_b*w20;
             const double w25 = -EA0B*(w14 + w21) + EC0B*(w24 + w4) + w17;
             const double w26 = w10 + w25;
-            const double w27 = -EC0B*w18 + w24;
+            const double w27 = -EC0B*w18 + EX0B + w24;
             const double w28 = EBZ*w23 - ECZ*w26 + EXZ + w27;
             const double w29 = w27 + w5;
             const double w30 = -EAZ*w23 + ECZ*w29 + EYZ + w25;
@@ -2172,12 +2189,12 @@ void dmu60p_5axis_tool_in_workpiece_position(
 
 /*
  * Actual position of the tool point in the workpiece frame, to first order.
- * Source: Eq. (4). Operations: 156 per point.
+ * Source: Eq. (4). Operations: 157 per point.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
  */
@@ -2212,9 +2229,10 @@ void dmu60p_5axis_tool_in_workpiece_position_first_order(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EZ0B = parameters[22];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EX0B = parameters[22];
+    const double EZ0B = parameters[23];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -2296,7 +2314,7 @@ void dmu60p_5axis_tool_in_workpiece_position_first_order(
             const double w18 = EBB*w3 - ECB*w13 + EXB;
             const double w19 = EAB*w13 - EBB*w1 + EZB;
             const double w20 = cos_b*w18 + sin_b*w19;
-            const double w21 = -EC0B*w13 + w20;
+            const double w21 = -EC0B*w13 + EX0B + w20;
             const double w22 = EBZ*w5 - ECZ*w14 + EXZ + w21;
             const double w23 = eps_xz*w6 + w22;
             const double w24 = EBX*w6 - ECX*w14 + EXX + w23;
@@ -2388,8 +2406,8 @@ void dmu60p_5axis_tool_orientation_ideal(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in direction: 3 rows of stride, 1; unit vector in the tool frame, (0, 0, 1) for the tool axis (tx ty tz)
  * out deviation: 3 rows of stride, 1; the vector in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -2407,8 +2425,8 @@ void dmu60p_5axis_tool_orientation_deviation(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     const double w43 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w44 = (1.0/(w43 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
@@ -2521,8 +2539,8 @@ void dmu60p_5axis_tool_orientation_deviation(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in direction: 3 rows of stride, 1; unit vector in the tool frame, (0, 0, 1) for the tool axis (tx ty tz)
  * out deviation: 3 rows of stride, 1; the vector in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -2540,8 +2558,8 @@ void dmu60p_5axis_tool_orientation_deviation_first_order(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -2624,12 +2642,12 @@ void dmu60p_5axis_tool_orientation_deviation_first_order(
 
 /*
  * Deviation of the tool point under polynomial error curves, exact.
- * Source: Eqs. (1)-(4), (44). Operations: 626 per point, 12 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 627 per point, 12 once per call.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in curves: 210 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECC_7, last index fastest)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -2871,9 +2889,10 @@ void dmu60p_5axis_tool_in_workpiece_deviation_curves(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EZ0B = parameters[22];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EX0B = parameters[22];
+    const double EZ0B = parameters[23];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     const double rx = point[0];
     const double ry = point[1];
     const double rz = point[2];
@@ -2952,7 +2971,7 @@ void dmu60p_5axis_tool_in_workpiece_deviation_curves(
             const double w41 = z*(EXZ_1 + z*(EXZ_2 + z*(EXZ_3 + z*(EXZ_4 + z*(EXZ_5 + z*(EXZ_6 + EXZ_7*z))))));
             const double w42 = z*(EBZ_1 + z*(EBZ_2 + z*(EBZ_3 + z*(EBZ_4 + z*(EBZ_5 + z*(EBZ_6 + EBZ_7*z))))));
             const double w43 = z*(ECZ_1 + z*(ECZ_2 + z*(ECZ_3 + z*(ECZ_4 + z*(ECZ_5 + z*(ECZ_6 + ECZ_7*z))))));
-            const double w44 = -EC0B*w29 + w38;
+            const double w44 = -EC0B*w29 + EX0B + w38;
             const double w45 = w37*w42 - w40*w43 + w41 + w44;
             const double w46 = w44 + w8;
             const double w47 = z*(EYZ_1 + z*(EYZ_2 + z*(EYZ_3 + z*(EYZ_4 + z*(EYZ_5 + z*(EYZ_6 + EYZ_7*z))))));
@@ -3025,12 +3044,12 @@ void dmu60p_5axis_tool_in_workpiece_deviation_curves(
 
 /*
  * Deviation of the tool point under polynomial error curves, to first order.
- * Source: Eqs. (1)-(4), (44). Operations: 533 per point, 7 once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 534 per point, 7 once per call.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in curves: 210 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
  *     position, per component error (EXX_1 EXX_2 .. ECC_7, last index fastest)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
@@ -3272,9 +3291,10 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order_curves(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EZ0B = parameters[22];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EX0B = parameters[22];
+    const double EZ0B = parameters[23];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     const double rx = point[0];
     const double ry = point[1];
     const double rz = point[2];
@@ -3345,7 +3365,7 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order_curves(
             const double w35 = b*(EAB_1 + b*(EAB_2 + b*(EAB_3 + b*(EAB_4 + b*(EAB_5 + b*(EAB_6 + EAB_7*b))))));
             const double w36 = w16*w35 - w31*w4 + w34;
             const double w37 = cos_b*w33 + sin_b*w36;
-            const double w38 = -EC0B*w16 + w37;
+            const double w38 = -EC0B*w16 + EX0B + w37;
             const double w39 = -w17*w29 + w27 + w28*w8 + w38;
             const double w40 = eps_xz*w9 + w39;
             const double w41 = -w17*w26 + w24 + w25*w9 + w40;
@@ -3392,12 +3412,12 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order_curves(
 
 /*
  * Positioning error of a ball bar between a tool ball and a workpiece ball, exact.
- * Source: Eqs. (5), (6). Operations: 282 per point, 5 once per call.
+ * Source: Eqs. (5), (6). Operations: 283 per point, 5 once per call.
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
  * in ball: 3 rows of stride, mm; point in the workpiece frame (bx by bz)
  * in length: 1 rows of stride, mm; ideal length of the ball bar (length)
@@ -3436,9 +3456,10 @@ void dmu60p_5axis_ballbar_error(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EZ0B = parameters[22];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EX0B = parameters[22];
+    const double EZ0B = parameters[23];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     const double w63 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w64 = (1.0/(w63 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
@@ -3532,7 +3553,7 @@ void dmu60p_5axis_ballbar_error(
             const double w24 = cos_b*w19 + sin_b*w20;
             const double w25 = -EA0B*(w14 + w21) + EC0B*(w24 + w4) + w17;
             const double w26 = w10 + w25;
-            const double w27 = -EC0B*w18 + w24;
+            const double w27 = -EC0B*w18 + EX0B + w24;
             const double w28 = EBZ*w23 - ECZ*w26 + EXZ + w27;
             const double w29 = w27 + w5;
             const double w30 = -EAZ*w23 + ECZ*w29 + EYZ + w25;
@@ -3653,8 +3674,8 @@ void dmu60p_5axis_correction(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3705,8 +3726,8 @@ void dmu60p_5axis_motion_X(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in workpiece_point: 3 rows of stride, mm; point in the workpiece frame (rWx rWy rWz)
  * out displacement: 3 rows of stride, mm; workpiece point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3753,8 +3774,8 @@ void dmu60p_5axis_motion_Y(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3806,8 +3827,8 @@ void dmu60p_5axis_motion_Z(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3829,8 +3850,8 @@ void dmu60p_5axis_motion_B(
     const double eps_xy = parameters[19];
     const double eps_yz = parameters[20];
     const double eps_xz = parameters[21];
-    const double EA0B = parameters[23];
-    const double EC0B = parameters[24];
+    const double EA0B = parameters[24];
+    const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
         /* cosines and sines */
@@ -3882,8 +3903,8 @@ void dmu60p_5axis_motion_B(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in workpiece_point: 3 rows of stride, mm; point in the workpiece frame (rWx rWy rWz)
  * out displacement: 3 rows of stride, mm; workpiece point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -3950,8 +3971,8 @@ void dmu60p_5axis_motion_C(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in workpiece_point: 3 rows of stride, mm; point in the workpiece frame (rWx rWy rWz)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; workpiece point minus tool point, displacement since home, in the bed frame
@@ -4024,8 +4045,8 @@ void dmu60p_5axis_motion_XY(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
  */
@@ -4088,8 +4109,8 @@ void dmu60p_5axis_motion_XZ(
  * in positions: 5 rows of stride, mm, rotary axes deg; commanded positions of X Y Z B C (x y z b c)
  * in errors: 30 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB ECB EXC EYC EZC EAC EBC ECC)
- * in parameters: 25 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
- *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EZ0B EA0B EC0B)
+ * in parameters: 26 values, mm, rad; home positions and location errors (q_Cx q_Cy q_Cz q_wx q_wy q_wz q_Bx q_By q_Bz
+ *     q_Sx q_Sy q_Sz q_Tx q_Ty q_Tz EX0C EY0C EA0C EB0C eps_xy eps_yz eps_xz EX0B EZ0B EA0B EC0B)
  * in workpiece_point: 3 rows of stride, mm; point in the workpiece frame (rWx rWy rWz)
  * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
  * out displacement: 3 rows of stride, mm; workpiece point minus tool point, displacement since home, in the bed frame

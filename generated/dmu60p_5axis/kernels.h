@@ -1,6 +1,6 @@
 /* Generated from machines/dmu60p_5axis.toml, do not edit; regenerate with: trueaxis derive machines/dmu60p_5axis.toml
  * Kernels of DECKEL MAHO DMU60P, all five axes: geometric error model in C17.
- * Spec: sha256 608b2e931833b79798f32000e6a4a74e399a0a7da566f3085963344ddd4cf819
+ * Spec: sha256 1e9ea96f6f8f6e09b7241f720eb3aea43e5fed8e47f7e01dd1ada9d8988cb39b
  *
  * Every function computes n points; row k of an array that has a value per point holds point i at [k * stride + i],
  * n <= stride. Arrays must not overlap. Lengths mm, angles rad, rotary axes deg. Rows and units: kernels.c.

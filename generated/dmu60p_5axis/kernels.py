@@ -8,7 +8,7 @@ deviation (3, n). An array that is the same at all points may have n = 1. Length
 import numpy as np
 
 ABI = 1
-SPEC_HASH = "608b2e931833b79798f32000e6a4a74e399a0a7da566f3085963344ddd4cf819"
+SPEC_HASH = "1e9ea96f6f8f6e09b7241f720eb3aea43e5fed8e47f7e01dd1ada9d8988cb39b"
 
 META = {'machine': 'dmu60p_5axis',
  'title': 'DECKEL MAHO DMU60P, all five axes',
@@ -127,6 +127,7 @@ META = {'machine': 'dmu60p_5axis',
                 'eps_xy',
                 'eps_yz',
                 'eps_xz',
+                'EX0B',
                 'EZ0B',
                 'EA0B',
                 'EC0B'],
@@ -153,6 +154,7 @@ META = {'machine': 'dmu60p_5axis',
                      'rad',
                      'rad',
                      'mm',
+                     'mm',
                      'rad',
                      'rad'],
  'parameter_descriptions': ['home position along X, body 3 (C axis, worktable) on body 2',
@@ -177,6 +179,7 @@ META = {'machine': 'dmu60p_5axis',
                             'location error, rotation about Z, body 5 (X slide carriage) on body 1',
                             'location error, rotation about X, body 6 (Z slide carriage) on body 5',
                             'location error, rotation about Y, body 6 (Z slide carriage) on body 5',
+                            'location error, displacement along X, body 7 (B axis, head) on body 6',
                             'location error, displacement along Z, body 7 (B axis, head) on body 6',
                             'location error, rotation about X, body 7 (B axis, head) on body 6',
                             'location error, rotation about Z, body 7 (B axis, head) on body 6'],
@@ -195,7 +198,7 @@ META = {'machine': 'dmu60p_5axis',
                 'q_Tx',
                 'q_Ty',
                 'q_Tz'],
- 'location_errors': ['EX0C', 'EY0C', 'EA0C', 'EB0C', 'eps_xy', 'eps_yz', 'eps_xz', 'EZ0B', 'EA0B', 'EC0B'],
+ 'location_errors': ['EX0C', 'EY0C', 'EA0C', 'EB0C', 'eps_xy', 'eps_yz', 'eps_xz', 'EX0B', 'EZ0B', 'EA0B', 'EC0B'],
  'curve_degree': 7,
  'squareness': [{'axes': ['X', 'Y'], 'location_errors': {'eps_xy': 1.0}},
                 {'axes': ['X', 'Z'], 'location_errors': {'eps_xz': 1.0}},
@@ -205,7 +208,7 @@ META = {'machine': 'dmu60p_5axis',
                                                       'per_point': True,
                                                       'unit': 'mm, rotary axes deg'},
                                                      {'name': 'parameters',
-                                                      'shape': [25],
+                                                      'shape': [26],
                                                       'per_point': False,
                                                       'unit': 'mm, rad'},
                                                      {'name': 'point',
@@ -227,7 +230,7 @@ META = {'machine': 'dmu60p_5axis',
                                                           'per_point': True,
                                                           'unit': 'mm, rad'},
                                                          {'name': 'parameters',
-                                                          'shape': [25],
+                                                          'shape': [26],
                                                           'per_point': False,
                                                           'unit': 'mm, rad'},
                                                          {'name': 'point',
@@ -238,7 +241,7 @@ META = {'machine': 'dmu60p_5axis',
                                                            'shape': [3],
                                                            'per_point': True,
                                                            'unit': 'mm'}],
-                                              'operations': 243,
+                                              'operations': 244,
                                               'operations_per_call': 5},
               'tool_in_workpiece_deviation_first_order': {'inputs': [{'name': 'positions',
                                                                       'shape': [5],
@@ -249,7 +252,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                       'per_point': True,
                                                                       'unit': 'mm, rad'},
                                                                      {'name': 'parameters',
-                                                                      'shape': [25],
+                                                                      'shape': [26],
                                                                       'per_point': False,
                                                                       'unit': 'mm, rad'},
                                                                      {'name': 'point',
@@ -260,14 +263,14 @@ META = {'machine': 'dmu60p_5axis',
                                                                        'shape': [3],
                                                                        'per_point': True,
                                                                        'unit': 'mm'}],
-                                                          'operations': 150,
+                                                          'operations': 151,
                                                           'operations_per_call': 0},
               'tool_in_workpiece_sensitivity': {'inputs': [{'name': 'positions',
                                                             'shape': [5],
                                                             'per_point': True,
                                                             'unit': 'mm, rotary axes deg'},
                                                            {'name': 'parameters',
-                                                            'shape': [25],
+                                                            'shape': [26],
                                                             'per_point': False,
                                                             'unit': 'mm, rad'},
                                                            {'name': 'point',
@@ -275,7 +278,7 @@ META = {'machine': 'dmu60p_5axis',
                                                             'per_point': True,
                                                             'unit': 'mm'}],
                                                 'outputs': [{'name': 'sensitivity',
-                                                             'shape': [3, 40],
+                                                             'shape': [3, 41],
                                                              'per_point': True,
                                                              'unit': 'mm/mm, mm/rad'}],
                                                 'operations': 219,
@@ -285,7 +288,7 @@ META = {'machine': 'dmu60p_5axis',
                                                 'per_point': True,
                                                 'unit': 'mm, rotary axes deg'},
                                                {'name': 'parameters',
-                                                'shape': [25],
+                                                'shape': [26],
                                                 'per_point': False,
                                                 'unit': 'mm, rad'},
                                                {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -301,7 +304,7 @@ META = {'machine': 'dmu60p_5axis',
                                                     'per_point': True,
                                                     'unit': 'mm, rad'},
                                                    {'name': 'parameters',
-                                                    'shape': [25],
+                                                    'shape': [26],
                                                     'per_point': False,
                                                     'unit': 'mm, rad'},
                                                    {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -309,7 +312,7 @@ META = {'machine': 'dmu60p_5axis',
                                                      'shape': [3],
                                                      'per_point': True,
                                                      'unit': 'mm'}],
-                                        'operations': 104,
+                                        'operations': 105,
                                         'operations_per_call': 0},
               'tool_in_bed_deviation_first_order': {'inputs': [{'name': 'positions',
                                                                 'shape': [5],
@@ -320,7 +323,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                 'per_point': True,
                                                                 'unit': 'mm, rad'},
                                                                {'name': 'parameters',
-                                                                'shape': [25],
+                                                                'shape': [26],
                                                                 'per_point': False,
                                                                 'unit': 'mm, rad'},
                                                                {'name': 'point',
@@ -331,14 +334,14 @@ META = {'machine': 'dmu60p_5axis',
                                                                  'shape': [3],
                                                                  'per_point': True,
                                                                  'unit': 'mm'}],
-                                                    'operations': 90,
+                                                    'operations': 91,
                                                     'operations_per_call': 0},
               'tool_in_bed_sensitivity': {'inputs': [{'name': 'positions',
                                                       'shape': [5],
                                                       'per_point': True,
                                                       'unit': 'mm, rotary axes deg'},
                                                      {'name': 'parameters',
-                                                      'shape': [25],
+                                                      'shape': [26],
                                                       'per_point': False,
                                                       'unit': 'mm, rad'},
                                                      {'name': 'point',
@@ -346,7 +349,7 @@ META = {'machine': 'dmu60p_5axis',
                                                       'per_point': True,
                                                       'unit': 'mm'}],
                                           'outputs': [{'name': 'sensitivity',
-                                                       'shape': [3, 40],
+                                                       'shape': [3, 41],
                                                        'per_point': True,
                                                        'unit': 'mm/mm, mm/rad'}],
                                           'operations': 57,
@@ -356,7 +359,7 @@ META = {'machine': 'dmu60p_5axis',
                                                      'per_point': True,
                                                      'unit': 'mm, rotary axes deg'},
                                                     {'name': 'parameters',
-                                                     'shape': [25],
+                                                     'shape': [26],
                                                      'per_point': False,
                                                      'unit': 'mm, rad'},
                                                     {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -375,7 +378,7 @@ META = {'machine': 'dmu60p_5axis',
                                                          'per_point': True,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'parameters',
-                                                         'shape': [25],
+                                                         'shape': [26],
                                                          'per_point': False,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'point',
@@ -397,7 +400,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                      'per_point': True,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'parameters',
-                                                                     'shape': [25],
+                                                                     'shape': [26],
                                                                      'per_point': False,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'point',
@@ -415,7 +418,7 @@ META = {'machine': 'dmu60p_5axis',
                                                            'per_point': True,
                                                            'unit': 'mm, rotary axes deg'},
                                                           {'name': 'parameters',
-                                                           'shape': [25],
+                                                           'shape': [26],
                                                            'per_point': False,
                                                            'unit': 'mm, rad'},
                                                           {'name': 'point',
@@ -423,7 +426,7 @@ META = {'machine': 'dmu60p_5axis',
                                                            'per_point': True,
                                                            'unit': 'mm'}],
                                                'outputs': [{'name': 'sensitivity',
-                                                            'shape': [3, 40],
+                                                            'shape': [3, 41],
                                                             'per_point': True,
                                                             'unit': 'mm/mm, mm/rad'}],
                                                'operations': 39,
@@ -433,7 +436,7 @@ META = {'machine': 'dmu60p_5axis',
                                                      'per_point': True,
                                                      'unit': 'mm, rotary axes deg'},
                                                     {'name': 'parameters',
-                                                     'shape': [25],
+                                                     'shape': [26],
                                                      'per_point': False,
                                                      'unit': 'mm, rad'},
                                                     {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -452,7 +455,7 @@ META = {'machine': 'dmu60p_5axis',
                                                          'per_point': True,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'parameters',
-                                                         'shape': [25],
+                                                         'shape': [26],
                                                          'per_point': False,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'point',
@@ -474,7 +477,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                      'per_point': True,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'parameters',
-                                                                     'shape': [25],
+                                                                     'shape': [26],
                                                                      'per_point': False,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'point',
@@ -492,7 +495,7 @@ META = {'machine': 'dmu60p_5axis',
                                                            'per_point': True,
                                                            'unit': 'mm, rotary axes deg'},
                                                           {'name': 'parameters',
-                                                           'shape': [25],
+                                                           'shape': [26],
                                                            'per_point': False,
                                                            'unit': 'mm, rad'},
                                                           {'name': 'point',
@@ -500,7 +503,7 @@ META = {'machine': 'dmu60p_5axis',
                                                            'per_point': True,
                                                            'unit': 'mm'}],
                                                'outputs': [{'name': 'sensitivity',
-                                                            'shape': [3, 40],
+                                                            'shape': [3, 41],
                                                             'per_point': True,
                                                             'unit': 'mm/mm, mm/rad'}],
                                                'operations': 48,
@@ -514,7 +517,7 @@ META = {'machine': 'dmu60p_5axis',
                                                          'per_point': True,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'parameters',
-                                                         'shape': [25],
+                                                         'shape': [26],
                                                          'per_point': False,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'point',
@@ -525,7 +528,7 @@ META = {'machine': 'dmu60p_5axis',
                                                           'shape': [3],
                                                           'per_point': True,
                                                           'unit': 'mm'}],
-                                             'operations': 249,
+                                             'operations': 250,
                                              'operations_per_call': 5},
               'tool_in_workpiece_position_first_order': {'inputs': [{'name': 'positions',
                                                                      'shape': [5],
@@ -536,7 +539,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                      'per_point': True,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'parameters',
-                                                                     'shape': [25],
+                                                                     'shape': [26],
                                                                      'per_point': False,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'point',
@@ -547,7 +550,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                       'shape': [3],
                                                                       'per_point': True,
                                                                       'unit': 'mm'}],
-                                                         'operations': 156,
+                                                         'operations': 157,
                                                          'operations_per_call': 0},
               'tool_orientation_ideal': {'inputs': [{'name': 'positions',
                                                      'shape': [5],
@@ -569,7 +572,7 @@ META = {'machine': 'dmu60p_5axis',
                                                          'per_point': True,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'parameters',
-                                                         'shape': [25],
+                                                         'shape': [26],
                                                          'per_point': False,
                                                          'unit': 'mm, rad'},
                                                         {'name': 'direction',
@@ -591,7 +594,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                      'per_point': True,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'parameters',
-                                                                     'shape': [25],
+                                                                     'shape': [26],
                                                                      'per_point': False,
                                                                      'unit': 'mm, rad'},
                                                                     {'name': 'direction',
@@ -613,7 +616,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                  'per_point': False,
                                                                  'unit': 'mm/mm^k, rad/mm^k (deg^k for rotary axes)'},
                                                                 {'name': 'parameters',
-                                                                 'shape': [25],
+                                                                 'shape': [26],
                                                                  'per_point': False,
                                                                  'unit': 'mm, rad'},
                                                                 {'name': 'point',
@@ -624,7 +627,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                   'shape': [3],
                                                                   'per_point': True,
                                                                   'unit': 'mm'}],
-                                                     'operations': 626,
+                                                     'operations': 627,
                                                      'operations_per_call': 12},
               'tool_in_workpiece_deviation_first_order_curves': {'inputs': [{'name': 'positions',
                                                                              'shape': [5],
@@ -636,7 +639,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                              'unit': 'mm/mm^k, rad/mm^k (deg^k for '
                                                                                      'rotary axes)'},
                                                                             {'name': 'parameters',
-                                                                             'shape': [25],
+                                                                             'shape': [26],
                                                                              'per_point': False,
                                                                              'unit': 'mm, rad'},
                                                                             {'name': 'point',
@@ -647,7 +650,7 @@ META = {'machine': 'dmu60p_5axis',
                                                                               'shape': [3],
                                                                               'per_point': True,
                                                                               'unit': 'mm'}],
-                                                                 'operations': 533,
+                                                                 'operations': 534,
                                                                  'operations_per_call': 7},
               'ballbar_error': {'inputs': [{'name': 'positions',
                                             'shape': [5],
@@ -655,14 +658,14 @@ META = {'machine': 'dmu60p_5axis',
                                             'unit': 'mm, rotary axes deg'},
                                            {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
                                            {'name': 'parameters',
-                                            'shape': [25],
+                                            'shape': [26],
                                             'per_point': False,
                                             'unit': 'mm, rad'},
                                            {'name': 'point', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'ball', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                            {'name': 'length', 'shape': [1], 'per_point': True, 'unit': 'mm'}],
                                 'outputs': [{'name': 'error', 'shape': [4], 'per_point': True, 'unit': 'mm'}],
-                                'operations': 282,
+                                'operations': 283,
                                 'operations_per_call': 5},
               'correction': {'inputs': [{'name': 'positions',
                                          'shape': [5],
@@ -677,7 +680,7 @@ META = {'machine': 'dmu60p_5axis',
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [25], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [26], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'operations': 24,
@@ -687,7 +690,7 @@ META = {'machine': 'dmu60p_5axis',
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [25], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [26], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'workpiece_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'operations': 19,
@@ -697,7 +700,7 @@ META = {'machine': 'dmu60p_5axis',
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [25], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [26], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'operations': 26,
@@ -707,7 +710,7 @@ META = {'machine': 'dmu60p_5axis',
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [25], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [26], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'operations': 91,
@@ -717,7 +720,7 @@ META = {'machine': 'dmu60p_5axis',
                                        'per_point': True,
                                        'unit': 'mm, rotary axes deg'},
                                       {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                      {'name': 'parameters', 'shape': [25], 'per_point': False, 'unit': 'mm, rad'},
+                                      {'name': 'parameters', 'shape': [26], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'workpiece_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                            'operations': 62,
@@ -727,7 +730,7 @@ META = {'machine': 'dmu60p_5axis',
                                         'per_point': True,
                                         'unit': 'mm, rotary axes deg'},
                                        {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                       {'name': 'parameters', 'shape': [25], 'per_point': False, 'unit': 'mm, rad'},
+                                       {'name': 'parameters', 'shape': [26], 'per_point': False, 'unit': 'mm, rad'},
                                        {'name': 'workpiece_point', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -738,7 +741,7 @@ META = {'machine': 'dmu60p_5axis',
                                         'per_point': True,
                                         'unit': 'mm, rotary axes deg'},
                                        {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                       {'name': 'parameters', 'shape': [25], 'per_point': False, 'unit': 'mm, rad'},
+                                       {'name': 'parameters', 'shape': [26], 'per_point': False, 'unit': 'mm, rad'},
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'operations': 47,
@@ -748,7 +751,7 @@ META = {'machine': 'dmu60p_5axis',
                                         'per_point': True,
                                         'unit': 'mm, rotary axes deg'},
                                        {'name': 'errors', 'shape': [30], 'per_point': True, 'unit': 'mm, rad'},
-                                       {'name': 'parameters', 'shape': [25], 'per_point': False, 'unit': 'mm, rad'},
+                                       {'name': 'parameters', 'shape': [26], 'per_point': False, 'unit': 'mm, rad'},
                                        {'name': 'workpiece_point', 'shape': [3], 'per_point': True, 'unit': 'mm'},
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
@@ -781,7 +784,7 @@ def tool_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -834,12 +837,12 @@ def tool_in_workpiece_ideal(positions, parameters, point):
 def tool_in_workpiece_deviation(positions, errors, parameters, point):
     """Deviation of a tool point in the workpiece frame, exact.
 
-    Source: Eqs. (1)-(4). Operations: 243 per point, 5 per call.
+    Source: Eqs. (1)-(4). Operations: 244 per point, 5 per call.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -867,9 +870,10 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EZ0B = float(parameters[22])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EX0B = float(parameters[22])
+    EZ0B = float(parameters[23])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     # once per call
     w63 = (EA0C*EA0C) + (EB0C*EB0C)
     w64 = 1.0/(w63 + 1)
@@ -946,7 +950,7 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
         w24 = cos_b*w19 + sin_b*w20
         w25 = -EA0B*(w14 + w21) + EC0B*(w24 + w4) + w17
         w26 = w10 + w25
-        w27 = -EC0B*w18 + w24
+        w27 = -EC0B*w18 + EX0B + w24
         w28 = EBZ*w23 - ECZ*w26 + EXZ + w27
         w29 = w27 + w5
         w30 = -EAZ*w23 + ECZ*w29 + EYZ + w25
@@ -1006,12 +1010,12 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
 def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point):
     """Deviation of a tool point in the workpiece frame, to first order in the errors.
 
-    Source: Eqs. (1)-(4). Operations: 150 per point.
+    Source: Eqs. (1)-(4). Operations: 151 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -1039,9 +1043,10 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EZ0B = float(parameters[22])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EX0B = float(parameters[22])
+    EZ0B = float(parameters[23])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1109,7 +1114,7 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
         w18 = EBB*w3 - ECB*w13 + EXB
         w19 = EAB*w13 - EBB*w1 + EZB
         w20 = cos_b*w18 + sin_b*w19
-        w21 = -EC0B*w13 + w20
+        w21 = -EC0B*w13 + EX0B + w20
         w22 = EBZ*w5 - ECZ*w14 + EXZ + w21
         w23 = eps_xz*w6 + w22
         w24 = EBX*w6 - ECX*w14 + EXX + w23
@@ -1147,14 +1152,14 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
-        sensitivity (3, 40, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+        sensitivity (3, 41, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
     """
     n, positions, point = _points(positions, point)
-    sensitivity = np.zeros((120, n))
+    sensitivity = np.zeros((123, n))
     # constants
     q_Cx = float(parameters[0])
     q_Cy = float(parameters[1])
@@ -1202,33 +1207,33 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
         w8 = cos_c*q_Sy
         w9 = cos_c*q_Ty
         w10 = cos_c*ry
-        sensitivity[39, at] = dx_EC0B = cos_b*w3 + cos_b*w4 + cos_b*w5 + sin_b*w0 + sin_b*w1 + sin_b*w2 - w10 - w8 - w9
+        sensitivity[40, at] = dx_EC0B = cos_b*w3 + cos_b*w4 + cos_b*w5 + sin_b*w0 + sin_b*w1 + sin_b*w2 - w10 - w8 - w9
         sensitivity[5, at] = dx_ECX = -cos_c*q_By + dx_EC0B + q_Bx*sin_c
         sensitivity[6, at] = dx_EXY = -cos_c
         sensitivity[7, at] = dx_EYY = -sin_c
         sensitivity[10, at] = dx_EBY = -dx_EBX
         sensitivity[34, at] = dx_eps_xy = dx_ECX + sin_c*x
         sensitivity[15, at] = dx_EAZ = -w7
-        sensitivity[67, at] = dy_EAC = cos_b*q_Sz + cos_b*q_Tz + cos_b*rz + q_Bz - q_Cz - q_Sx*sin_b - q_Tx*sin_b - rx*sin_b + z
+        sensitivity[68, at] = dy_EAC = cos_b*q_Sz + cos_b*q_Tz + cos_b*rz + q_Bz - q_Cz - q_Sx*sin_b - q_Tx*sin_b - rx*sin_b + z
         w11 = cos_c*y + dx_eps_xy
-        sensitivity[107, at] = dz_EAC = cos_c*q_Cy - q_Cx*sin_c + w11
+        sensitivity[109, at] = dz_EAC = cos_c*q_Cy - q_Cx*sin_c + w11
         sensitivity[32, at] = dx_EA0C = dx_EAY - q_Cz*sin_c
-        sensitivity[72, at] = dy_EA0C = -cos_c*q_Cz + dx_EBX
-        sensitivity[38, at] = dx_EA0B = -w6
+        sensitivity[73, at] = dy_EA0C = -cos_c*q_Cz + dx_EBX
+        sensitivity[39, at] = dx_EA0B = -w6
         w12 = q_Sy*sin_c
         w13 = q_Ty*sin_c
         w14 = ry*sin_c
-        sensitivity[79, at] = dy_EC0B = dx_EXB*q_Sx + dx_EXB*q_Tx + dx_EXB*rx + dx_EZB*q_Sz + dx_EZB*q_Tz + dx_EZB*rz + w12 + w13 + w14
-        sensitivity[45, at] = dy_ECX = cos_c*q_Bx + dy_EC0B + q_By*sin_c
-        sensitivity[74, at] = dy_eps_xy = cos_c*x + dy_ECX
+        sensitivity[81, at] = dy_EC0B = dx_EXB*q_Sx + dx_EXB*q_Tx + dx_EXB*rx + dx_EZB*q_Sz + dx_EZB*q_Tz + dx_EZB*rz + w12 + w13 + w14
+        sensitivity[46, at] = dy_ECX = cos_c*q_Bx + dy_EC0B + q_By*sin_c
+        sensitivity[75, at] = dy_eps_xy = cos_c*x + dy_ECX
         w15 = dy_eps_xy - sin_c*y
-        sensitivity[108, at] = dz_EBC = -cos_c*q_Cx - q_Cy*sin_c + w15
-        sensitivity[118, at] = dz_EA0B = q_Sy + q_Ty + ry
-        sensitivity[83, at] = dz_EAX = dz_EA0B + q_By
+        sensitivity[110, at] = dz_EBC = -cos_c*q_Cx - q_Cy*sin_c + w15
+        sensitivity[121, at] = dz_EA0B = q_Sy + q_Ty + ry
+        sensitivity[85, at] = dz_EAX = dz_EA0B + q_By
         w16 = cos_b*q_Sx + cos_b*q_Tx + cos_b*rx + q_Sz*sin_b + q_Tz*sin_b + rz*sin_b
         w17 = q_Bx + w16
-        sensitivity[84, at] = dz_EBX = -w17
-        sensitivity[90, at] = dz_EBY = w17 + x
+        sensitivity[86, at] = dz_EBX = -w17
+        sensitivity[92, at] = dz_EBY = w17 + x
         sensitivity[0, at] = cos_c
         sensitivity[1, at] = sin_c
         sensitivity[11, at] = -w11
@@ -1246,53 +1251,55 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
         sensitivity[33, at] = -dy_EA0C
         sensitivity[35, at] = dx_EAX
         sensitivity[36, at] = dx_EBX
-        sensitivity[40, at] = dx_EYY
-        sensitivity[41, at] = cos_c
-        sensitivity[43, at] = dx_EBY
-        sensitivity[44, at] = dx_EAX
-        sensitivity[46, at] = sin_c
-        sensitivity[47, at] = dx_EXY
-        sensitivity[49, at] = dx_EBX
-        sensitivity[50, at] = dx_EAY
-        sensitivity[51, at] = -w15
-        sensitivity[52, at] = dx_EYY
-        sensitivity[53, at] = cos_c
-        sensitivity[55, at] = -dx_EBZ
-        sensitivity[56, at] = dx_EAZ
-        sensitivity[57, at] = dy_ECX
-        sensitivity[58, at] = -cos_b*sin_c
-        sensitivity[59, at] = cos_c
-        sensitivity[60, at] = -sin_b*sin_c
-        sensitivity[61, at] = -cos_c*q_Sz - cos_c*q_Tz - cos_c*rz - sin_b*w12 - sin_b*w13 - sin_b*w14
-        sensitivity[62, at] = dx_EA0B
-        sensitivity[63, at] = cos_b*w12 + cos_b*w13 + cos_b*w14 + cos_c*q_Sx + cos_c*q_Tx + cos_c*rx
-        sensitivity[65, at] = -1.0
-        sensitivity[69, at] = -dz_EBC
-        sensitivity[70, at] = sin_c
-        sensitivity[71, at] = dx_EXY
-        sensitivity[73, at] = dx_EA0C
-        sensitivity[75, at] = dx_EBY
-        sensitivity[76, at] = dx_EAX
-        sensitivity[78, at] = -dx_EBB
-        sensitivity[82, at] = 1.0
-        sensitivity[88, at] = -1.0
+        sensitivity[37, at] = cos_c
+        sensitivity[41, at] = dx_EYY
+        sensitivity[42, at] = cos_c
+        sensitivity[44, at] = dx_EBY
+        sensitivity[45, at] = dx_EAX
+        sensitivity[47, at] = sin_c
+        sensitivity[48, at] = dx_EXY
+        sensitivity[50, at] = dx_EBX
+        sensitivity[51, at] = dx_EAY
+        sensitivity[52, at] = -w15
+        sensitivity[53, at] = dx_EYY
+        sensitivity[54, at] = cos_c
+        sensitivity[56, at] = -dx_EBZ
+        sensitivity[57, at] = dx_EAZ
+        sensitivity[58, at] = dy_ECX
+        sensitivity[59, at] = -cos_b*sin_c
+        sensitivity[60, at] = cos_c
+        sensitivity[61, at] = -sin_b*sin_c
+        sensitivity[62, at] = -cos_c*q_Sz - cos_c*q_Tz - cos_c*rz - sin_b*w12 - sin_b*w13 - sin_b*w14
+        sensitivity[63, at] = dx_EA0B
+        sensitivity[64, at] = cos_b*w12 + cos_b*w13 + cos_b*w14 + cos_c*q_Sx + cos_c*q_Tx + cos_c*rx
+        sensitivity[66, at] = -1.0
+        sensitivity[70, at] = -dz_EBC
+        sensitivity[71, at] = sin_c
+        sensitivity[72, at] = dx_EXY
+        sensitivity[74, at] = dx_EA0C
+        sensitivity[76, at] = dx_EBY
+        sensitivity[77, at] = dx_EAX
+        sensitivity[78, at] = dx_EYY
+        sensitivity[80, at] = -dx_EBB
+        sensitivity[84, at] = 1.0
+        sensitivity[90, at] = -1.0
         w18 = dz_EAX - y
-        sensitivity[89, at] = -w18
-        sensitivity[94, at] = 1.0
-        sensitivity[95, at] = dz_EAX
-        sensitivity[96, at] = dz_EBX
-        sensitivity[98, at] = -sin_b
-        sensitivity[100, at] = cos_b
-        sensitivity[101, at] = cos_b*q_Sy + cos_b*q_Ty + cos_b*ry
-        sensitivity[102, at] = -w16
-        sensitivity[103, at] = q_Sy*sin_b + q_Ty*sin_b + ry*sin_b
-        sensitivity[106, at] = -1.0
-        sensitivity[112, at] = q_Cy - w18
-        sensitivity[113, at] = dz_EBY - q_Cx
-        sensitivity[115, at] = dz_EAX
-        sensitivity[116, at] = dz_EBX
-        sensitivity[117, at] = 1.0
-    return sensitivity.reshape(3, 40, n)
+        sensitivity[91, at] = -w18
+        sensitivity[96, at] = 1.0
+        sensitivity[97, at] = dz_EAX
+        sensitivity[98, at] = dz_EBX
+        sensitivity[100, at] = -sin_b
+        sensitivity[102, at] = cos_b
+        sensitivity[103, at] = cos_b*q_Sy + cos_b*q_Ty + cos_b*ry
+        sensitivity[104, at] = -w16
+        sensitivity[105, at] = q_Sy*sin_b + q_Ty*sin_b + ry*sin_b
+        sensitivity[108, at] = -1.0
+        sensitivity[114, at] = q_Cy - w18
+        sensitivity[115, at] = dz_EBY - q_Cx
+        sensitivity[117, at] = dz_EAX
+        sensitivity[118, at] = dz_EBX
+        sensitivity[120, at] = 1.0
+    return sensitivity.reshape(3, 41, n)
 
 
 def tool_in_bed_ideal(positions, parameters, point):
@@ -1302,7 +1309,7 @@ def tool_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -1341,12 +1348,12 @@ def tool_in_bed_ideal(positions, parameters, point):
 def tool_in_bed_deviation(positions, errors, parameters, point):
     """Deviation of a tool point in the bed frame, exact.
 
-    Source: Eqs. (1)-(4). Operations: 104 per point.
+    Source: Eqs. (1)-(4). Operations: 105 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -1367,9 +1374,10 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EZ0B = float(parameters[22])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EX0B = float(parameters[22])
+    EZ0B = float(parameters[23])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1417,7 +1425,7 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
         w14 = -EA0B*(w13 + w9) + EC0B*(w12 + w8) + w7
         w15 = w14 + w2
         w16 = w1 + w7
-        w17 = -EC0B*w16 + w12
+        w17 = -EC0B*w16 + EX0B + w12
         w18 = q_Bx + w8
         w19 = w17 + w18
         w20 = EA0B*w16 + EZ0B + w13
@@ -1446,12 +1454,12 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
 def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
     """Deviation of a tool point in the bed frame, to first order in the errors.
 
-    Source: Eqs. (1)-(4). Operations: 90 per point.
+    Source: Eqs. (1)-(4). Operations: 91 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -1472,9 +1480,10 @@ def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EZ0B = float(parameters[22])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EX0B = float(parameters[22])
+    EZ0B = float(parameters[23])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -1525,7 +1534,7 @@ def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
         w16 = q_Bz + w15
         w17 = w16 + z
         w18 = cos_b*w9 + sin_b*w10
-        w19 = -EC0B*w7 + w18
+        w19 = -EC0B*w7 + EX0B + w18
         w20 = EBZ*w16 - ECZ*w8 + EXZ + w19
         w21 = eps_xz*w17 + w20
         w22 = EBX*w17 - ECX*w8 + EXX + w21
@@ -1547,14 +1556,14 @@ def tool_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
-        sensitivity (3, 40, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+        sensitivity (3, 41, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
     """
     n, positions, point = _points(positions, point)
-    sensitivity = np.zeros((120, n))
+    sensitivity = np.zeros((123, n))
     # constants
     q_Bx = float(parameters[6])
     q_By = float(parameters[7])
@@ -1580,15 +1589,15 @@ def tool_in_bed_sensitivity(positions, parameters, point):
         sensitivity[22, at] = dx_EBB = cos_b*q_Sz + cos_b*q_Tz + cos_b*rz - q_Sx*sin_b - q_Tx*sin_b - rx*sin_b
         sensitivity[16, at] = dx_EBZ = dx_EBB + q_Bz
         sensitivity[4, at] = dx_EBX = dx_EBZ + z
-        sensitivity[118, at] = dz_EA0B = q_Sy + q_Ty + ry
-        sensitivity[83, at] = dz_EAX = dz_EA0B + q_By
+        sensitivity[121, at] = dz_EA0B = q_Sy + q_Ty + ry
+        sensitivity[85, at] = dz_EAX = dz_EA0B + q_By
         sensitivity[5, at] = dx_ECX = -dz_EAX
         sensitivity[21, at] = dx_EAB = q_Sy*sin_b + q_Ty*sin_b + ry*sin_b
-        sensitivity[101, at] = dz_EAB = cos_b*q_Sy + cos_b*q_Ty + cos_b*ry
-        sensitivity[43, at] = dy_EAX = -dx_EBX
-        sensitivity[79, at] = dy_EC0B = cos_b*q_Sx + cos_b*q_Tx + cos_b*rx + q_Sz*sin_b + q_Tz*sin_b + rz*sin_b
-        sensitivity[45, at] = dy_ECX = dy_EC0B + q_Bx
-        sensitivity[84, at] = dz_EBX = -dy_ECX
+        sensitivity[103, at] = dz_EAB = cos_b*q_Sy + cos_b*q_Ty + cos_b*ry
+        sensitivity[44, at] = dy_EAX = -dx_EBX
+        sensitivity[81, at] = dy_EC0B = cos_b*q_Sx + cos_b*q_Tx + cos_b*rx + q_Sz*sin_b + q_Tz*sin_b + rz*sin_b
+        sensitivity[46, at] = dy_ECX = dy_EC0B + q_Bx
+        sensitivity[86, at] = dz_EBX = -dy_ECX
         sensitivity[0, at] = 1.0
         sensitivity[12, at] = 1.0
         sensitivity[17, at] = dx_ECX
@@ -1597,29 +1606,30 @@ def tool_in_bed_sensitivity(positions, parameters, point):
         sensitivity[23, at] = -dz_EAB
         sensitivity[34, at] = dx_ECX
         sensitivity[36, at] = dx_EBX
-        sensitivity[39, at] = -dz_EA0B
-        sensitivity[41, at] = 1.0
-        sensitivity[53, at] = 1.0
-        sensitivity[55, at] = -dx_EBZ
-        sensitivity[57, at] = dy_ECX
-        sensitivity[59, at] = 1.0
-        sensitivity[61, at] = -q_Sz - q_Tz - rz
-        sensitivity[63, at] = q_Sx + q_Tx + rx
-        sensitivity[74, at] = dy_ECX + x
-        sensitivity[75, at] = dy_EAX
-        sensitivity[78, at] = -dx_EBB
-        sensitivity[82, at] = 1.0
-        sensitivity[94, at] = 1.0
-        sensitivity[95, at] = dz_EAX
-        sensitivity[96, at] = dz_EBX
-        sensitivity[98, at] = -sin_b
-        sensitivity[100, at] = cos_b
-        sensitivity[102, at] = -dy_EC0B
-        sensitivity[103, at] = dx_EAB
-        sensitivity[115, at] = dz_EAX
-        sensitivity[116, at] = dz_EBX
-        sensitivity[117, at] = 1.0
-    return sensitivity.reshape(3, 40, n)
+        sensitivity[37, at] = 1.0
+        sensitivity[40, at] = -dz_EA0B
+        sensitivity[42, at] = 1.0
+        sensitivity[54, at] = 1.0
+        sensitivity[56, at] = -dx_EBZ
+        sensitivity[58, at] = dy_ECX
+        sensitivity[60, at] = 1.0
+        sensitivity[62, at] = -q_Sz - q_Tz - rz
+        sensitivity[64, at] = q_Sx + q_Tx + rx
+        sensitivity[75, at] = dy_ECX + x
+        sensitivity[76, at] = dy_EAX
+        sensitivity[80, at] = -dx_EBB
+        sensitivity[84, at] = 1.0
+        sensitivity[96, at] = 1.0
+        sensitivity[97, at] = dz_EAX
+        sensitivity[98, at] = dz_EBX
+        sensitivity[100, at] = -sin_b
+        sensitivity[102, at] = cos_b
+        sensitivity[104, at] = -dy_EC0B
+        sensitivity[105, at] = dx_EAB
+        sensitivity[117, at] = dz_EAX
+        sensitivity[118, at] = dz_EBX
+        sensitivity[120, at] = 1.0
+    return sensitivity.reshape(3, 41, n)
 
 
 def workpiece_in_bed_ideal(positions, parameters, point):
@@ -1629,7 +1639,7 @@ def workpiece_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the workpiece frame [mm]
 
     Returns:
@@ -1669,7 +1679,7 @@ def workpiece_in_bed_deviation(positions, errors, parameters, point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the workpiece frame [mm]
 
     Returns:
@@ -1744,7 +1754,7 @@ def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point)
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the workpiece frame [mm]
 
     Returns:
@@ -1814,14 +1824,14 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the workpiece frame [mm]
 
     Returns:
-        sensitivity (3, 40, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+        sensitivity (3, 41, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
     """
     n, positions, point = _points(positions, point)
-    sensitivity = np.zeros((120, n))
+    sensitivity = np.zeros((123, n))
     # constants
     q_Cx = float(parameters[0])
     q_Cy = float(parameters[1])
@@ -1841,33 +1851,33 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
         # per point
         sensitivity[33, at] = dx_EB0C = q_wz + rz
         sensitivity[10, at] = dx_EBY = dx_EB0C + q_Cz
-        sensitivity[112, at] = dz_EA0C = cos_c*q_wy + cos_c*ry + q_wx*sin_c + rx*sin_c
-        sensitivity[89, at] = dz_EAY = dz_EA0C + q_Cy
+        sensitivity[114, at] = dz_EA0C = cos_c*q_wy + cos_c*ry + q_wx*sin_c + rx*sin_c
+        sensitivity[91, at] = dz_EAY = dz_EA0C + q_Cy
         sensitivity[27, at] = dx_EAC = q_wz*sin_c + rz*sin_c
         sensitivity[28, at] = dx_EBC = cos_c*q_wz + cos_c*rz
-        sensitivity[69, at] = dy_ECC = cos_c*q_wx + cos_c*rx - q_wy*sin_c - ry*sin_c
-        sensitivity[51, at] = dy_ECY = dy_ECC + q_Cx
+        sensitivity[70, at] = dy_ECC = cos_c*q_wx + cos_c*rx - q_wy*sin_c - ry*sin_c
+        sensitivity[52, at] = dy_ECY = dy_ECC + q_Cx
         sensitivity[6, at] = 1.0
         sensitivity[11, at] = -dz_EAY
         sensitivity[24, at] = cos_c
         sensitivity[25, at] = -sin_c
         sensitivity[29, at] = -dz_EA0C
         sensitivity[30, at] = 1.0
-        sensitivity[47, at] = 1.0
-        sensitivity[49, at] = -dx_EBY
-        sensitivity[64, at] = sin_c
-        sensitivity[65, at] = cos_c
-        sensitivity[67, at] = -dx_EBC
-        sensitivity[68, at] = dx_EAC
-        sensitivity[71, at] = 1.0
-        sensitivity[72, at] = -dx_EB0C
-        sensitivity[88, at] = 1.0
-        sensitivity[90, at] = -dy_ECY
-        sensitivity[106, at] = 1.0
-        sensitivity[107, at] = q_wy + ry
-        sensitivity[108, at] = -q_wx - rx
-        sensitivity[113, at] = -dy_ECC
-    return sensitivity.reshape(3, 40, n)
+        sensitivity[48, at] = 1.0
+        sensitivity[50, at] = -dx_EBY
+        sensitivity[65, at] = sin_c
+        sensitivity[66, at] = cos_c
+        sensitivity[68, at] = -dx_EBC
+        sensitivity[69, at] = dx_EAC
+        sensitivity[72, at] = 1.0
+        sensitivity[73, at] = -dx_EB0C
+        sensitivity[90, at] = 1.0
+        sensitivity[92, at] = -dy_ECY
+        sensitivity[108, at] = 1.0
+        sensitivity[109, at] = q_wy + ry
+        sensitivity[110, at] = -q_wx - rx
+        sensitivity[115, at] = -dy_ECC
+    return sensitivity.reshape(3, 41, n)
 
 
 def bed_in_workpiece_ideal(positions, parameters, point):
@@ -1877,7 +1887,7 @@ def bed_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the bed frame [mm]
 
     Returns:
@@ -1917,7 +1927,7 @@ def bed_in_workpiece_deviation(positions, errors, parameters, point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the bed frame [mm]
 
     Returns:
@@ -2010,7 +2020,7 @@ def bed_in_workpiece_deviation_first_order(positions, errors, parameters, point)
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the bed frame [mm]
 
     Returns:
@@ -2076,14 +2086,14 @@ def bed_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the bed frame [mm]
 
     Returns:
-        sensitivity (3, 40, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+        sensitivity (3, 41, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
     """
     n, positions, point = _points(positions, point)
-    sensitivity = np.zeros((120, n))
+    sensitivity = np.zeros((123, n))
     # constants
     q_Cx = float(parameters[0])
     q_Cy = float(parameters[1])
@@ -2102,51 +2112,51 @@ def bed_in_workpiece_sensitivity(positions, parameters, point):
         sensitivity[6, at] = dx_EXY = -cos_c
         sensitivity[7, at] = dx_EYY = -sin_c
         sensitivity[9, at] = dx_EAY = rz*sin_c
-        sensitivity[49, at] = dy_EAY = cos_c*rz
+        sensitivity[50, at] = dy_EAY = cos_c*rz
         sensitivity[10, at] = dx_EBY = -dy_EAY
         sensitivity[28, at] = dx_EBC = q_Cz - rz
         w0 = -cos_c*ry + cos_c*y + rx*sin_c
-        sensitivity[107, at] = dz_EAC = cos_c*q_Cy - q_Cx*sin_c + w0
+        sensitivity[109, at] = dz_EAC = cos_c*q_Cy - q_Cx*sin_c + w0
         sensitivity[32, at] = dx_EA0C = -q_Cz*sin_c + rz*sin_c
         sensitivity[33, at] = dx_EB0C = cos_c*q_Cz + dx_EBY
         w1 = cos_c*rx
         w2 = ry*sin_c
         w3 = sin_c*y
-        sensitivity[69, at] = dy_ECC = cos_c*q_Cx + q_Cy*sin_c - w1 - w2 + w3
+        sensitivity[70, at] = dy_ECC = cos_c*q_Cx + q_Cy*sin_c - w1 - w2 + w3
         sensitivity[11, at] = -w0
         sensitivity[24, at] = -1.0
         sensitivity[29, at] = -dz_EAC
         sensitivity[30, at] = dx_EXY
         sensitivity[31, at] = dx_EYY
-        sensitivity[46, at] = sin_c
-        sensitivity[47, at] = dx_EXY
-        sensitivity[50, at] = dx_EAY
-        sensitivity[51, at] = -w1 - w2 + w3
-        sensitivity[65, at] = -1.0
-        sensitivity[67, at] = -dx_EBC
-        sensitivity[70, at] = sin_c
-        sensitivity[71, at] = dx_EXY
-        sensitivity[72, at] = -dx_EB0C
-        sensitivity[73, at] = dx_EA0C
-        sensitivity[88, at] = -1.0
-        sensitivity[89, at] = -ry + y
-        sensitivity[90, at] = rx
-        sensitivity[106, at] = -1.0
-        sensitivity[108, at] = -dy_ECC
-        sensitivity[112, at] = q_Cy - ry + y
-        sensitivity[113, at] = -q_Cx + rx
-    return sensitivity.reshape(3, 40, n)
+        sensitivity[47, at] = sin_c
+        sensitivity[48, at] = dx_EXY
+        sensitivity[51, at] = dx_EAY
+        sensitivity[52, at] = -w1 - w2 + w3
+        sensitivity[66, at] = -1.0
+        sensitivity[68, at] = -dx_EBC
+        sensitivity[71, at] = sin_c
+        sensitivity[72, at] = dx_EXY
+        sensitivity[73, at] = -dx_EB0C
+        sensitivity[74, at] = dx_EA0C
+        sensitivity[90, at] = -1.0
+        sensitivity[91, at] = -ry + y
+        sensitivity[92, at] = rx
+        sensitivity[108, at] = -1.0
+        sensitivity[110, at] = -dy_ECC
+        sensitivity[114, at] = q_Cy - ry + y
+        sensitivity[115, at] = -q_Cx + rx
+    return sensitivity.reshape(3, 41, n)
 
 
 def tool_in_workpiece_position(positions, errors, parameters, point):
     """Actual position of the tool point in the workpiece frame, exact.
 
-    Source: Eq. (4). Operations: 249 per point, 5 per call.
+    Source: Eq. (4). Operations: 250 per point, 5 per call.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -2177,9 +2187,10 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EZ0B = float(parameters[22])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EX0B = float(parameters[22])
+    EZ0B = float(parameters[23])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     # once per call
     w63 = (EA0C*EA0C) + (EB0C*EB0C)
     w64 = 1.0/(w63 + 1)
@@ -2256,7 +2267,7 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
         w24 = cos_b*w19 + sin_b*w20
         w25 = -EA0B*(w14 + w21) + EC0B*(w24 + w4) + w17
         w26 = w10 + w25
-        w27 = -EC0B*w18 + w24
+        w27 = -EC0B*w18 + EX0B + w24
         w28 = EBZ*w23 - ECZ*w26 + EXZ + w27
         w29 = w27 + w5
         w30 = -EAZ*w23 + ECZ*w29 + EYZ + w25
@@ -2322,12 +2333,12 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
 def tool_in_workpiece_position_first_order(positions, errors, parameters, point):
     """Actual position of the tool point in the workpiece frame, to first order.
 
-    Source: Eq. (4). Operations: 156 per point.
+    Source: Eq. (4). Operations: 157 per point.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -2358,9 +2369,10 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EZ0B = float(parameters[22])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EX0B = float(parameters[22])
+    EZ0B = float(parameters[23])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         x = positions[0, at]
@@ -2428,7 +2440,7 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
         w18 = EBB*w3 - ECB*w13 + EXB
         w19 = EAB*w13 - EBB*w1 + EZB
         w20 = cos_b*w18 + sin_b*w19
-        w21 = -EC0B*w13 + w20
+        w21 = -EC0B*w13 + EX0B + w20
         w22 = EBZ*w5 - ECZ*w14 + EXZ + w21
         w23 = eps_xz*w6 + w22
         w24 = EBX*w6 - ECX*w14 + EXX + w23
@@ -2507,7 +2519,7 @@ def tool_orientation_deviation(positions, errors, parameters, direction):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
 
     Returns:
@@ -2521,8 +2533,8 @@ def tool_orientation_deviation(positions, errors, parameters, direction):
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     # once per call
     w43 = (EA0C*EA0C) + (EB0C*EB0C)
     w44 = 1.0/(w43 + 1)
@@ -2623,7 +2635,7 @@ def tool_orientation_deviation_first_order(positions, errors, parameters, direct
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
 
     Returns:
@@ -2637,8 +2649,8 @@ def tool_orientation_deviation_first_order(positions, errors, parameters, direct
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         b = positions[3, at]
@@ -2707,12 +2719,12 @@ def tool_orientation_deviation_first_order(positions, errors, parameters, direct
 def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, exact.
 
-    Source: Eqs. (1)-(4), (44). Operations: 626 per point, 12 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 627 per point, 12 per call.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         curves (30, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3,): point in the tool frame [mm]
 
     Returns:
@@ -2950,9 +2962,10 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EZ0B = float(parameters[22])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EX0B = float(parameters[22])
+    EZ0B = float(parameters[23])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     rx = float(point[0])
     ry = float(point[1])
     rz = float(point[2])
@@ -3016,7 +3029,7 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
         w41 = _polynomial(z, EXZ_1, EXZ_2, EXZ_3, EXZ_4, EXZ_5, EXZ_6, EXZ_7)
         w42 = _polynomial(z, EBZ_1, EBZ_2, EBZ_3, EBZ_4, EBZ_5, EBZ_6, EBZ_7)
         w43 = _polynomial(z, ECZ_1, ECZ_2, ECZ_3, ECZ_4, ECZ_5, ECZ_6, ECZ_7)
-        w44 = -EC0B*w29 + w38
+        w44 = -EC0B*w29 + EX0B + w38
         w45 = w37*w42 - w40*w43 + w41 + w44
         w46 = w44 + w8
         w47 = _polynomial(z, EYZ_1, EYZ_2, EYZ_3, EYZ_4, EYZ_5, EYZ_6, EYZ_7)
@@ -3089,12 +3102,12 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
 def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters, point):
     """Deviation of the tool point under polynomial error curves, to first order.
 
-    Source: Eqs. (1)-(4), (44). Operations: 533 per point, 7 per call.
+    Source: Eqs. (1)-(4), (44). Operations: 534 per point, 7 per call.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         curves (30, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3,): point in the tool frame [mm]
 
     Returns:
@@ -3332,9 +3345,10 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EZ0B = float(parameters[22])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EX0B = float(parameters[22])
+    EZ0B = float(parameters[23])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     rx = float(point[0])
     ry = float(point[1])
     rz = float(point[2])
@@ -3390,7 +3404,7 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
         w35 = _polynomial(b, EAB_1, EAB_2, EAB_3, EAB_4, EAB_5, EAB_6, EAB_7)
         w36 = w16*w35 - w31*w4 + w34
         w37 = cos_b*w33 + sin_b*w36
-        w38 = -EC0B*w16 + w37
+        w38 = -EC0B*w16 + EX0B + w37
         w39 = -w17*w29 + w27 + w28*w8 + w38
         w40 = eps_xz*w9 + w39
         w41 = -w17*w26 + w24 + w25*w9 + w40
@@ -3437,12 +3451,12 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
 def ballbar_error(positions, errors, parameters, point, ball, length):
     """Positioning error of a ball bar between a tool ball and a workpiece ball, exact.
 
-    Source: Eqs. (5), (6). Operations: 282 per point, 5 per call.
+    Source: Eqs. (5), (6). Operations: 283 per point, 5 per call.
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         point (3, n): point in the tool frame [mm]
         ball (3, n): point in the workpiece frame [mm]
         length (1, n): ideal length of the ball bar [mm]
@@ -3475,9 +3489,10 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EZ0B = float(parameters[22])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EX0B = float(parameters[22])
+    EZ0B = float(parameters[23])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     # once per call
     w63 = (EA0C*EA0C) + (EB0C*EB0C)
     w64 = 1.0/(w63 + 1)
@@ -3558,7 +3573,7 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
         w24 = cos_b*w19 + sin_b*w20
         w25 = -EA0B*(w14 + w21) + EC0B*(w24 + w4) + w17
         w26 = w10 + w25
-        w27 = -EC0B*w18 + w24
+        w27 = -EC0B*w18 + EX0B + w24
         w28 = EBZ*w23 - ECZ*w26 + EXZ + w27
         w29 = w27 + w5
         w30 = -EAZ*w23 + ECZ*w29 + EYZ + w25
@@ -3669,7 +3684,7 @@ def motion_X(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3718,7 +3733,7 @@ def motion_Y(positions, errors, parameters, workpiece_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         workpiece_point (3, n): point in the workpiece frame [mm]
 
     Returns:
@@ -3763,7 +3778,7 @@ def motion_Z(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3813,7 +3828,7 @@ def motion_B(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -3831,8 +3846,8 @@ def motion_B(positions, errors, parameters, tool_point):
     eps_xy = float(parameters[19])
     eps_yz = float(parameters[20])
     eps_xz = float(parameters[21])
-    EA0B = float(parameters[23])
-    EC0B = float(parameters[24])
+    EA0B = float(parameters[24])
+    EC0B = float(parameters[25])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         b = positions[3, at]
@@ -3873,7 +3888,7 @@ def motion_C(positions, errors, parameters, workpiece_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         workpiece_point (3, n): point in the workpiece frame [mm]
 
     Returns:
@@ -3927,7 +3942,7 @@ def motion_XY(positions, errors, parameters, workpiece_point, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         workpiece_point (3, n): point in the workpiece frame [mm]
         tool_point (3, n): point in the tool frame [mm]
 
@@ -3996,7 +4011,7 @@ def motion_XZ(positions, errors, parameters, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         tool_point (3, n): point in the tool frame [mm]
 
     Returns:
@@ -4057,7 +4072,7 @@ def motion_YZ(positions, errors, parameters, workpiece_point, tool_point):
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
         errors (30, n): component errors at the point [mm, rad]
-        parameters (25,): home positions and location errors [mm, rad]
+        parameters (26,): home positions and location errors [mm, rad]
         workpiece_point (3, n): point in the workpiece frame [mm]
         tool_point (3, n): point in the tool frame [mm]
 
