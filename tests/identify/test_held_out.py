@@ -36,7 +36,7 @@ def test_both_choices_stand_beside_each_other_and_the_lower_order_does_not_overf
     at = np.linspace(0.0, 540.0, 28)
     source = np.random.default_rng(8)
     lower, better = 0, 0
-    for _ in range(30):
+    for _ in range(10):
         values = np.where(at > 0.0, 1e-5 * at + source.normal(0.0, 3e-4, at.size), 0.0)
         table = {"EXX": TableCurve(tuple(at.tolist()), tuple(values.tolist()))}
         curves, notes, (order,) = ordered_curves(table, "held-out")
@@ -46,8 +46,8 @@ def test_both_choices_stand_beside_each_other_and_the_lower_order_does_not_overf
         assert curve.powers == order.by_held_out
         lower += max(order.by_held_out) <= 2
         better += order.held_out <= order.held_out_by_paper
-    assert lower >= 27  # the truth is a line
-    assert better >= 15
+    assert lower >= 8  # the truth is a line
+    assert better >= 5
 
 
 def test_the_papers_choice_is_what_it_was() -> None:

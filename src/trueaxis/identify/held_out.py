@@ -2,8 +2,8 @@
 
 The positions are held out in parts, every tenth position in turn (each one where there are ten or fewer). For the
 paper's procedure every part repeats the whole of it: order, F and t tests, stepwise selection. The other choice, which
-does not overfit, is the lowest order whose squared errors exceed those of the best by no more than the standard error of
-that difference over the parts.
+does not overfit, is the lowest order whose squared errors exceed those of the best by no more than the standard error
+of that difference over the parts.
 """
 
 from collections.abc import Callable, Mapping
