@@ -12,15 +12,14 @@ from trueaxis.cli import main
 MACHINE = str(ROOT / "machines" / "dmu60p.toml")
 
 
-def tables(folder: Path, **components: object) -> Path:
+def tables(folder: Path, **components: tuple[list[float], list[float]]) -> Path:
     path = folder / "points.json"
     curves = {
-        name: {"basis": "table", "positions": list(at), "values": list(values)}
-        for name, (at, values) in components.items()
-    }  # type: ignore[misc]
-    path.write_text(
-        json.dumps({"schema": 1, "machine": "dmu60p", "parameters": {"eps_xy": 1e-5}, "motion_errors": curves})
-    )
+        name: {"basis": "table", "positions": positions, "values": values}
+        for name, (positions, values) in components.items()
+    }
+    tree = {"schema": 1, "machine": "dmu60p", "parameters": {"eps_xy": 1e-5}, "motion_errors": curves}
+    path.write_text(json.dumps(tree))
     return path
 
 

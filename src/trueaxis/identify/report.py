@@ -8,7 +8,7 @@ from trueaxis.identify.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 
 Method = Literal["paper", "global"]
-Known = Literal["determined", "partly", "undetermined", "not measured", "given"]
+Known = Literal["determined", "up to a slope", "partly", "undetermined", "not measured", "given"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +152,7 @@ class IdentificationReport:
     @property
     def nothing_determined(self) -> bool:
         """Whether the data gave no value at all."""
-        return not any(component.known in ("determined", "partly") for component in self.components)
+        return not any(component.known in ("determined", "up to a slope", "partly") for component in self.components)
 
 
 @dataclass(frozen=True, slots=True)

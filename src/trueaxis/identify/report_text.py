@@ -127,7 +127,7 @@ def _component(component: ComponentReport) -> str:
     largest = f"largest {value:10.4g} {unit:<5} {_with_u(component.u, component.unit)}"
     if component.known in ("not measured", "given"):
         largest = ""
-    return f"  {component.name:<4} {component.known:<12} {largest}".rstrip()
+    return f"  {component.name:<4} {component.known:<13} {largest}".rstrip()
 
 
 def _with_u(u: float | None, unit: str) -> str:

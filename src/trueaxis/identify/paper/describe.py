@@ -7,7 +7,8 @@ from trueaxis.identify.null_space import reduced
 from trueaxis.identify.paper.grid import IntArray
 from trueaxis.identify.paper.points import points_remark
 from trueaxis.identify.paper.result import PaperResult
-from trueaxis.identify.paper.squareness import covered
+from trueaxis.identify.paper.solution import sloped
+from trueaxis.identify.paper.squareness import LinesFromAngles, covered
 from trueaxis.identify.paper.steps import SolvedStep
 from trueaxis.identify.report import BlockReport, ComponentReport, Known, LocationReport
 from trueaxis.identify.words import Share, enumerated, only_slope, slope_unit, split_apart, together, unit_of
@@ -61,6 +62,7 @@ def locations(result: PaperResult) -> tuple[LocationReport, ...]:
 def components(result: PaperResult) -> tuple[ComponentReport, ...]:
     """Largest value and uncertainty of each component over the measured positions."""
     found = []
+    by_rule = isinstance(result.rule, LinesFromAngles)
     for index, name in enumerate(result.grid.components):
         nodes = result.grid.nodes(index)
         nodes = nodes[result.steps.reached[nodes]]
@@ -72,9 +74,11 @@ def components(result: PaperResult) -> tuple[ComponentReport, ...]:
             known = "not measured"
         elif opened.any():
             known = "undetermined" if opened.all() else "partly"
+        elif by_rule and sloped(result.response, result.free)[nodes].any():
+            known = "up to a slope"
         u = None
         if result.u_nodes is not None and not opened.all():
-            u = float(np.max(result.u_nodes[nodes][~opened], initial=0.0))
+            u = _number(np.max(result.u_nodes[nodes][~opened], initial=0.0))
         largest = float(np.max(np.abs(result.solution.nodes[nodes]), initial=0.0))
         found.append(ComponentReport(name, known, largest, u, unit_of(name)))
     return tuple(found)

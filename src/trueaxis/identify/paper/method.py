@@ -14,8 +14,8 @@ from trueaxis.identify.paper import describe
 from trueaxis.identify.paper.equations import equations
 from trueaxis.identify.paper.grid import BoolArray, Cells, grid_and_cells
 from trueaxis.identify.paper.result import PaperOptions, PaperResult
-from trueaxis.identify.paper.solution import Exact, Response, Solution, natural, solve, tables, with_rule
-from trueaxis.identify.paper.squareness import Squareness, covered, squareness_rule
+from trueaxis.identify.paper.solution import Exact, Response, Solution, natural, sloped, solve, tables, with_rule
+from trueaxis.identify.paper.squareness import LinesFromAngles, Squareness, covered, squareness_rule
 from trueaxis.identify.paper.steps import RANK_TOLERANCE, Steps, solve_steps, steps_in_order
 from trueaxis.identify.report import CurveOrderReport, Identification, IdentificationReport
 from trueaxis.measure.machine import FloatArray
@@ -47,7 +47,7 @@ def identify_paper(
     response = with_rule(steps, system, rule)
     solution = solve(Exact(machine, given, usable, grid, cells), response, rule)
     found, rms = _noise(steps, cells, solution, options.noise_um)
-    u_nodes, u_locations = _uncertainty(response, cells, rule, found)
+    u_nodes, u_locations = _uncertainty(response, cells, rule, found, free)
     result = PaperResult(
         machine, usable, left_out, given, options, grid, cells, system, steps, response, rule, free, solution, found,
         u_nodes, u_locations, rms,
@@ -83,13 +83,18 @@ def _noise(steps: Steps, cells: Cells, solution: Solution, given_um: float | Non
 
 
 def _uncertainty(
-    response: Response, cells: Cells, rule: Squareness, found: Noise
+    response: Response, cells: Cells, rule: Squareness, found: Noise, free: BoolArray
 ) -> tuple[FloatArray | None, FloatArray | None]:
     if found.sigma is None:
         return None, None
     nodes, locations = (found.sigma * np.sqrt(variance) for variance in response.variances(cells))
+    opened = response.open_nodes
     locations[response.open_locations | ~covered(rule)] = np.nan
-    return np.where(response.open_nodes, np.nan, nodes), locations
+    if isinstance(rule, LinesFromAngles):
+        # The rule is no measurement of the squareness: how far it is off is not a matter of noise.
+        locations[free] = np.nan
+        opened = opened | sloped(response, free)
+    return np.where(opened, np.nan, nodes), locations
 
 
 def _identification(result: PaperResult) -> Identification:

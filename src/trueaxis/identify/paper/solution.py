@@ -67,6 +67,11 @@ class Solution:
     change: float
 
 
+def sloped(response: Response, free: BoolArray) -> BoolArray:
+    """(n_nodes,): nodes that go along with a location error that is not given: no reading has their slope."""
+    return np.asarray(abs(response.along[:, np.flatnonzero(free)]).sum(axis=1) > 0.0)
+
+
 def natural(steps: Steps, equations: Equations) -> tuple[csr_array, csr_array, csc_array]:
     """Response, by_location and null of the steps, from scaled unknowns to mm and rad."""
     scale = equations.node_scale[:, np.newaxis]
