@@ -5,6 +5,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.commands.identify_options import degree_option, instruments_option, noise_option
+from trueaxis.commands.measured import read_measured
+from trueaxis.commands.paths import overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.covariance import dump_covariance
@@ -19,11 +21,8 @@ from trueaxis.identify.paper.squareness import Choice as PaperChoice
 from trueaxis.identify.report import Identification
 from trueaxis.identify.report_text import report_json, report_text
 from trueaxis.identify.weighting import NoiseModel
-from trueaxis.measure.data import read_data
-from trueaxis.runtime.errors import ErrorValues, dump_errors, read_errors
-from trueaxis.runtime.input_files import gathering
-from trueaxis.runtime.model import MachineModel, load_model
-from trueaxis.spec import read_machine
+from trueaxis.runtime.errors import ErrorValues, dump_errors
+from trueaxis.runtime.model import MachineModel
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -110,19 +109,8 @@ def add_parser(subparsers: "Subparsers") -> None:
 def run(args: argparse.Namespace) -> int:
     """Identify and write; raises InputError with the faults of every file."""
     found = _faults_of_options(args)
-    machine = read_machine(args.machine)
-    known = None
-    with gathering(found):
-        model = load_model(args.machine, None, args.kernels)
-    with gathering(found):
-        data = read_data(args.data, machine)
-    if args.known is not None:
-        with gathering(found):
-            known = read_errors(
-                args.known, machine=machine.name, components=machine.components, parameters=machine.parameters
-            )
-    if found:
-        raise InputError(found)
+    read = read_measured(args, found)
+    machine, model, data, known = read.model.machine, read.model, read.data, read.known
     observed = observations(str(args.data), data.setup.runs, data.readings)
     identified = _identify(args, model, observed, known)
     contents: dict[Path, str | bytes] = {}
@@ -183,7 +171,7 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
                 found.append(Fault(option, "", "goes with --method global", remedy))
     if args.covariance is not None and args.covariance.suffix != ".npz":
         found.append(Fault(str(args.covariance), "", "is not a .npz file", "a name that ends in .npz"))
-    files = [path.resolve() for path in (args.out, args.report, args.covariance) if path is not None]
-    for path in sorted({path for path in files if files.count(path) > 1}):
-        found.append(Fault(str(path), "", "is to hold two different things", "another file for each output"))
+    inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
+    outputs = {"--out": args.out, "--report": args.report, "--covariance": args.covariance}
+    found += overwritten(inputs, outputs)
     return found

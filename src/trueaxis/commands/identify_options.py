@@ -1,9 +1,9 @@
 """Options of `identify` whose values are more than one word or number."""
 
 import argparse
-import math
 from typing import Literal
 
+from trueaxis.commands.arguments import positive, whole
 from trueaxis.identify.global_fit.instruments import KINDS, Kind
 from trueaxis.identify.global_fit.result import AUTO_DEGREE
 from trueaxis.identify.weighting import NoiseModel, Repeats
@@ -17,7 +17,7 @@ def noise_option(text: str) -> NoiseModel:
     if text in _REPEATS:
         return NoiseModel(repeats=_REPEATS[text])
     if "=" not in text:
-        return NoiseModel(um=_size(text))
+        return NoiseModel(um=positive(text))
     found: dict[str, float] = {}
     for part in text.split(","):
         name, equals, value = part.rpartition("=")
@@ -25,7 +25,7 @@ def noise_option(text: str) -> NoiseModel:
             raise argparse.ArgumentTypeError(f"{part!r} is not NAME=S")
         if name.strip() in found:
             raise argparse.ArgumentTypeError(f"{name.strip()} is given more than once")
-        found[name.strip()] = _size(value)
+        found[name.strip()] = positive(value)
     return NoiseModel(by_group=found)
 
 
@@ -33,10 +33,7 @@ def degree_option(text: str) -> int | Literal["auto"]:
     """A power, or `auto`."""
     if text == AUTO_DEGREE:
         return AUTO_DEGREE
-    value = int(text)
-    if not 1 <= value <= HIGHEST_DEGREE:
-        raise argparse.ArgumentTypeError(f"{text} is not a degree: 1 to {HIGHEST_DEGREE}, or auto")
-    return value
+    return whole(1, HIGHEST_DEGREE)(text)
 
 
 def instruments_option(text: str) -> tuple[Kind, ...]:
@@ -52,10 +49,3 @@ def instruments_option(text: str) -> tuple[Kind, ...]:
                 f"{part!r} is not unknown of an instrument: real, ideal or {', '.join(KINDS)}"
             )
     return tuple(kind for kind in KINDS if kind in asked)
-
-
-def _size(text: str) -> float:
-    value = float(text)
-    if not (math.isfinite(value) and value > 0.0):
-        raise argparse.ArgumentTypeError(f"{text} is not a size: above 0")
-    return value

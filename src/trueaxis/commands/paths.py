@@ -4,10 +4,13 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from trueaxis.faults import Fault
+from trueaxis.measure import readings, setup
+
+_DATA_FILES = (setup.FILE_NAME, readings.FILE_NAME, readings.PARQUET_NAME)
 
 
 def overwritten(inputs: Mapping[str, Path | None], outputs: Mapping[str, Path | None]) -> list[Fault]:
-    """Faults of outputs that are an input, an existing file of an input folder, or another output.
+    """Faults of outputs that are an input, a file of measured data in an input folder, or another output.
 
     Both by the name of their option, as the user knows it; None where the option was not given.
     """
@@ -23,7 +26,7 @@ def overwritten(inputs: Mapping[str, Path | None], outputs: Mapping[str, Path | 
                 found.append(
                     Fault(str(path), "", f"is both {name}, which is read, and {option}", "another place to write")
                 )
-            elif source in target.parents and target.is_file():
+            elif target.parent == source and target.name in _DATA_FILES:
                 found.append(
                     Fault(str(path), "", f"{option} is a file of {name}, which is read", "another place to write")
                 )

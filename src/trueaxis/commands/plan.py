@@ -1,17 +1,18 @@
 """trueaxis plan: what runs can and cannot determine, before they are made."""
 
 import argparse
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trueaxis.commands.arguments import positive, whole
+from trueaxis.commands.measured import read_measured
+from trueaxis.commands.paths import overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.measure import readings as readings_files
 from trueaxis.measure import setup as setup_file
-from trueaxis.measure.data import read_data
 from trueaxis.measure.readings import Readings, dump_readings
 from trueaxis.plan.candidates import Candidate
 from trueaxis.plan.extended import setup_text, with_runs
@@ -22,10 +23,8 @@ from trueaxis.plan.repair import repair
 from trueaxis.plan.report_text import report_json, report_text
 from trueaxis.plan.rows import of_runs
 from trueaxis.runtime.curves import Curve, PolynomialCurve
-from trueaxis.runtime.errors import ErrorValues, read_errors
-from trueaxis.runtime.input_files import gathering
-from trueaxis.runtime.model import load_model
-from trueaxis.spec import Machine, read_machine
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.spec import Machine
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -50,10 +49,12 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--runs", nargs="+", default=[], metavar="ID", help="judge these runs only (default: all of the folder)"
     )
     parser.add_argument(
-        "--noise-um", type=_size, default=1.0, metavar="S",
+        "--noise-um", type=positive, default=1.0, metavar="S",
         help="standard deviation of a reading, um (1: what 1 um of every reading becomes)",
     )  # fmt: skip
-    parser.add_argument("--degree", type=_degree, default=7, metavar="N", help="highest power of a motion error (7)")
+    parser.add_argument(
+        "--degree", type=whole(1, HIGHEST_DEGREE), default=7, metavar="N", help="highest power of a motion error (7)"
+    )
     parser.add_argument(
         "--known", type=Path, metavar="E.json", help="values known beforehand: dimensions, location errors, components"
     )
@@ -71,7 +72,10 @@ def add_parser(subparsers: "Subparsers") -> None:
     )  # fmt: skip
     parser.add_argument("--unknown-zeros", action="store_true", help="the zero of laser and probe at home is not exact")
     parser.add_argument(
-        "--propose", type=_count, metavar="N", help="choose the N runs that would add most; with --out, write them"
+        "--propose",
+        type=whole(1, MOST_PROPOSED),
+        metavar="N",
+        help="choose the N runs that would add most; with --out, write them",
     )
     parser.add_argument(
         "--propose-with", nargs="+", choices=INSTRUMENTS, default=[], metavar="NAME",
@@ -90,19 +94,8 @@ def add_parser(subparsers: "Subparsers") -> None:
 def run(args: argparse.Namespace) -> int:
     """Judge a plan; raises InputError with the faults of every file."""
     found = _faults_of_options(args)
-    machine = read_machine(args.machine)
-    known = None
-    with gathering(found):
-        model = load_model(args.machine, None, args.kernels)
-    with gathering(found):
-        data = read_data(args.data, machine)
-    if args.known is not None:
-        with gathering(found):
-            known = read_errors(
-                args.known, machine=machine.name, components=machine.components, parameters=machine.parameters
-            )
-    if found:
-        raise InputError(found)
+    read = read_measured(args, found)
+    machine, model, data, known = read.model.machine, read.model, read.data, read.known
     _check_runs(args.runs, [run.id for run in data.setup.runs])
     assumed = Assumptions(args.ideal_instruments, args.unknown_linkage_lines, args.unknown_zeros)
     if args.location_errors_only:
@@ -153,7 +146,8 @@ def _extended(args: argparse.Namespace, runs: Sequence[Candidate], given: Readin
 
 
 def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
-    found = []
+    inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
+    found = overwritten(inputs, {"--report": args.report})
     if args.ideal_instruments:
         for option in ("unknown_linkage_lines", "unknown_zeros"):
             if getattr(args, option):
@@ -171,24 +165,3 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     elif other.exists():
         found.append(Fault(str(other), "", f"would stand beside the new {readings_files.FILE_NAME}", "remove it"))
     return found
-
-
-def _size(text: str) -> float:
-    value = float(text)
-    if not (math.isfinite(value) and value > 0.0):
-        raise argparse.ArgumentTypeError(f"{text} is not a size: above 0")
-    return value
-
-
-def _count(text: str) -> int:
-    value = int(text)
-    if not 1 <= value <= MOST_PROPOSED:
-        raise argparse.ArgumentTypeError(f"{text} is not a number of runs: 1 to {MOST_PROPOSED}")
-    return value
-
-
-def _degree(text: str) -> int:
-    value = int(text)
-    if not 1 <= value <= HIGHEST_DEGREE:
-        raise argparse.ArgumentTypeError(f"{text} is not a degree: 1 to {HIGHEST_DEGREE}")
-    return value

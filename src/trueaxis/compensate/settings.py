@@ -1,7 +1,7 @@
 """What a compensation is asked to do."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Literal
@@ -50,25 +50,35 @@ class Settings:
     batch_points: int = 16384
 
     def __post_init__(self) -> None:
+        if problems := list(self._problems()):
+            raise ValueError("; ".join(problems))
+
+    def _problems(self) -> Iterator[str]:
+        """Everything that is out of its range."""
         for name in ("tolerance", "resolution", "inch_resolution", "rotary_resolution", "chord_tolerance"):
             value = getattr(self, name)
             if not (math.isfinite(value) and 0.0 < value <= 1.0):
-                raise ValueError(f"{name} is {value:g}; it must be above 0 and at most 1")
+                yield f"{name} is {value:g}; it must be above 0 and at most 1"
+            elif name.endswith("resolution"):
+                try:
+                    decimals(value)
+                except ValueError as problem:
+                    yield str(problem)
         if not 0.0 < self.orientation_tolerance_urad <= 1e4:
-            value = self.orientation_tolerance_urad
-            raise ValueError(f"orientation_tolerance_urad is {value:g}; it must be above 0 and at most 10000")
-        for name in ("resolution", "inch_resolution", "rotary_resolution"):
-            decimals(getattr(self, name))
+            yield (
+                f"orientation_tolerance_urad is {self.orientation_tolerance_urad:g}; "
+                "it must be above 0 and at most 10000"
+            )
         for name in ("ball", "tool_point", "tool_axis"):
             values = getattr(self, name)
             if values is not None and not (len(values) == 3 and all(map(math.isfinite, values))):
-                raise ValueError(f"{name} must be three finite coordinates")
+                yield f"{name} must be three finite coordinates"
         if math.hypot(*self.tool_axis) < 1e-6:
-            raise ValueError("tool_axis must be a direction, not zero")
+            yield "tool_axis must be a direction, not zero"
         if not all(map(math.isfinite, self.start.values())):
-            raise ValueError("start must hold finite positions")
+            yield "start must hold finite positions"
         if self.words != "nearest" and self.ball is None:
-            raise ValueError(f"words '{self.words}' minimises the error along the ball bar; give the ball too")
+            yield f"words '{self.words}' minimises the error along the ball bar; give the ball too"
 
 
 def decimals(resolution: float) -> int:
