@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.machines import ROOT
 from trueaxis.compensate.ends import commanded_ends
 from trueaxis.demo import inputs
 from trueaxis.demo.evaluate import path_errors, read_wanted
@@ -65,8 +66,20 @@ def test_the_whole_demonstration_gains_what_it_says(tmp_path: Path) -> None:
     rows = {line.split()[0]: line.split() for line in summary.splitlines() if line.startswith("  ")}
     # |E| mean at most 0.1 um with the error vector nowhere above one word; plain rounding at its own 0.24 um.
     assert float(rows["iterative-middles"][1]) <= 0.1
-    assert float(rows["iterative-middles"][5]) <= 1.0
+    assert float(rows["iterative-middles"][4]) <= 1.0
     assert 0.2 < float(rows["iterative"][1]) < 0.28
     assert float(rows["ccw"][3]) > 85.0
+    # README's table, rounded as there.
+    readme = (ROOT / "README.md").read_text()
+    for way, cells in (
+        ("not", ("not compensated |", 2, 2, 2)),
+        ("iterative", ("words rounded |", 3, 2, 2)),
+        ("iterative-middles", ("at the points |", 3, 2, 2)),
+    ):
+        line = next(line for line in readme.splitlines() if cells[0] in line).replace("*", "")
+        figures = rows[way][2:] if way == "not" else rows[way][1:]
+        mean, largest, vector = float(figures[0]), float(figures[2]), float(figures[3])
+        shown = f"| {mean:.{cells[1]}f} | {largest:.{cells[2]}f} | {vector:.{cells[3]}f} |"
+        assert shown in line
     for name in ("error_curves.png", "error_map.png", "ball_bar.png", "identified.json", "summary.txt"):
         assert (tmp_path / "results" / name).stat().st_size > 0
