@@ -105,7 +105,7 @@ def test_every_fault_of_a_spec_is_told_and_nothing_is_written(
 def test_a_spec_that_is_not_there_is_2(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(arguments(command, tmp_path)) == 2
     shown = capsys.readouterr()
-    assert f"{tmp_path}/machine.txt: cannot be read: No such file or directory" in shown.err
+    assert f"{tmp_path}/machine.txt: there is no such file" in shown.err
     assert shown.out == ""
     assert list(tmp_path.iterdir()) == []
 

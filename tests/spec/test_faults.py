@@ -258,8 +258,8 @@ def test_files_that_are_no_text_or_are_not_there(tmp_path: Path) -> None:
     latin = tmp_path / "latin.toml"
     latin.write_bytes(b'schema = 1\nname = "m"\ntitle = "M\xfchle"\n')
     assert told(latin) == ": line 3: byte 0xfc is not UTF-8; save the file as UTF-8"
-    assert told(tmp_path / "none.toml") == ": cannot be read: No such file or directory; name a machine spec"
-    assert told(tmp_path) == ": cannot be read: Is a directory; name a machine spec"
+    assert told(tmp_path / "none.toml") == ": there is no such file"
+    assert told(tmp_path) == ": is a folder; name a file"
     assert "is not a file name" in told(tmp_path / "a\0b")
 
 

@@ -11,7 +11,7 @@ from trueaxis.commands.paths import overwritten
 from trueaxis.compensate.files import compensate_file
 from trueaxis.compensate.settings import Settings
 from trueaxis.faults import Fault, InputError
-from trueaxis.runtime.input_files import gathering
+from trueaxis.input_files import gathering
 from trueaxis.runtime.model import load_model
 
 _DESCRIPTION = """\

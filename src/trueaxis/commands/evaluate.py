@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 from trueaxis.commands.paths import overwritten
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
+from trueaxis.input_files import gathering
 from trueaxis.iso230_2.evaluation import evaluate
 from trueaxis.iso230_2.read import read_positioning_test
 from trueaxis.iso230_2.report import report_json, report_text
-from trueaxis.runtime.input_files import gathering
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]

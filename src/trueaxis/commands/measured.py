@@ -4,9 +4,9 @@ import argparse
 from dataclasses import dataclass
 
 from trueaxis.faults import Fault, InputError
+from trueaxis.input_files import gathering
 from trueaxis.measure.data import MeasuredData, read_data
 from trueaxis.runtime.errors import ErrorValues, read_errors
-from trueaxis.runtime.input_files import gathering
 from trueaxis.runtime.model import MachineModel, load_model
 from trueaxis.spec import read_machine
 

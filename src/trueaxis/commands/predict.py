@@ -8,9 +8,9 @@ from trueaxis.commands.paths import overwritten
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.identify.covariance import predicted_u, read_covariance
+from trueaxis.input_files import gathering
 from trueaxis.measure.points import dump_predicted, read_points
 from trueaxis.measure.predict import predict
-from trueaxis.runtime.input_files import gathering
 from trueaxis.runtime.model import load_model
 from trueaxis.spec import read_machine
 

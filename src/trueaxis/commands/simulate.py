@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 from trueaxis.commands.arguments import size, whole
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
+from trueaxis.input_files import gathering
 from trueaxis.measure import readings as readings_files
 from trueaxis.measure import setup as setup_file
 from trueaxis.measure.data import read_data, readings_path
 from trueaxis.measure.readings import dump_readings
 from trueaxis.measure.simulate import check_simulated, simulate
-from trueaxis.runtime.input_files import gathering
 from trueaxis.runtime.model import load_model
 from trueaxis.spec import read_machine
 

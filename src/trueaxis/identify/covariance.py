@@ -16,8 +16,8 @@ import numpy as np
 from trueaxis.faults import Faults
 from trueaxis.identify.global_fit.basis import Basis
 from trueaxis.identify.machine import IdentifiedMachine, component_axes
+from trueaxis.input_files import input_bytes
 from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.input_files import input_bytes
 
 SCHEMA = 1
 OPEN = 1e-6  # mm per mm (rotations times their levers): response to an undetermined combination that counts

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.faults import Faults
+from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.iso230_2.dat_statements import Statement, number, shown, statements, whole_number
 from trueaxis.iso230_2.positioning_test import (
     FARTHEST_TARGET,
@@ -22,7 +23,6 @@ from trueaxis.iso230_2.positioning_test import (
     PositioningTest,
     too_few,
 )
-from trueaxis.runtime.input_files import input_bytes, utf8_text
 
 FloatArray = NDArray[np.float64]
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from trueaxis.faults import Fault, InputError
+from trueaxis.input_files import gathering
 from trueaxis.measure import readings as readings_files
 from trueaxis.measure import setup as setup_file
 from trueaxis.measure.machine import MachineAxes
@@ -11,7 +12,6 @@ from trueaxis.measure.readings import Readings
 from trueaxis.measure.readings_reader import read_readings
 from trueaxis.measure.setup import Setup
 from trueaxis.measure.setup_reader import read_setup
-from trueaxis.runtime.input_files import gathering
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any, cast
 
 from trueaxis.faults import Faults, InputError
+from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.measure.machine import MachineAxes
 from trueaxis.measure.setup import Carrier, Frame, Instrument, PointOn, Run, Setup, Vector
-from trueaxis.runtime.input_files import input_bytes, utf8_text
 from trueaxis.spec.fields import Fields
 from trueaxis.toml_lines import KeyPath, key_lines, place
 

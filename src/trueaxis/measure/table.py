@@ -16,7 +16,7 @@ import numpy.typing as npt
 import polars as pl
 
 from trueaxis.faults import Faults, InputError
-from trueaxis.runtime.input_files import input_bytes, utf8_text
+from trueaxis.input_files import input_bytes, utf8_text
 
 IntArray = npt.NDArray[np.int64]
 

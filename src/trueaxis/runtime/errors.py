@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from trueaxis.faults import Faults, InputError
+from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.runtime.curve_json import curve_object, read_curve, read_u, u_value
 from trueaxis.runtime.curves import Curve
-from trueaxis.runtime.input_files import input_bytes, utf8_text
 from trueaxis.runtime.strict_json import JsonPath, key_path, number, parse, shown
 
 SCHEMA = 1

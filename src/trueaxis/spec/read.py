@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from trueaxis.faults import Faults, InputError
+from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.spec.body import PROSE, PROSE_MEANING, read_body, read_joint
 from trueaxis.spec.fields import Complain, Fields, shown
 from trueaxis.spec.machine import AXES, BED, LINEAR, Body, Machine
@@ -23,22 +24,7 @@ def read_machine(path: Path) -> Machine:
 
     Raises InputError with every fault found, each with key and line and what would be right.
     """
-    faults = Faults(str(path))
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        faults.add("", f"cannot be read: {error.strerror}", "name a machine spec")
-        raise InputError(faults.found) from None
-    except ValueError as error:  # a NUL character in the name
-        faults.add("", f"is not a file name: {error}")
-        raise InputError(faults.found) from None
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        faults.add(f"line {line}", f"byte {data[error.start]:#04x} is not UTF-8", "save the file as UTF-8")
-        raise InputError(faults.found) from None
-    return parse_machine(text, faults)
+    return parse_machine(utf8_text(path, input_bytes(path)), Faults(str(path)))
 
 
 def parse_machine(text: str, faults: Faults) -> Machine:
