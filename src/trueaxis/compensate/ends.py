@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.moves import Kind, Move, Notes
+from trueaxis.compensate.moves import Move, Notes
 from trueaxis.compensate.nc_reader import NcReader
 from trueaxis.compensate.settings import Settings
 
 
-def commanded_ends(program: Path, axes: tuple[str, ...]) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Ends of the moves of a program without arcs: positions (n_axes, n), mm or deg, and whether each is a rapid.
+def commanded_ends(program: Path, axes: tuple[str, ...]) -> NDArray[np.float64]:
+    """Ends of the moves of a program without arcs: positions (n_axes, n), mm or deg.
 
     Raises InputError with every fault of the program, OSError when it cannot be read.
     """
@@ -25,4 +25,4 @@ def commanded_ends(program: Path, axes: tuple[str, ...]) -> tuple[NDArray[np.flo
             faults.add(move.line, "is an arc", "chords, as compensate writes them")
     faults.raise_if_any()
     ends = np.array([move.end for move in moves], dtype=np.float64).reshape(len(moves), len(axes))
-    return ends.T, np.array([move.kind == Kind.RAPID for move in moves], dtype=np.bool_)
+    return ends.T

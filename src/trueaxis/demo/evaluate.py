@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensate.ends import commanded_ends
+from trueaxis.compensate.word_choice import bar_error
 from trueaxis.measure.circularity import Circularity, circularity
 from trueaxis.measure.data import read_data
 from trueaxis.measure.reading_model import ideal_bar
@@ -30,21 +30,13 @@ def path_errors(model: MachineModel, wanted: FloatArray, commanded: FloatArray, 
     for index in range(target.shape[1]):
         off = actual - target[:, index : index + 1]
         error[:, index] = off[:, np.argmin(np.einsum("in,in->n", off, off))]
-    arm = target - ball
-    length = np.linalg.norm(arm, axis=0)
-    stretched = np.einsum("in,in->n", 2.0 * arm + error, error) / (np.linalg.norm(arm + error, axis=0) + length)
-    return PathErrors(stretched, np.linalg.norm(error, axis=0))
+    return PathErrors(bar_error(target, error, ball), np.linalg.norm(error, axis=0))
 
 
 def read_wanted(cl_file: Path) -> FloatArray:
     """The GOTO points of the demonstration's CL file, (3, n), axis positions."""
     rows = [line[5:].split(",") for line in cl_file.read_text().splitlines() if line.startswith("GOTO/")]
     return np.array(rows, dtype=np.float64).T
-
-
-def feed_ends(program: Path, axes: tuple[str, ...]) -> FloatArray:
-    """Ends of all moves of an NC program, (n_axes, n)."""
-    return commanded_ends(program, axes)[0]
 
 
 def circles(model: MachineModel, folder: Path) -> dict[str, tuple[FloatArray, Circularity]]:

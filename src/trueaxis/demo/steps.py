@@ -7,8 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+from trueaxis.compensate.ends import commanded_ends
 from trueaxis.demo import inputs
-from trueaxis.demo.evaluate import circles, feed_ends, path_errors, read_wanted
+from trueaxis.demo.evaluate import circles, path_errors, read_wanted
 from trueaxis.demo.summary import Figures, format_summary
 from trueaxis.files import write_files
 from trueaxis.pictures.error_map import PathErrors, error_map
@@ -79,7 +80,7 @@ def _ballbar_plans(out: Path) -> None:
             if when == "before":
                 positions = inputs.circle_positions(direction == "cw")
             else:
-                ends = feed_ends(out / f"compensated/circle_{direction}.nc", ("X", "Y", "Z"))
+                ends = commanded_ends(out / f"compensated/circle_{direction}.nc", ("X", "Y", "Z"))
                 positions = [(x, y, z) for x, y, z in ends.T.tolist()]
             rows += [f"{direction},{k},{x!r},{y!r},{z!r},1000,,"[:-1] for k, (x, y, z) in enumerate(positions)]
         folder = out / f"ballbar_{when}_plan"
@@ -91,7 +92,7 @@ def _figures(out: Path, noise_um: float) -> Figures:
     wanted = read_wanted(out / "programs/s_path.cl")
     ball = np.array(inputs.BALL_S_PATH)[:, None]
     programs = {"not compensated": wanted} | {
-        way: feed_ends(out / f"compensated/s_path_{way}.nc", found.axes) for way in WAYS
+        way: commanded_ends(out / f"compensated/s_path_{way}.nc", found.axes) for way in WAYS
     }
     on_model = {way: path_errors(found, wanted, ends, ball) for way, ends in programs.items()}
     on_machine = {way: path_errors(truth, wanted, ends, ball) for way, ends in programs.items()}

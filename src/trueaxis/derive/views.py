@@ -25,7 +25,6 @@ class View:
     name: str
     seen: str
     frame: str
-    formula: str
     walk: tuple[Factor, ...]
 
 
@@ -38,10 +37,10 @@ def views(machine: Machine) -> tuple[View, ...]:
     up_tool, up_workpiece = _towards_bed(tool), _towards_bed(workpiece)
     down_workpiece = tuple(Factor(factor.step, True) for factor in reversed(up_workpiece))
     return (
-        View("tool_in_workpiece", "tool", "workpiece", r"[SBW]^{-1}[SBT]\,P_T", up_tool + down_workpiece),
-        View("tool_in_bed", "tool", "bed", r"[SBT]\,P_T", up_tool),
-        View("workpiece_in_bed", "workpiece", "bed", r"[SBW]\,P_W", up_workpiece),
-        View("bed_in_workpiece", "bed", "workpiece", r"[SBW]^{-1}\,P_B", down_workpiece),
+        View("tool_in_workpiece", "tool", "workpiece", up_tool + down_workpiece),
+        View("tool_in_bed", "tool", "bed", up_tool),
+        View("workpiece_in_bed", "workpiece", "bed", up_workpiece),
+        View("bed_in_workpiece", "bed", "workpiece", down_workpiece),
     )
 
 

@@ -7,7 +7,7 @@ from matplotlib import style
 from matplotlib.figure import Figure
 
 # Of Okabe and Ito: told apart by all eyes.
-GREY, ORANGE, BLUE, GREEN, RED = "#595959", "#E69F00", "#0072B2", "#009E73", "#D55E00"
+GREY, ORANGE, BLUE, GREEN = "#595959", "#E69F00", "#0072B2", "#009E73"
 
 
 def png(draw: Callable[[], Figure]) -> bytes:

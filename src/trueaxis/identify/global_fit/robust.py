@@ -5,7 +5,6 @@ solution. Both tunings lose 5 % against least squares where the noise is Gaussia
 Robust Statistics, 2nd ed., ch. 7). z: residual over the scale, which is given or the median of |residual| / 0.6745.
 """
 
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -19,17 +18,6 @@ GAUSSIAN_MEDIAN = float(norm.ppf(0.75))
 CONVERGED = 1e-7  # largest change of a weight
 MOST_ITERATIONS = 100
 DOUBTED = 0.5  # weight below which a reading is named
-
-
-@dataclass(frozen=True, slots=True)
-class Doubted:
-    """A reading that counts less: its run and row, its weight, its residual in mm and in standard deviations."""
-
-    run: str
-    seq: int
-    weight: float
-    residual: float
-    z: float
 
 
 def scale_of(residual: FloatArray) -> float:
