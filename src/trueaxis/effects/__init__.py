@@ -1,0 +1,1 @@
+"""Effects: terms that a machine spec may add to component errors and readings, and the library of their kinds."""

@@ -1,0 +1,83 @@
+"""What an effect may be: a kind, its expression and its parameters."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+Place = Literal["component", "reading", "point", "location"]
+Role = Literal["linear", "phase", "root", "grid"]
+Grid = Literal["pitch", "time", "reversal", "moment", "given"]
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A parameter of a kind.
+
+    unit: with `u` for the unit of the component (mm or rad) and `axis` for that of its axis (mm or deg).
+    role: how the search finds it. `linear`: the term is proportional to it, or to sums over such parameters. `phase`:
+    of a cosine whose amplitude is the linear parameter. `root`: the term is proportional to its square. `grid`: any
+    other way; searched on a grid, `grid` telling which, `values` the grid itself where it is `given`.
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    role: Role = "linear"
+    grid: Grid | None = None
+    values: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A kind of effect.
+
+    place: what the term is added to. `component`: a component error of an axis; `reading`: the readings of an
+    instrument; `point`: a point of the set-up (no expression: its three coordinates are the parameters);
+    `location`: a position error that the spec leaves out (no expression either).
+    expression: of context variables (see `variables`) and parameters, in the language of `expression`.
+    directions: which component errors it may act on, as first letters: `along` its axis, `across`, `turn` (rotations).
+    instrument: whose readings, for the places `reading` and `point`; by_run: whether it is of some runs alone.
+    sentence: the physical cause. confused_with and broken_by: what it is mistaken for, and what tells them apart.
+    """
+
+    name: str
+    place: Place
+    expression: str
+    parameters: tuple[Parameter, ...]
+    sentence: str
+    confused_with: str = ""
+    broken_by: str = ""
+    directions: tuple[str, ...] = ()
+    components: tuple[str, ...] = ()
+    other_axis: bool = False
+    instrument: str = ""
+    by_run: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """A term of a machine: a kind at its place.
+
+    component: such as EXX (`EC0X` for a squareness: ISO 230-7 style, the position error EC of X); axis: the other
+    axis, where the kind has one; runs: ids of the runs whose readings it is in; end: `target` or `reference`, the
+    point of the set-up that is off.
+    """
+
+    kind: str
+    component: str | None = None
+    axis: str | None = None
+    runs: tuple[str, ...] = ()
+    end: str | None = None
+
+    @property
+    def label(self) -> str:
+        """As a report names it: `backlash EXX`, `cross_axis EXX with Y`, `laser_cosine of X1, X2`."""
+        text = self.kind
+        if self.component:
+            text += f" {self.component}"
+        if self.axis:
+            text += f" with {self.axis}"
+        if self.end:
+            text += f" of the {self.end}"
+        if self.runs:
+            text += f" of {', '.join(self.runs)}"
+        return text
