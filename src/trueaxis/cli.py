@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from trueaxis import __version__
 from trueaxis.faults import InputError
 
-COMMANDS = ("derive", "predict", "simulate", "plan", "identify", "fit", "compensate", "evaluate", "demo")
+COMMANDS = ("derive", "predict", "simulate", "plan", "identify", "fit", "compensate", "diagnose", "evaluate", "demo")
 INTERRUPTED = 130  # as shells have it
 
 
@@ -20,7 +20,7 @@ def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="trueaxis",
         description="Geometric errors of machine tools: derive the model of a machine from a short spec, identify its "
-        "errors from laser, ball-bar and probe data, compensate its NC programs.",
+        "errors from laser, ball-bar and probe data, compensate its NC programs, name what the model lacks.",
         epilog="trueaxis COMMAND --help tells more of each. Exit codes: 0 done; 1 done, and the answer is no; "
         "2 the input is wrong, every fault is listed and no output file was touched.",
     )

@@ -47,7 +47,7 @@ def run(args: argparse.Namespace) -> int:
     from trueaxis.emit.render import render  # noqa: PLC0415
 
     machine = read_machine(args.machine)
-    model = derive_model(machine, _runs(machine, args.machine, args.runs))
+    model = derive_model(machine, identification_runs(machine, args.machine, args.runs))
     files = render(model)
     folder = args.out / machine.name
     if args.check:
@@ -77,7 +77,11 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _runs(machine: Machine, spec: Path, given: Path | None) -> "tuple[RunPattern, ...]":
+def identification_runs(machine: Machine, spec: Path, given: Path | None = None) -> "tuple[RunPattern, ...]":
+    """The runs of the folder given, else of the one that the spec names, whose identification systems are derived.
+
+    Raises InputError where it is not there or its files are wrong.
+    """
     folder = given or (spec.parent / machine.runs if machine.runs else None)
     if folder is None:
         return ()

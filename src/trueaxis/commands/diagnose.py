@@ -1,0 +1,200 @@
+"""`trueaxis diagnose`: what a machine's model lacks, named from what it leaves unexplained in measured data."""
+
+import argparse
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trueaxis.commands.arguments import positive
+from trueaxis.commands.derive import identification_runs
+from trueaxis.commands.measured import read_measured
+from trueaxis.commands.paths import overwritten
+from trueaxis.faults import Fault, Faults, InputError
+from trueaxis.files import write_files
+from trueaxis.input_files import gathering, input_bytes, utf8_text
+from trueaxis.measure.data import MeasuredData
+from trueaxis.runtime.errors import ErrorValues, dump_errors
+from trueaxis.runtime.kernels import load_kernels
+from trueaxis.runtime.model import MachineModel
+from trueaxis.spec import Machine, read_machine
+from trueaxis.spec.read import parse_machine
+
+if TYPE_CHECKING:
+    from trueaxis.derive.systems import RunPattern
+    from trueaxis.diagnose.result import Diagnosis
+
+DESCRIPTION = """\
+Name what a machine's model lacks: of the causes that the effect library knows (backlash, cyclic errors, thermal growth,
+servo lag, a laser or ball bar that is off ...) those that explain what the model with its error values leaves of the
+readings, each with size, uncertainty, evidence, and rivals that the readings cannot tell it from. --out gets
+diagnosis.json and report.html and, where causes were named, the extended model, ready for every other command:
+NAME.toml (the spec with [[effect]] tables), errors.json (its values, identified anew) and generated/NAME/."""
+
+EPILOG = """\
+exit code: 0 the readings are noise, or named causes or a recalibration explain them; 1 several causes explain them
+alike, or nothing that is known does; 2 the input is wrong and nothing was written"""
+
+NO_ANSWER = ("ambiguous", "unexplained_structure")
+DIAGNOSIS, REPORT, ERRORS, KERNELS = "diagnosis.json", "report.html", "errors.json", "generated"
+KERNEL_FILES = ("kernels.py", "kernels.c", "kernels.h", "equations.md", "manifest.json")
+
+Progress = Callable[[str], None]
+
+
+def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Declare the command."""
+    parser = subparsers.add_parser(
+        "diagnose", help="name what the model lacks, and extend it", description=DESCRIPTION, epilog=EPILOG
+    )
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
+    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
+    parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be written")
+    parser.add_argument(
+        "--noise-um",
+        type=positive,
+        metavar="S",
+        help="standard deviation of a reading, um (default: from repeated readings)",
+    )
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
+    )
+    parser.set_defaults(run=run)
+
+
+@dataclass(frozen=True)
+class _Given:
+    """What was read. spec: its text as it must read in the folder to be written; runs: whose systems are derived."""
+
+    model: MachineModel
+    data: MeasuredData
+    spec: str
+    runs: "tuple[RunPattern, ...]"
+
+
+def run(args: argparse.Namespace) -> int:
+    """Diagnose, extend, write; raises InputError with the faults of every file and option."""
+    with _progress() as show:
+        show("reading")
+        given = _read(args)
+        # SciPy's statistics and the report's templates take a second to import; only this command needs them, and not
+        # for wrong input.
+        from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
+        from trueaxis.diagnose.report.html import report_html  # noqa: PLC0415
+        from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
+        from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
+
+        options = DiagnoseOptions(noise_um=args.noise_um, progress=show)
+        diagnosis = diagnose(given.model, given.data, options)
+        extension = _extension(args, given, diagnosis, show)
+        show("report")
+        machine_file = f"{given.model.name}.toml" if extension else None
+        contents: dict[Path, bytes | str] = {
+            args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extension else None),
+            args.out / REPORT: report_html(diagnosis),
+            **extension,
+        }
+        write_files(contents)
+    print(summary_text(diagnosis), end="")
+    print(f"written: {', '.join(str(path) for path in contents)}")
+    left = [path for path in _outputs(args.out, given.model.name) if path not in contents and path.exists()]
+    if left:
+        print(f"left from before, no part of this diagnosis: {', '.join(map(str, left))}")
+    return 1 if diagnosis.verdict in NO_ANSWER else 0
+
+
+def _read(args: argparse.Namespace) -> _Given:
+    from trueaxis.diagnose.extended_spec import moved_spec  # noqa: PLC0415
+
+    found: list[Fault] = []
+    if args.out.exists() and not args.out.is_dir():
+        found.append(Fault(str(args.out), "", "is a file", "a folder for --out"))
+    machine, text = None, ""
+    runs: tuple[RunPattern, ...] = ()
+    with gathering(found):
+        machine = read_machine(args.machine)
+    if machine is None:
+        raise InputError(found)
+    found += _overwritten(args, machine)
+    with gathering(found):
+        runs = identification_runs(machine, args.machine)
+    with gathering(found):
+        text = utf8_text(args.machine, input_bytes(args.machine))
+        try:
+            text = moved_spec(text, args.machine.parent, args.out)
+        except ValueError:
+            problem = "cannot be written for another folder"
+            found.append(Fault(str(args.machine), "key runs", problem, "a text of one line in quotes"))
+    measured = read_measured(argparse.Namespace(**vars(args), known=args.errors), found)
+    if measured.data.readings.planned.all():
+        remedy = "take them, or make some with simulate"
+        found.append(Fault(str(args.data), "column reading", "is a plan: there is no reading in it", remedy))
+    if found:
+        raise InputError(found)
+    errors = measured.known or ErrorValues(machine.name)
+    return _Given(measured.model.with_values(errors), measured.data, text, runs)
+
+
+def _overwritten(args: argparse.Namespace, machine: Machine) -> list[Fault]:
+    inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--data": args.data}
+    inputs |= {f"{name} of --kernels": args.kernels / machine.name / name for name in KERNEL_FILES}
+    outputs = _outputs(args.out, machine.name)
+    return overwritten(inputs, {f"{path.relative_to(args.out)} of --out": path for path in outputs})
+
+
+def _outputs(out: Path, name: str) -> list[Path]:
+    """Every file that may be written."""
+    kernels = [out / KERNELS / name / file for file in KERNEL_FILES]
+    return [out / DIAGNOSIS, out / REPORT, out / f"{name}.toml", out / ERRORS, *kernels]
+
+
+def _extension(
+    args: argparse.Namespace, given: _Given, diagnosis: "Diagnosis", show: Progress
+) -> dict[Path, bytes | str]:
+    """The files of the extended machine; none where no cause was named."""
+    from trueaxis.derive.model import derive_model  # noqa: PLC0415
+    from trueaxis.diagnose.extend import kept_readings, named_effects, reidentified  # noqa: PLC0415
+    from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
+    from trueaxis.emit.check import write  # noqa: PLC0415
+    from trueaxis.emit.render import render  # noqa: PLC0415
+
+    effects = named_effects(diagnosis)
+    if not effects:
+        return {}
+    show("extending")
+    path = args.out / f"{given.model.name}.toml"
+    text = extended_spec(given.spec, effects)
+    machine = parse_machine(text, Faults(str(path)))
+    files = render(derive_model(machine, given.runs))
+    with tempfile.TemporaryDirectory() as folder:
+        write(Path(folder) / machine.name, files)
+        kernels = load_kernels(machine, path, Path(folder))
+        model = MachineModel(machine, kernels, ErrorValues(machine.name))
+        kept = kept_readings(given.data, diagnosis, str(args.data))
+        values = reidentified(model, given.model.errors, kept, diagnosis.noise)
+    errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
+    generated: dict[Path, bytes | str] = {
+        args.out / KERNELS / machine.name / name: content for name, content in files.items()
+    }
+    return {path: text, args.out / ERRORS: errors, **generated}
+
+
+@contextmanager
+def _progress() -> Iterator[Progress]:
+    """Shows stages on one line of standard error where that is a terminal, and leaves no trace of it."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+
+    def show(stage: str) -> None:
+        sys.stderr.write(f"\r{stage}\x1b[K")
+        sys.stderr.flush()
+
+    try:
+        yield show
+    finally:
+        show("")

@@ -1,0 +1,112 @@
+"""The extended model: which causes it takes over, and its error values found anew from the readings that were kept.
+
+Values change from those given by as little as the readings ask for: what they do not hold, and how squareness was
+told from straightness, stays as it was given.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
+from trueaxis.effects.kind import Effect
+from trueaxis.identify.global_fit.method import identify_global
+from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.observations import Observations, observations
+from trueaxis.identify.words import enumerated
+from trueaxis.measure.data import MeasuredData
+from trueaxis.measure.reading_model import expected_readings
+from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
+from trueaxis.runtime.errors import ErrorValues, Undetermined
+from trueaxis.runtime.model import MachineModel
+
+
+def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
+    """The effects that the extended machine has besides: causes that were named.
+
+    What cannot be told from a rival is not among them, nor is anything where structure is left unexplained.
+    """
+    if diagnosis.verdict not in ("explained", "ambiguous"):
+        return ()
+    return tuple(cause.effect for cause in diagnosis.causes if not cause.rivals)
+
+
+def kept_readings(data: MeasuredData, diagnosis: Diagnosis, source: str) -> Observations:
+    """The readings that the diagnosis worked on; source: where they come from, named in faults."""
+    taken = np.flatnonzero(~data.readings.planned)
+    everything = observations(source, data.setup.runs, data.readings)
+    return everything.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
+
+
+def reidentified(
+    model: MachineModel, given: ErrorValues, observed: Observations, noise: Sequence[NoiseOf]
+) -> ErrorValues:
+    """Error values of the extended machine: curves, location errors and effects, fitted together.
+
+    model: of the extended machine; given: values of the machine before. Curves change by polynomials up to the degree
+    of the spec's curves; dimensions stay. Raises InputError where the readings hold no unknown.
+    """
+    dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
+    bare = ErrorValues(model.name, dimensions)
+    before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
+    options = GlobalOptions(known=bare, degree=model.machine.curve_degree, noise_by_group=_by_group(observed, noise))
+    change = identify_global(model, replace(observed, reading=observed.reading - before), options).values
+    return changed(given, change, model.location_errors)
+
+
+def changed(given: ErrorValues, change: ErrorValues, locations: Sequence[str]) -> ErrorValues:
+    """Values changed by others: location errors and curves are sums; effects and uncertainties are those of the change.
+
+    A curve given as a table stays one, with the change at its positions.
+    """
+    moved = {
+        name: given.parameters.get(name, 0.0) + change.parameters[name]
+        for name in locations
+        if name in change.parameters
+    }
+    curves = dict(given.motion_errors)
+    for name, curve in change.motion_errors.items():
+        curves[name] = _sum(curves[name], curve) if name in curves else curve
+    return ErrorValues(
+        given.machine,
+        parameters={**given.parameters, **moved},
+        motion_errors=curves,
+        u=change.u,
+        undetermined=tuple(map(_open, change.undetermined)),
+        effects=change.effects,
+    )
+
+
+def _expected(model: MachineModel, values: ErrorValues, observed: Observations) -> FloatArray:
+    return expected_readings(model.with_values(values), observed.runs, observed.run, observed.positions)
+
+
+def _by_group(observed: Observations, noise: Sequence[NoiseOf]) -> dict[str, float]:
+    """Noise by instrument, um; none where that of one is unknown: then the residuals tell."""
+    known = {one.instrument: one.sigma * 1e3 for one in noise if one.sigma > 0.0}
+    present = {observed.runs[index].instrument for index in np.unique(observed.run)}
+    return known if present <= known.keys() else {}
+
+
+def _sum(given: Curve, change: Curve) -> Curve:
+    if isinstance(given, TableCurve):
+        values = np.array(given.values) + change(np.array(given.positions))
+        return TableCurve(given.positions, tuple(values.tolist()))
+    if isinstance(change, TableCurve):
+        return _sum(change, given)
+    total: dict[int, float] = {}
+    for curve in (given, change):
+        for power, coefficient in zip(curve.powers, curve.coefficients, strict=True):
+            total[power] = total.get(power, 0.0) + coefficient
+    u = None
+    if change.u is not None:
+        of_change = dict(zip(change.powers, change.u, strict=True))
+        u = tuple(of_change.get(power, np.nan) for power in sorted(total))
+    return PolynomialCurve(tuple(sorted(total)), tuple(total[power] for power in sorted(total)), u)
+
+
+def _open(left: Undetermined) -> Undetermined:
+    """What the readings leave open keeps the value given, whatever the fit of the change says of its own."""
+    told = f"{enumerated(left.parameters)}: not settled by the readings, as near to what was given as they allow"
+    return replace(left, combination=told)
