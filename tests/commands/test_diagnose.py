@@ -205,14 +205,16 @@ class TestProgress:
         assert pipe.getvalue() == ""
 
 
-class TestRun:
-    @pytest.fixture(scope="class")
-    def out(self, plan: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-        folder = tmp_path_factory.mktemp("diagnosed")
-        data = measured(plan, folder / "data", backlash, seed=11)
-        assert diagnose(folder / "out", data) == 0
-        return folder / "out"
+@pytest.fixture(scope="module")
+def out(plan: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What is written for readings with backlash."""
+    folder = tmp_path_factory.mktemp("diagnosed")
+    data = measured(plan, folder / "data", backlash, seed=11)
+    assert diagnose(folder / "out", data) == 0
+    return folder / "out"
 
+
+class TestRun:
     def test_the_cause_is_named(self, out: Path) -> None:
         told = json.loads((out / "diagnosis.json").read_text())
         assert told["verdict"] == "explained"

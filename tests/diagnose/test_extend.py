@@ -1,19 +1,38 @@
 """Values found anew change where the readings say so, and nowhere else."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from tests.diagnose.report.builders import cause, diagnosis
 from tests.generator.dmu60p import PARAMETERS, coefficients, cubic_errors, dmu60p
 from tests.generator.machine import polynomial
 from tests.identify.data import TRAVEL, line, moving, observed, paper_runs
 from tests.machines import DMU60P, ROOT
-from trueaxis.diagnose.extend import changed, reidentified
-from trueaxis.diagnose.result import NoiseOf
+from trueaxis.diagnose.extend import changed, named_effects, reidentified
+from trueaxis.diagnose.result import Evidence, NoiseOf, Verdict
+from trueaxis.effects.kind import Effect
 from trueaxis.runtime.curves import PolynomialCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 from trueaxis.runtime.model import load_model
 
 NOISE = (NoiseOf("laser", 3e-4, 0.0, 0.0, 0.0, 100, "given"),)
+
+
+class TestNamed:
+    RIVAL = Evidence(Effect("servo_lag", "EXX"), 5.0, 1e-6, 1.0, 100)
+
+    def test_causes_that_were_named_extend_the_machine(self) -> None:
+        causes = (cause(Effect("backlash", "EXX")), cause(Effect("drift", "EYY"), rivals=(self.RIVAL,)))
+        found = replace(diagnosis("ambiguous"), causes=causes)
+        assert named_effects(found) == (Effect("backlash", "EXX"),)
+        assert named_effects(replace(found, verdict="explained", causes=causes[:1])) == (Effect("backlash", "EXX"),)
+
+    @pytest.mark.parametrize("verdict", ["no_discrepancy", "recalibrate", "unexplained_structure"])
+    def test_nothing_does_where_nothing_was_named(self, verdict: Verdict) -> None:
+        found = replace(diagnosis("explained"), verdict=verdict, causes=(cause(Effect("backlash", "EXX")),))
+        assert named_effects(found) == ()
 
 
 class TestChanged:
