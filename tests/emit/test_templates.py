@@ -49,4 +49,4 @@ def test_an_unknown_variable_is_an_error_and_not_an_empty_text() -> None:
 
 
 def test_every_template_is_used() -> None:
-    assert set(environment().list_templates()) == {*EMITTERS, "kernels.c.j2", "kernels.h.j2"}
+    assert set(environment().list_templates()) == {*EMITTERS, "kernels.c.j2", "kernels.h.j2", "report.html.j2"}

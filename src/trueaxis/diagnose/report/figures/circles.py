@@ -1,0 +1,100 @@
+"""Circles of the ball bar: polar, with the extended model over them."""
+
+from typing import cast
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.projections.polar import PolarAxes
+
+from trueaxis.diagnose.report.lines import Round, rounds_of
+from trueaxis.diagnose.report.quantity import UM
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, RULE, SOFT, Picture, picture
+from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
+
+MOST_POINTS = 360  # of a trace, drawn as a line
+_LOOK = {1: (BLUE, "-", "counter-clockwise"), -1: (ORANGE, "--", "clockwise")}
+Key = tuple[str, float]
+
+
+def circles(diagnosis: Diagnosis) -> list[Picture]:
+    """One picture for each plane and feed, both directions in it, all of one scale; none without circles."""
+    residuals = diagnosis.residuals
+    groups: dict[Key, list[Round]] = {}
+    for one in rounds_of(residuals):
+        groups.setdefault((one.plane, round(one.feed, 3) if np.isfinite(one.feed) else -1.0), []).append(one)
+    if not groups:
+        return []
+    largest = max(float(np.abs(_centred(residuals, one)[0]).max()) for all_ in groups.values() for one in all_)
+    tick = _round_up(largest)
+    return [_picture(residuals, key, groups[key], tick) for key in sorted(groups)]
+
+
+def _picture(residuals: Residuals, key: Key, rounds: list[Round], tick: float) -> Picture:
+    plane, feed = key
+    feed_text = f", {feed:g} mm/min" if feed >= 0.0 else ""
+    left = [float(1e3 * residuals.extended[one.rows].std()) for one in rounds]
+    named = ", ".join(f"{one.run} ({_LOOK[one.turn][2]})" for one in rounds)
+    return picture(
+        f"circle-{plane}-{f'{feed:g}'.replace('.', '_').replace('-', 'n')}",
+        f"Circle {plane}{feed_text}",
+        f"Polar plot of radial deviations in {plane}{feed_text}: {named}, the extended model drawn over them; it "
+        f"leaves {max(left):.2g} {UM} RMS at most.",
+        f"{named}. About the fitted centre, magnified: a division is {tick:g} {UM}.",
+        lambda: _figure(residuals, rounds, tick),
+    )
+
+
+def _figure(residuals: Residuals, rounds: list[Round], tick: float) -> Figure:
+    figure = Figure(figsize=(3.9, 4.3))
+    panel = cast(PolarAxes, figure.add_subplot(projection="polar"))
+    around = np.linspace(0.0, 2.0 * np.pi, 181)
+    panel.plot(around, np.zeros_like(around), color=SOFT, linewidth=0.7)
+    seen: set[int] = set()
+    for one in rounds:
+        colour, dash, label = _LOOK[one.turn]
+        measured, model = _centred(residuals, one)
+        theta = residuals.theta[one.rows]
+        stride = slice(None, None, max(1, theta.size // MOST_POINTS))
+        first = one.turn not in seen
+        seen.add(one.turn)
+        angles, radial = _broken(theta[stride], measured[stride])
+        panel.plot(angles, radial, dash, color=colour, linewidth=2.2, alpha=0.75, label=label if first else None)
+        angles, radial = _broken(theta[stride], model[stride])
+        panel.plot(
+            angles,
+            radial,
+            ":" if one.turn < 0 else "-",
+            color=INK,
+            linewidth=1.1 if one.turn < 0 else 0.7,
+            label=f"model, {label}" if first else None,
+        )
+    panel.set_ylim(-2.4 * tick, 1.1 * tick)
+    panel.set_yticks([-tick, 0.0, tick], [f"\N{MINUS SIGN}{tick:g}", "0", f"+{tick:g} {UM}"])
+    panel.set_rlabel_position(22.5)
+    panel.spines["polar"].set_edgecolor(RULE)
+    figure.legend(loc="outside lower center", ncols=2)
+    return figure
+
+
+def _centred(residuals: Residuals, one: Round) -> tuple[FloatArray, FloatArray]:
+    """Readings and what the extended model says, um, both about the centre fitted to the readings (ISO 230-4)."""
+    theta = residuals.theta[one.rows]
+    design = np.column_stack([np.ones_like(theta), np.cos(theta), np.sin(theta)])
+    measured = residuals.reading[one.rows]
+    circle = design @ np.linalg.lstsq(design, measured, rcond=None)[0]
+    model = measured - residuals.extended[one.rows]
+    return 1e3 * (measured - circle), 1e3 * (model - circle)
+
+
+def _broken(theta: FloatArray, radial: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """With a break wherever more than 10 deg are missing."""
+    gaps = np.flatnonzero(np.abs(np.angle(np.exp(1j * np.diff(theta)))) > np.radians(10.0)) + 1
+    return np.insert(theta, gaps, np.nan), np.insert(radial, gaps, np.nan)
+
+
+def _round_up(value: float) -> float:
+    """The next 1, 2 or 5 times a power of ten."""
+    if value <= 0.0:
+        return 1.0
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(next(step * power for step in (1.0, 2.0, 5.0, 10.0) if value <= step * power * (1.0 + 1e-9)))

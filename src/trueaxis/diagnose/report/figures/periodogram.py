@@ -1,0 +1,151 @@
+"""Lomb-Scargle periodograms of the residuals: over the position of each axis, and around the circles."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from scipy.signal import lombscargle
+
+from trueaxis.diagnose.report.lines import envelope, lines_of, rounds_of
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, WIDTH, Picture, picture
+from trueaxis.diagnose.result import Diagnosis, FloatArray, IntArray, Residuals
+
+FALSE_ALARM = 0.01
+MOST_READINGS = 6000  # taken evenly, in order of position
+MOST_FREQUENCIES = 1500
+MOST_POINTS = 800
+OVERSAMPLING = 4
+HIGHEST_LOBE = 40
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Spectrum:
+    """Share of the variance (0 to 1) that a sine of each frequency takes, refitted and extended; the line that noise
+    crosses anywhere with probability FALSE_ALARM.
+    """
+
+    frequencies: FloatArray
+    refitted: FloatArray
+    extended: FloatArray
+    line: float
+
+
+def periodograms(diagnosis: Diagnosis) -> list[Picture]:
+    """One picture for each axis with lines, and one for all circles."""
+    residuals = diagnosis.residuals
+    found = []
+    lines = lines_of(residuals)
+    for axis in sorted({one.axis for one in lines}):
+        rows = np.concatenate([one.rows for one in lines if one.axis == axis])
+        at = residuals.positions[axis, rows]
+        frequencies = _frequencies(at)
+        if frequencies.size:
+            spectrum = _spectrum(residuals, rows, at, frequencies)
+            unit = "mm" if residuals.axes[axis] in "XYZ" else "deg"
+            found.append(_picture(residuals.axes[axis], spectrum, unit))
+    rounds = rounds_of(residuals)
+    if rounds:
+        rows = np.concatenate([one.rows for one in rounds])
+        lobes = np.arange(1.0, HIGHEST_LOBE + 1.0) / (2.0 * np.pi)
+        found.append(_picture("circles", _spectrum(residuals, rows, residuals.theta[rows], lobes), ""))
+    return found
+
+
+def _frequencies(at: FloatArray) -> FloatArray:
+    """From one period over the extent to the Nyquist frequency of the distances between targets; the median of these
+    where targets are regular, shorter ones where they are not.
+    """
+    targets = np.unique(np.round(at, 3))
+    if targets.size < 5:
+        return np.empty(0)
+    extent = float(np.ptp(targets))
+    gaps = np.diff(targets)
+    spacing = max(float(np.quantile(gaps, 0.1)), float(np.median(gaps)) / 5.0)
+    count = int(min(MOST_FREQUENCIES, OVERSAMPLING * max(1.0, extent / (2.0 * spacing))))
+    return np.linspace(1.0 / extent, max(0.5 / spacing, 2.0 / extent), max(count, 8))
+
+
+def _spectrum(residuals: Residuals, rows: IntArray, at: FloatArray, frequencies: FloatArray) -> Spectrum:
+    order = np.argsort(at, kind="stable")
+    order = order[:: max(1, -(-order.size // MOST_READINGS))]
+    rows, at = rows[order], at[order]
+    power = [
+        lombscargle(at, left, 2.0 * np.pi * frequencies, normalize=True) if np.ptp(left) > 0.0 else 0.0 * frequencies
+        for left in (_without_run_means(residuals, values, rows) for values in (residuals.refitted, residuals.extended))
+    ]
+    independent = max(1.0, float(np.ptp(at)) * float(frequencies[-1] - frequencies[0]))
+    freedom = max(rows.size - 3, 1)
+    # P(power > z) = (1 - z)^((n - 3)/2) at one frequency, with the variance estimated from the same readings
+    line = 1.0 - (1.0 - (1.0 - FALSE_ALARM) ** (1.0 / independent)) ** (2.0 / freedom)
+    return Spectrum(frequencies, power[0], power[1], float(line))
+
+
+def _without_run_means(residuals: Residuals, values: FloatArray, rows: IntArray) -> FloatArray:
+    """Offsets of runs are of the set-up, and would leak into the lowest frequencies."""
+    count = np.bincount(residuals.run[rows], minlength=len(residuals.runs))
+    total = np.bincount(residuals.run[rows], weights=values[rows], minlength=len(residuals.runs))
+    mean = total / np.maximum(count, 1)
+    left: FloatArray = values[rows] - mean[residuals.run[rows]]
+    return left
+
+
+def _picture(name: str, spectrum: Spectrum, unit: str) -> Picture:
+    over = f"the position of {name}" if unit else "the polar angle of the circles"
+    peak = [int(power.argmax()) for power in (spectrum.refitted, spectrum.extended)]
+    at = [_named(float(spectrum.frequencies[k]), unit) for k in peak]
+    above = [
+        "above" if power[k] > spectrum.line else "below"
+        for power, k in zip((spectrum.refitted, spectrum.extended), peak, strict=True)
+    ]
+    peaks = (
+        f"Largest peak: refitted at {at[0]}, {above[0]} the line; with the extended model at {at[1]}, {above[1]} it."
+    )
+    return picture(
+        f"period-{name}",
+        f"Periodogram, {name}",
+        f"Lomb-Scargle periodogram of the residuals over {over}. {peaks}",
+        f"{peaks} White noise crosses the line with probability {100 * FALSE_ALARM:g} %.",
+        lambda: _figure(spectrum, unit),
+    )
+
+
+def _named(frequency: float, unit: str) -> str:
+    return f"{1.0 / frequency:.4g} {unit}" if unit else f"{2.0 * np.pi * frequency:.0f} lobes"
+
+
+def _figure(spectrum: Spectrum, unit: str) -> Figure:
+    figure = Figure(figsize=(WIDTH, 3.0))
+    panel = figure.add_subplot()
+    if unit:
+        _curves(panel, spectrum, 1.0 / spectrum.frequencies)
+        panel.set_xscale("log")
+        panel.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        panel.xaxis.set_major_formatter(FuncFormatter(lambda period, _: f"{period:g}"))
+        panel.xaxis.set_minor_formatter(NullFormatter())
+        panel.set_xlabel(f"period ({unit})")
+    else:
+        _stems(panel, spectrum)
+    panel.axhline(spectrum.line, color=INK, linewidth=0.9, linestyle="--", label=f"false alarm {100 * FALSE_ALARM:g} %")
+    panel.set_ylabel("share of variance")
+    panel.set_ylim(bottom=0.0)
+    figure.legend(loc="outside upper center", ncols=3)
+    return figure
+
+
+def _curves(panel: Axes, spectrum: Spectrum, across: FloatArray) -> None:
+    for power, colour, dash, label in (
+        (spectrum.refitted, ORANGE, "-", "refitted"),
+        (spectrum.extended, BLUE, (0, (4, 1.5)), "extended"),
+    ):
+        kept = envelope(power, MOST_POINTS)
+        panel.plot(across[kept], power[kept], linestyle=dash, color=colour, linewidth=0.9, label=label)
+
+
+def _stems(panel: Axes, spectrum: Spectrum) -> None:
+    lobes = 2.0 * np.pi * spectrum.frequencies
+    panel.vlines(lobes, 0.0, spectrum.refitted, color=ORANGE, linewidth=1.0)
+    panel.plot(lobes, spectrum.refitted, "D", color=ORANGE, markerfacecolor="none", markersize=3.2, label="refitted")
+    panel.plot(lobes, spectrum.extended, "o", color=BLUE, markersize=2.6, label="extended")
+    panel.set_xlabel("undulations per revolution")

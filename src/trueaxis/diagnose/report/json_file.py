@@ -1,0 +1,167 @@
+"""diagnosis.json: the findings for programs."""
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+
+from trueaxis.diagnose.result import Cause, Diagnosis, Evidence, Limit, Stage
+from trueaxis.effects.kind import Effect
+
+SCHEMA = 1
+
+
+def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_errors: str | None) -> str:
+    """Strict JSON, ending with a newline; what is not a finite number is null.
+
+    extended_machine, extended_errors: the files of the extended model, as a reader of diagnosis.json finds them.
+    Lengths whose key does not say otherwise are in the unit beside them (mm, rad, ...).
+    """
+    gain = diagnosis.gain
+    content = {
+        "schema": SCHEMA,
+        "machine": diagnosis.machine,
+        "verdict": diagnosis.verdict,
+        "noise_um": _um(noise(diagnosis)),
+        "causes": [_cause(one) for one in diagnosis.causes],
+        "gain": {
+            "rms_um": _stage(gain.rms),
+            "held_out_rms_um": _stage(gain.held_out),
+            "held_out": gain.split,
+            "floor_um": _um(gain.floor),
+        },
+        "extended_machine": extended_machine,
+        "extended_errors": extended_errors,
+        "recalibration_p": diagnosis.recalibration_p,
+        "warnings": list(diagnosis.warnings),
+        "absences": list(diagnosis.absences),
+        "next_runs": [{"purpose": one.purpose, "run": one.run, "gain": one.gain} for one in diagnosis.next_runs],
+        "noise": [
+            {
+                "instrument": one.instrument,
+                "white_um": _um(one.white),
+                "correlated_um": _um(one.correlated),
+                "correlation": one.correlation,
+                "slope_um": _um(one.slope),
+                "freedom": one.freedom,
+                "origin": one.origin,
+            }
+            for one in diagnosis.noise
+        ],
+        "circularity": [
+            {
+                "run": one.run,
+                "measured_um": _um(one.measured),
+                "left_um": {"given": _um(one.given), "refitted": _um(one.refitted), "extended": _um(one.extended)},
+            }
+            for one in diagnosis.circles
+        ],
+        "checks": [
+            {
+                "check": one.name,
+                "meaning": one.meaning,
+                "p_value": one.p_value,
+                "fired": one.fired,
+                "rms_um": _um(one.rms),
+            }
+            for one in diagnosis.checks
+        ],
+        "outliers": [
+            {"run": one.run, "seq": one.seq, "deviation_um": _um(one.deviation), "z": one.z}
+            for one in diagnosis.outliers
+        ],
+        "threshold": diagnosis.threshold,
+        "evidence": [_evidence(one) for one in diagnosis.scan],
+        "limits": [_limit(one) for one in diagnosis.limits],
+    }
+    return json.dumps(_plain(content), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def noise(diagnosis: Diagnosis) -> float:
+    """RMS of the noise over the readings kept, each with the noise of its instrument, mm; NaN where it is unknown."""
+    residuals = diagnosis.residuals
+    sigma = {one.instrument: one.sigma for one in diagnosis.noise}
+    instruments, counts = np.unique(
+        np.array([residuals.instruments[k] for k in residuals.run], dtype=str), return_counts=True
+    )
+    known = [(sigma[str(name)], int(n)) for name, n in zip(instruments, counts, strict=True) if str(name) in sigma]
+    if not known:
+        return float(np.sqrt(np.mean(np.square(list(sigma.values()))))) if sigma else math.nan
+    return math.sqrt(sum(n * value**2 for value, n in known) / sum(n for _, n in known))
+
+
+def _cause(one: Cause) -> dict[str, Any]:
+    return {
+        **_effect(one.effect),
+        "parameters": {p.name: {"value": p.value, "u": p.u, "unit": p.unit} for p in one.parameters},
+        "evidence": {
+            "p_value": one.p_value,
+            "held_out_gain": one.held_out_gain,
+            "evidence": one.evidence,
+            "rms_um": _um(one.rms),
+            "homogeneous_p": one.homogeneous_p,
+        },
+        "cannot_be_told_from": [_evidence(rival) for rival in one.rivals],
+        "separating": one.separating,
+        "remainder": one.remainder,
+        "sentence": one.sentence,
+        "formula": one.formula,
+        "amplitudes": [{"group": at.group, "value": at.value, "u": at.u} for at in one.amplitudes],
+    }
+
+
+def _effect(effect: Effect) -> dict[str, Any]:
+    """The keys of an [[effect]], `effect` for its kind; `component` always, the others where it has them."""
+    told: dict[str, Any] = {"effect": effect.kind, "component": effect.component}
+    if effect.axis:
+        told["axis"] = effect.axis
+    if effect.runs:
+        told["runs"] = list(effect.runs)
+    if effect.end:
+        told["end"] = effect.end
+    return told
+
+
+def _evidence(one: Evidence) -> dict[str, Any]:
+    return {
+        **_effect(one.effect),
+        "evidence": one.evidence,
+        "p_value": one.p_value,
+        "tries": one.tries,
+        "freedom": one.freedom,
+    }
+
+
+def _limit(one: Limit) -> dict[str, Any]:
+    return {
+        **_effect(one.effect),
+        "state": one.state,
+        "reason": one.reason,
+        "parameter": one.size,
+        "unit": one.unit,
+        "detection": one.detection,
+        "isolation": one.isolation,
+        "share": one.share,
+        "nearest": None if one.nearest is None else _effect(one.nearest),
+        "r2": one.r2,
+    }
+
+
+def _stage(stage: Stage) -> dict[str, float]:
+    return {"given": _um(stage.given), "refitted": _um(stage.refitted), "extended": _um(stage.extended)}
+
+
+def _um(length: float) -> float:
+    return 1e3 * length
+
+
+def _plain(value: Any) -> Any:
+    """Without NumPy's types and without numbers that JSON does not know."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, np.generic):
+        value = value.item()
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,0 +1,98 @@
+"""Numbers as people write them: units of the workshop, uncertainties of two digits."""
+
+import math
+
+MICRO = "\N{MICRO SIGN}"
+UM = f"{MICRO}m"
+NBSP = "\N{NO-BREAK SPACE}"
+COVERAGE_FACTOR = 2.0  # of the expanded uncertainty, as ISO 230-2 has it
+
+# unit of the records: below this size, shown so many times larger, in this unit
+_SMALL = {
+    "mm": (0.1, 1e3, UM),
+    "rad": (0.01, 1e6, f"{MICRO}rad"),
+    "s": (0.1, 1e3, "ms"),
+    "1": (0.01, 1e6, f"{UM}/m"),
+    "mm/mm": (0.01, 1e6, f"{UM}/m"),
+    "mm/mm/K": (0.01, 1e6, f"{UM}/m/K"),
+    "mm/s": (1e-4, 3.6e6, f"{UM}/h"),
+    "rad/s": (1e-4, 3.6e9, f"{MICRO}rad/h"),
+}
+_PREFIXED = {"mm": (1e3, UM), "rad": (1e6, f"{MICRO}rad")}
+
+_ASCII = str.maketrans(
+    {
+        MICRO: "u",
+        NBSP: " ",
+        "\N{PLUS-MINUS SIGN}": "+/-",
+        "\N{EN DASH}": "-",
+        "\N{MINUS SIGN}": "-",
+        "\N{SUPERSCRIPT TWO}": "2",
+    }
+)
+
+
+def shown_in(size: float, unit: str) -> tuple[float, str]:
+    """Factor and unit in which a quantity of this size (in `unit`) is shown: 0.006 mm as 6 um."""
+    if not math.isfinite(size):
+        return 1.0, "" if unit == "1" else unit
+    if unit in _SMALL:
+        below, factor, small = _SMALL[unit]
+        return (factor, small) if abs(size) < below else (1.0, "" if unit == "1" else unit)
+    first, slash, rest = unit.partition("/")
+    if first in _PREFIXED and slash and abs(size) < 0.01:
+        factor, small = _PREFIXED[first]
+        return factor, f"{small}/{rest}"
+    return 1.0, unit
+
+
+def quantity(value: float, unit: str, digits: int = 3) -> str:
+    """`6.1 um`; `unknown` where there is no number."""
+    if not math.isfinite(value):
+        return "unknown"
+    factor, small = shown_in(value, unit)
+    return _plain(value * factor, digits) + (f"{NBSP}{small}" if small else "")
+
+
+def with_expanded(value: float, u: float, unit: str) -> str:
+    """`6.10 um +/- 0.40 um (k = 2)`: the expanded uncertainty has two digits, the value as many decimals."""
+    if not (math.isfinite(u) and u > 0.0):
+        return quantity(value, unit)
+    factor, small = shown_in(max(abs(value), COVERAGE_FACTOR * u), unit)
+    expanded = COVERAGE_FACTOR * u * factor
+    decimals = max(0, 1 - math.floor(math.log10(expanded)))
+    unit_text = f"{NBSP}{small}" if small else ""
+    return (
+        f"{value * factor:.{decimals}f}{unit_text} \N{PLUS-MINUS SIGN}{NBSP}{expanded:.{decimals}f}{unit_text} "
+        f"(k{NBSP}={NBSP}{COVERAGE_FACTOR:g})"
+    )
+
+
+def micrometres(value: float) -> str:
+    """A length in mm as `3.21` (um); a dash where there is none."""
+    return _plain(1e3 * value, 3) if math.isfinite(value) else "\N{EN DASH}"
+
+
+def probability(p: float) -> str:
+    """`0.03`, `2e-12`; `below 1e-300` where it underflows."""
+    if math.isnan(p):
+        return "\N{EN DASH}"
+    return "below 1e-300" if p < 1e-300 else f"{p:.2g}"
+
+
+def percent(share: float) -> str:
+    """`84 %`."""
+    return f"{100.0 * share:.0f}{NBSP}%" if math.isfinite(share) else "\N{EN DASH}"
+
+
+def ascii_only(text: str) -> str:
+    """For a console of any encoding: um, +/-."""
+    return text.translate(_ASCII).encode("ascii", "replace").decode()
+
+
+def _plain(value: float, digits: int) -> str:
+    """So many digits, and no exponent where a plain number does."""
+    if value == 0.0 or not 1e-4 <= abs(value) < 1e7:
+        return f"{value:.{digits}g}"
+    decimals = max(0, digits - 1 - math.floor(math.log10(abs(value))))
+    return f"{value:.{decimals}f}"

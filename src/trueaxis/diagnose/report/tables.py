@@ -1,0 +1,138 @@
+"""The tables of the report: numbers already written out."""
+
+import math
+from dataclasses import dataclass
+
+from trueaxis.diagnose.report.quantity import UM, micrometres, percent, probability, quantity
+from trueaxis.diagnose.report.words import effect_title
+from trueaxis.diagnose.result import Cause, Diagnosis
+
+R2 = "R\N{SUPERSCRIPT TWO}"
+DASH = "\N{EN DASH}"
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table of the page. rows: cells as text, the first of each naming its row; numbers: columns set to the right."""
+
+    caption: str
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    numbers: frozenset[int] = frozenset()
+
+
+def rivals(cause: Cause) -> Table:
+    """What explains the readings about as well as the cause."""
+    rows = tuple(
+        (effect_title(one.effect), _short(one.evidence), probability(one.p_value))
+        for one in sorted(cause.rivals, key=lambda one: -one.evidence)
+    )
+    own = (effect_title(cause.effect), _short(cause.evidence), probability(cause.p_value))
+    return Table("Cannot be told from", ("candidate", "evidence", "p"), (own, *rows), frozenset({1, 2}))
+
+
+def circularity(diagnosis: Diagnosis) -> Table:
+    """ISO 230-4, measured and what is left."""
+    rows = tuple(
+        (one.run, *(micrometres(value) for value in (one.measured, one.given, one.refitted, one.extended)))
+        for one in diagnosis.circles
+    )
+    head = ("run", "measured", "left, as given", "left, refitted", "left, extended")
+    return Table(f"Circular deviation (ISO 230-4), {UM}", head, rows, frozenset(range(1, 5)))
+
+
+def limits(diagnosis: Diagnosis) -> Table:
+    """What each candidate had to have for size to be seen; numbered as the heat map has it."""
+    number = {effect: str(k) for k, effect in enumerate(diagnosis.isolability, 1)}
+    rows = []
+    for one in diagnosis.limits:
+        nearest = DASH if one.nearest is None else f"{effect_title(one.nearest)} ({R2} {one.r2:.2f})"
+        rows.append(
+            (
+                effect_title(one.effect),
+                number.get(one.effect, DASH),
+                one.size,
+                _least(one.detection, one.unit),
+                _least(one.isolation, one.unit),
+                percent(one.share),
+                nearest,
+                f"{one.state}: {one.reason}" if one.reason else one.state,
+            )
+        )
+    head = ("candidate", "no.", "size", "detected from", "told apart from", "beyond the base", "nearest", "state")
+    return Table("Detection limits, said before any reading is looked at", head, tuple(rows), frozenset({1, 3, 4, 5}))
+
+
+def checks(diagnosis: Diagnosis) -> Table:
+    """Those that fired first, then by p."""
+    rows = tuple(
+        (one.name, one.meaning, probability(one.p_value), micrometres(one.rms), "FIRED" if one.fired else "quiet")
+        for one in sorted(diagnosis.checks, key=lambda one: (not one.fired, _last(one.p_value)))
+    )
+    head = ("check", "what it looks for", "p", f"RMS ({UM})", "result")
+    return Table("Structure left by the final model", head, rows, frozenset({2, 3}))
+
+
+def outliers(diagnosis: Diagnosis) -> Table:
+    """Readings left out, the farthest first."""
+    rows = tuple(
+        (f"{one.run}, {one.seq}", micrometres(one.deviation), f"{one.z:+.1f}")
+        for one in sorted(diagnosis.outliers, key=lambda one: -abs(one.z))
+    )
+    head = ("run, seq", f"deviation ({UM})", "robust standard deviations")
+    return Table("Readings left out as outliers", head, rows, frozenset({1, 2}))
+
+
+def next_runs(diagnosis: Diagnosis) -> Table:
+    """What to measure next."""
+    rows = tuple((one.run, one.purpose, one.gain) for one in diagnosis.next_runs)
+    return Table("Runs that would help", ("run", "purpose", "what it would tell"), rows)
+
+
+def noise(diagnosis: Diagnosis) -> Table:
+    """Noise of each instrument."""
+    rows = tuple(
+        (
+            one.instrument,
+            micrometres(one.sigma),
+            micrometres(one.white),
+            micrometres(one.correlated),
+            _short(one.correlation),
+            micrometres(one.slope),
+            f"{one.freedom:.0f}" if math.isfinite(one.freedom) else DASH,
+            one.origin,
+        )
+        for one in diagnosis.noise
+    )
+    head = ("instrument", "sigma", "white", "correlated", "correlation", "slope of a run", "d.o.f.", "from")
+    return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 7)))
+
+
+def scan(diagnosis: Diagnosis) -> Table:
+    """Every candidate, the strongest first."""
+    rows = tuple(
+        (effect_title(one.effect), _short(one.evidence), probability(one.p_value), f"{one.tries:.3g}", str(one.freedom))
+        for one in sorted(diagnosis.scan, key=lambda one: -_first(one.evidence))
+    )
+    head = ("candidate", "evidence", "p", "effective tries", "d.o.f.")
+    return Table(
+        f"Evidence of every candidate (threshold {diagnosis.threshold:.3g})", head, rows, frozenset({1, 2, 3, 4})
+    )
+
+
+def _short(value: float) -> str:
+    return f"{value:.3g}" if math.isfinite(value) else DASH
+
+
+def _least(size: float, unit: str) -> str:
+    if math.isnan(size):
+        return DASH
+    return "never" if math.isinf(size) else quantity(size, unit, 2)
+
+
+def _first(value: float) -> float:
+    return -math.inf if math.isnan(value) else value
+
+
+def _last(value: float) -> float:
+    return math.inf if math.isnan(value) else value

@@ -1,0 +1,56 @@
+"""The diagnosis on the console."""
+
+from collections.abc import Iterator
+
+from trueaxis.diagnose.report.quantity import ascii_only, micrometres, percent, probability, with_expanded
+from trueaxis.diagnose.report.words import effect_title, headline, joint
+from trueaxis.diagnose.result import Cause, Diagnosis
+from trueaxis.effects.library import BY_NAME
+
+
+def summary_text(diagnosis: Diagnosis) -> str:
+    """A few lines in ASCII, the verdict first, ending with a newline."""
+    return ascii_only("\n".join(_lines(diagnosis))) + "\n"
+
+
+def _lines(diagnosis: Diagnosis) -> Iterator[str]:
+    yield f"{diagnosis.verdict}: {headline(diagnosis)}"
+    for number, cause in enumerate(diagnosis.causes, 1):
+        yield from _cause(number, cause)
+    if diagnosis.verdict == "unexplained_structure":
+        yield from (
+            f"looks like: {one.name}: {one.meaning} ({micrometres(one.rms)} um RMS, p {probability(one.p_value)})"
+            for one in diagnosis.checks
+            if one.fired
+        )
+    gain = diagnosis.gain
+    for what, stage in (("RMS", gain.rms), (f"held-out RMS ({gain.split})", gain.held_out)):
+        yield (
+            f"{what}: given {micrometres(stage.given)}, refitted {micrometres(stage.refitted)}, "
+            f"extended {micrometres(stage.extended)} um; noise floor {micrometres(gain.floor)} um"
+        )
+    if diagnosis.outliers:
+        yield f"left out as outliers: {len(diagnosis.outliers)} readings"
+    yield from (f"next: {one.run} ({one.purpose}): {one.gain}" for one in diagnosis.next_runs)
+    yield from (f"warning: {text}" for text in diagnosis.warnings)
+
+
+def _cause(number: int, cause: Cause) -> Iterator[str]:
+    yield f"cause {number}: {effect_title(cause.effect)}: {cause.sentence}"
+    yield f"  where: {joint(cause.effect)}"
+    kind = BY_NAME.get(cause.effect.kind)
+    term = kind.expression if kind and kind.expression else cause.formula
+    if term:
+        yield f"  term: {term}"
+    for one in cause.parameters:
+        yield f"  {one.name} = {with_expanded(one.value, one.u, one.unit)}"
+    yield (
+        f"  evidence: p {probability(cause.p_value)}, {micrometres(cause.rms)} um RMS, "
+        f"held-out RMS lower by {percent(cause.held_out_gain)}"
+    )
+    if cause.rivals:
+        yield f"  cannot be told from: {', '.join(effect_title(rival.effect) for rival in cause.rivals)}"
+    if cause.separating:
+        yield f"  what would tell: {cause.separating}"
+    if cause.remainder:
+        yield "  a remainder is left that this cause does not explain"

@@ -1,0 +1,119 @@
+"""Effects and verdicts in plain words."""
+
+from collections.abc import Sequence
+
+from trueaxis.diagnose.report.quantity import probability, quantity, with_expanded
+from trueaxis.diagnose.result import Cause, Diagnosis, Verdict
+from trueaxis.effects.kind import Effect
+
+TITLES: dict[Verdict, str] = {
+    "no_discrepancy": "No discrepancy",
+    "recalibrate": "Recalibrate",
+    "explained": "Explained",
+    "ambiguous": "Ambiguous",
+    "unexplained_structure": "Unexplained structure",
+}
+_ABOUT = {"A": "X", "B": "Y", "C": "Z"}
+
+
+def effect_title(effect: Effect) -> str:
+    """`Backlash in EXX`, `Cross axis in EXX with Y`, `Laser cosine of X1, X2`."""
+    words = effect.kind.replace("_", " ")
+    text = words[:1].upper() + words[1:]
+    rest = effect.label.removeprefix(effect.kind)
+    return text + (f" in{rest}" if effect.component else rest)
+
+
+def joint(effect: Effect) -> str:
+    """Where an effect acts: `positioning error of the X axis (EXX)`."""
+    name = effect.component
+    if name is None:
+        where = f"readings of {', '.join(effect.runs)}" if effect.runs else "readings of the instrument"
+        return f"set-up of {', '.join(effect.runs) or 'the runs'}" if effect.end else where
+    direction, axis = name[1], name[-1]
+    if "0" in name:
+        return f"squareness: position error E{direction} of the joint of the {axis} axis ({name})"
+    if direction == axis:
+        return f"positioning error of the {axis} axis ({name})"
+    if direction in _ABOUT:
+        return f"rotation of the {axis} axis about {_ABOUT[direction]} ({name})"
+    error = "error motion" if axis in _ABOUT else "straightness"
+    return f"{error} of the {axis} axis in {direction} ({name})"
+
+
+def size_of(cause: Cause) -> str:
+    """`width 6.10 um +/- 0.40 um (k = 2)`, of the first parameter."""
+    if not cause.parameters:
+        return ""
+    first = cause.parameters[0]
+    return f"{first.name} {with_expanded(first.value, first.u, first.unit)}"
+
+
+def enumerated(words: Sequence[str], last: str = "and") -> str:
+    """`a`, `a and b`, `a, b and c`."""
+    return f"{', '.join(words[:-1])} {last} {words[-1]}" if len(words) > 1 else "".join(words)
+
+
+def headline(diagnosis: Diagnosis) -> str:
+    """The verdict as one sentence."""
+    causes = [f"{effect_title(one.effect)}, {size_of(one)}".removesuffix(", ") for one in diagnosis.causes]
+    match diagnosis.verdict:
+        case "no_discrepancy":
+            return "The readings agree with the model: what is left is noise."
+        case "recalibrate":
+            return "The form of the model suffices, its values are stale: recalibrate."
+        case "explained":
+            return f"{'Causes' if len(causes) > 1 else 'Cause'} found: {enumerated(causes)}."
+        case "ambiguous":
+            sets = [
+                enumerated([effect_title(one.effect), *(effect_title(rival.effect) for rival in one.rivals)], "or")
+                for one in diagnosis.causes
+            ]
+            return f"{'; '.join(sets)}: these readings cannot tell which."
+        case "unexplained_structure":
+            return "The residuals are not noise, and no known effect explains them: no cause is named."
+
+
+def explanation(diagnosis: Diagnosis) -> str:
+    """What the verdict means, and what to do."""
+    return f"{_MEANING[diagnosis.verdict]} {_detail(diagnosis)}".rstrip()
+
+
+_MEANING: dict[Verdict, str] = {
+    "no_discrepancy": (
+        "No test finds more in the residuals than the noise of the repeats, and refitting the values brings no more "
+        "than chance would. There is nothing to mend; effects below their detection limits cannot be excluded."
+    ),
+    "recalibrate": (
+        "The same model with new values leaves nothing but noise, so no effect has to be added: identify the errors "
+        "anew from readings such as these and compensate with them."
+    ),
+    "explained": (
+        "The model with the terms named below leaves nothing but noise (or a remainder, where a cause says so), and it "
+        "predicts runs that it was not fitted to."
+    ),
+    "ambiguous": (
+        "Something beyond the model is in the readings, but several causes predict the same. The one that fits best is "
+        "shown with the size that it would have, its rivals beside it, and what would tell them apart."
+    ),
+    "unexplained_structure": (
+        "Naming the nearest candidate would be a guess: none of them leaves noise. The checks tell what the structure "
+        "looks like, which is where to search: by hand, or with an effect kind of your own in the machine file."
+    ),
+}
+
+
+def _detail(diagnosis: Diagnosis) -> str:
+    if diagnosis.verdict == "recalibrate":
+        p = probability(diagnosis.recalibration_p)
+        return f"The values given would look so stale by chance with a probability of {p}."
+    if diagnosis.verdict == "unexplained_structure":
+        fired = [f"{one.name} ({quantity(one.rms, 'mm')} RMS)" for one in diagnosis.checks if one.fired]
+        return f"It looks like: {enumerated(fired)}." if fired else ""
+    return ""
+
+
+def short_title(effect: Effect, longest: int = 26) -> str:
+    """`effect_title`, cut where a figure has no room for more."""
+    title = effect_title(effect)
+    return title if len(title) <= longest else f"{title[: longest - 1]}\N{HORIZONTAL ELLIPSIS}"

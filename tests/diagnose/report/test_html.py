@@ -1,0 +1,251 @@
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import get_args
+
+import jinja2
+import numpy as np
+import pytest
+from jinja2 import meta
+
+from tests.diagnose.report import builders
+from tests.diagnose.report.page import Element, read
+from trueaxis.diagnose.report.html import TEMPLATE, report_html
+from trueaxis.diagnose.result import BoolArray, Diagnosis, Residuals, Verdict
+from trueaxis.template_folders import template_folders
+
+VERDICTS = get_args(Verdict)
+MEGABYTE = 1_000_000
+ROOT = Path(__file__).parents[3]
+
+
+@cache
+def html(verdict: Verdict) -> str:
+    return report_html(builders.diagnosis(verdict))
+
+
+@cache
+def page(verdict: Verdict) -> Element:
+    return read(html(verdict))
+
+
+@pytest.mark.parametrize("verdict", VERDICTS)
+def test_the_page_is_well_formed_and_its_ids_are_its_own(verdict: Verdict) -> None:
+    ids = [one.attributes["id"] for one in page(verdict).every() if "id" in one.attributes]
+    assert len(ids) == len(set(ids))
+    text = html(verdict)
+    for reference in re.findall(r'(?:url\(#|href="#)([^)"]+)', text):
+        assert reference in ids
+    for one in page(verdict).every():
+        for named in one.attributes.get("aria-labelledby", "").split():
+            assert named in ids
+
+
+def test_the_template_is_given_what_it_uses(monkeypatch: pytest.MonkeyPatch) -> None:
+    given: set[str] = set()
+    render = jinja2.Template.render
+
+    def noting(template: jinja2.Template, *args: object, **variables: object) -> str:
+        given.update(variables)
+        return render(template, *args, **variables)
+
+    monkeypatch.setattr(jinja2.Template, "render", noting)
+    report_html(builders.diagnosis("explained"))
+    source = next(folder / TEMPLATE for folder in template_folders()).read_text()
+    assert given == meta.find_undeclared_variables(jinja2.Environment(autoescape=True).parse(source))
+
+
+@pytest.mark.parametrize("verdict", VERDICTS)
+def test_the_page_needs_nothing_from_elsewhere(verdict: Verdict) -> None:
+    assert "http" not in html(verdict)
+    assert "@import" not in html(verdict)
+    for one in page(verdict).every():
+        assert one.tag not in ("script", "link", "iframe", "object")
+        for name in ("src", "href", "xlink:href"):
+            assert one.attributes.get(name, "#").startswith(("#", "data:image/png;base64,"))
+
+
+def test_the_page_is_the_same_to_the_byte_in_another_process_with_another_matplotlibrc() -> None:
+    code = (
+        "import sys, matplotlib; matplotlib.rcParams.update({'font.size': 30.0, 'axes.grid': False})\n"
+        "from tests.diagnose.report import builders\n"
+        "from trueaxis.diagnose.report.html import TEMPLATE, report_html\n"
+        "sys.stdout.buffer.write(report_html(builders.diagnosis('explained')).encode())"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, cwd=ROOT)
+    assert done.stdout.decode() == html("explained")
+
+
+@pytest.mark.parametrize(
+    ("verdict", "said"),
+    [
+        ("no_discrepancy", "what is left is noise"),
+        ("recalibrate", "its values are stale"),
+        ("explained", "Cause found: Backlash in EXX, width 6.10 \u00b5m \u00b1 0.20 \u00b5m (k = 2)"),
+        ("ambiguous", "Backlash in EXX or Servo lag in EXX: these readings cannot tell which"),
+        ("unexplained_structure", "no cause is named"),
+    ],
+)
+def test_the_verdict_comes_first_in_plain_words(verdict: Verdict, said: str) -> None:
+    (head,) = page(verdict).all("h1")
+    assert said in head.text.replace("\u00a0", " ")
+    (body,) = page(verdict).all("body")
+    assert body.attributes["class"] == verdict
+
+
+def test_a_verdict_without_cause_names_none() -> None:
+    for verdict in ("no_discrepancy", "recalibrate", "unexplained_structure"):
+        assert not page(verdict).all("article")
+        assert 'id="causes"' not in html(verdict)
+    assert "odd in direction (3.00 \u00b5m RMS)" in page("unexplained_structure").text.replace("\u00a0", " ")
+    assert "by chance with a probability of 1e-08" in page("recalibrate").text
+
+
+def test_a_cause_is_told_with_all_that_belongs_to_it() -> None:
+    (card,) = page("ambiguous").all("article")
+    text = card.text.replace("\u00a0", " ")
+    for said in (
+        "Backlash in EXX",
+        "positioning error of the X axis (EXX)",
+        "Play or elastic wind-up in the drive",
+        "width 6.10 \u00b5m \u00b1 0.20 \u00b5m (k = 2)",
+        "p = 1e-12",
+        "lower by 84 %",
+        "Servo lag in EXX",
+        "circles in XY at another feed, both directions",
+    ):
+        assert said in text
+    (formula,) = card.all("math")
+    assert formula.all("mfrac")
+    assert "remainder" not in text
+
+
+def test_a_remainder_is_said() -> None:
+    diagnosis = builders.diagnosis("explained")
+    (cause,) = diagnosis.causes
+    told = read(report_html(replace(diagnosis, causes=(replace(cause, remainder=True),))))
+    assert "a remainder is left beside it" in told.all("article")[0].text
+
+
+def test_everything_found_is_in_the_page() -> None:
+    text = page("explained").text.replace("\u00a0", " ")
+    for said in (
+        "mill <3 & more>",
+        "run X-2 has one outlier; it was left out",
+        "no temperature channel in the circles",
+        "tell backlash EXX from servo_lag EXX",
+        "R2 0.96 -> 0.31",
+        "whole runs left out, one at a time",
+        "XY-500-ccw",
+        "12.3",
+        "structure that changes sign with the direction",
+        "X-2, 17",
+        "+9.3",
+        "unobservable: lines at one offset only",
+        "1100 \u00b5rad",
+        "never",
+        "repeats of lines",
+    ):
+        assert said in text
+
+
+def test_every_candidate_is_in_both_tables() -> None:
+    tables = {table.all("caption")[0].text: table for table in page("explained").all("table")}
+    evidence = next(table for caption, table in tables.items() if caption.startswith("Evidence of every candidate"))
+    limits = next(table for caption, table in tables.items() if caption.startswith("Detection limits"))
+    for table in (evidence, limits):
+        rows = [row.all("th")[0].text for row in table.all("tbody")[0].all("tr")]
+        assert sorted(rows) == sorted(
+            [
+                "Backlash in EXX",
+                "Servo lag in EXX",
+                "Cyclic in EYY",
+                "Laser cosine of X-2, X-3",
+                "Cross axis in EXX with Y",
+                "Point offset of the target of Y-1",
+            ]
+        )
+    assert evidence.all("tbody")[0].all("tr")[-1].all("td")[0].text == "\u2013"  # no evidence at all: last, and no nan
+
+
+def test_tables_and_figures_are_accessible() -> None:
+    root = page("ambiguous")
+    (language,) = root.all("html")
+    assert language.attributes["lang"] == "en"
+    for table in root.all("table"):
+        assert table.all("caption")[0].text
+        columns = len(table.all("thead")[0].all("th"))
+        for cell in table.all("th"):
+            assert cell.attributes["scope"] in ("col", "row")
+        for row in table.all("tbody")[0].all("tr"):
+            assert len(row.all("td")) + len(row.all("th")) == columns
+    figures = root.all("svg")
+    assert len(figures) > 15
+    for figure in figures:
+        assert figure.attributes["role"] == "img"
+        assert figure.all("title")[0].text
+        assert len(figure.all("desc")[0].text) > 30
+        assert not {"width", "height"} & figure.attributes.keys()  # the page scales it
+
+
+def test_figures_take_their_colours_from_the_page() -> None:
+    (style,) = page("explained").all("style")
+    defined = set(re.findall(r"--(\w+):", style.text))
+    for figure in page("explained").all("svg"):
+        for one in figure.every():
+            colours = re.findall(r"(?:fill|stroke): ([^;]+)", one.attributes.get("style", ""))
+            assert all(colour == "none" or colour.startswith(("var(--", "url(#")) for colour in colours)
+            assert {name for colour in colours for name in re.findall(r"var\(--(\w+)\)", colour)} <= defined
+
+
+def test_the_numbers_in_a_figure_are_whole() -> None:
+    stages = next(one for one in page("explained").all("svg") if one.all("title")[0].attributes["id"] == "stages-title")
+    shown = [one.text for one in stages.all("text")]
+    assert {"4.10", "3.20", "0.310", "0.319"} <= set(shown)
+
+
+def test_figures_say_what_they_show() -> None:
+    names = {one.all("title")[0].attributes["id"].removesuffix("-title"): one for one in page("explained").all("svg")}
+    assert {"position-X", "position-Y", "position-Z", "around-XY", "around-ZX", "course-time"} <= names.keys()
+    assert {"circle-XY-500", "circle-XY-3000", "circle-ZX-500", "circle-ZX-3000", "isolability"} <= names.keys()
+    assert "RMS: values as given" in names["position-X"].all("desc")[0].text
+    assert "Laser cosine of X-2, X-3 and Point offset of the target of Y-1" in names["isolability"].all("desc")[0].text
+    assert "2 reach it" in names["evidence"].all("desc")[0].text
+    assert "4 groups" in names["amplitude-1"].all("desc")[0].text  # the fifth group says nothing: NaN
+
+
+def test_what_the_data_do_not_carry_is_left_out() -> None:
+    plain = builders.diagnosis("no_discrepancy")
+    lines = np.isin(plain.residuals.run, range(9))
+    bare = read(
+        report_html(replace(plain, circles=(), outliers=(), scan=(), next_runs=(), residuals=kept(plain, lines)))
+    )
+    names = {one.all("title")[0].attributes["id"] for one in bare.all("svg")}
+    assert not [name for name in names if name.startswith(("circle", "around", "course", "evidence"))]
+    assert not {"circles", "evidence", "next"} & {one.attributes["id"] for one in bare.all("section")}
+
+
+def kept(diagnosis: Diagnosis, chosen: BoolArray) -> Residuals:
+    """Only the chosen readings, without time and temperature."""
+    data = diagnosis.residuals
+    by_reading = "row run seq positions directions theta along reading given refitted extended whitened".split()
+    rows = {name: getattr(data, name)[..., chosen] for name in by_reading}
+    return replace(data, **rows, time=None, temperature=None, feed=None)
+
+
+def test_a_hundred_thousand_readings_and_a_hundred_candidates_stay_a_small_file() -> None:
+    diagnosis = builders.diagnosis("explained")
+    many = tuple(replace(builders.CYCLIC, runs=(f"run {k}",)) for k in range(110))
+    large = replace(
+        diagnosis,
+        residuals=builders.residuals(targets=800, repeats=20, circle=4500),
+        isolability=many,
+        correlation=builders.correlation(110),
+        limits=tuple(replace(diagnosis.limits[0], effect=one) for one in many),
+        scan=tuple(replace(diagnosis.scan[0], effect=one) for one in many),
+    )
+    assert large.residuals.run.size > 3e5
+    assert len(report_html(large).encode()) < 3 * MEGABYTE

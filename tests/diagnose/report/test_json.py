@@ -1,0 +1,92 @@
+import json
+import math
+from dataclasses import replace
+from typing import Any, get_args
+
+import numpy as np
+import pytest
+
+from tests.diagnose.report import builders
+from trueaxis.diagnose.report.json_file import diagnosis_json, noise
+from trueaxis.diagnose.result import Verdict
+
+
+def load(verdict: Verdict) -> dict[str, Any]:
+    text = diagnosis_json(builders.diagnosis(verdict), "dmu60p.toml", "errors.json")
+    loaded: dict[str, Any] = json.loads(text, parse_constant=pytest.fail)  # NaN and Infinity are no JSON
+    return loaded
+
+
+@pytest.mark.parametrize("verdict", get_args(Verdict))
+def test_the_keys_of_the_contract(verdict: Verdict) -> None:
+    told = load(verdict)
+    assert told["schema"] == 1
+    assert told["verdict"] == verdict
+    assert told["noise_um"] == pytest.approx(0.3, rel=0.01)
+    assert told["gain"].keys() >= {"rms_um", "held_out_rms_um", "held_out"}
+    for stage in ("rms_um", "held_out_rms_um"):
+        assert list(told["gain"][stage]) == ["given", "refitted", "extended"]
+    assert told["gain"]["held_out"] == "whole runs left out, one at a time"
+    assert (told["extended_machine"], told["extended_errors"]) == ("dmu60p.toml", "errors.json")
+    assert isinstance(told["causes"], list)
+
+
+def test_a_cause_as_the_contract_has_it() -> None:
+    (cause,) = load("explained")["causes"]
+    assert (cause["effect"], cause["component"]) == ("backlash", "EXX")
+    assert cause["parameters"] == {"width": {"value": 0.0061, "u": 0.0001, "unit": "mm"}}
+    assert cause["evidence"]["p_value"] == 1e-12
+    assert cause["evidence"]["held_out_gain"] == 0.84
+    assert cause["evidence"]["rms_um"] == pytest.approx(2.1)
+    assert cause["cannot_be_told_from"] == []
+
+
+def test_rivals_are_named_as_causes_are() -> None:
+    (cause,) = load("ambiguous")["causes"]
+    (rival,) = cause["cannot_be_told_from"]
+    assert (rival["effect"], rival["component"]) == ("servo_lag", "EXX")
+    assert cause["separating"] == "circles in XY at another feed, both directions"
+
+
+def test_gains_are_micrometres() -> None:
+    assert load("explained")["gain"]["rms_um"] == pytest.approx({"given": 4.1, "refitted": 3.2, "extended": 0.31})
+
+
+def test_what_is_no_number_is_null() -> None:
+    told = load("explained")
+    limits = {one["effect"]: one for one in told["limits"]}
+    assert limits["cross_axis"]["detection"] is None
+    assert limits["cross_axis"]["nearest"] is None
+    assert limits["laser_cosine"]["isolation"] is None
+    assert told["noise"][1]["freedom"] is None
+    evidence = {one["effect"]: one["evidence"] for one in told["evidence"]}
+    assert evidence["cross_axis"] is None
+    assert evidence["backlash"] == 10.3
+
+
+def test_axis_runs_and_end_are_told_where_an_effect_has_them() -> None:
+    limits = {one["effect"]: one for one in load("explained")["limits"]}
+    assert limits["cross_axis"]["axis"] == "Y"
+    assert limits["laser_cosine"]["runs"] == ["X-2", "X-3"]
+    assert limits["laser_cosine"]["component"] is None
+    assert limits["point_offset"]["end"] == "target"
+    assert "axis" not in limits["backlash"]
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    diagnosis = builders.diagnosis("no_discrepancy")
+    check = replace(diagnosis.checks[0], p_value=np.float64(np.nan), fired=np.bool_(True))  # type: ignore[arg-type]
+    told = json.loads(diagnosis_json(replace(diagnosis, checks=(check,)), None, None))
+    assert told["checks"][0]["fired"] is True
+    assert told["checks"][0]["p_value"] is None
+    assert told["extended_machine"] is None
+
+
+def test_the_noise_is_that_of_the_readings_and_not_of_the_instruments() -> None:
+    diagnosis = builders.diagnosis("no_discrepancy")
+    laser, bar = diagnosis.noise
+    data = diagnosis.residuals
+    share = float(np.mean(data.run < 9))  # nine lines, then the circles
+    loud = replace(diagnosis, noise=(replace(laser, white=0.004, correlated=0.003), replace(bar, white=0.0)))
+    assert noise(loud) == pytest.approx(0.005 * math.sqrt(share))
+    assert math.isnan(noise(replace(diagnosis, noise=())))

@@ -1,0 +1,68 @@
+import math
+
+import pytest
+
+from trueaxis.diagnose.report.quantity import ascii_only, probability, quantity, with_expanded
+from trueaxis.diagnose.report.words import effect_title, enumerated, joint
+from trueaxis.effects.kind import Effect
+
+
+@pytest.mark.parametrize(
+    ("value", "u", "unit", "told"),
+    [
+        (0.0061, 0.0002, "mm", "6.10 um +/- 0.40 um (k = 2)"),
+        (10.0, 0.013, "mm", "10.000 mm +/- 0.026 mm (k = 2)"),
+        (-0.000123456, 0.0000021, "mm", "-0.1235 um +/- 0.0042 um (k = 2)"),
+        (12e-6, 1.1e-6, "rad", "12.0 urad +/- 2.2 urad (k = 2)"),
+        (1.234, 0.05, "rad", "1.23 rad +/- 0.10 rad (k = 2)"),
+        (0.0004, 0.00001, "s", "0.400 ms +/- 0.020 ms (k = 2)"),
+        (1.1e-5, 1e-7, "mm/mm/K", "11.00 um/m/K +/- 0.20 um/m/K (k = 2)"),
+        (2e-6, 1e-7, "1", "2.00 um/m +/- 0.20 um/m (k = 2)"),
+        (1e-6, 1e-7, "mm/s", "3.60 um/h +/- 0.72 um/h (k = 2)"),
+        (0.002, 0.0001, "mm/K", "2.00 um/K +/- 0.20 um/K (k = 2)"),
+        (0.5, 150.0, "mm", "0 mm +/- 300 mm (k = 2)"),
+        (0.0061, math.nan, "mm", "6.10 um"),
+        (0.5, 0.05, "1", "0.50 +/- 0.10 (k = 2)"),
+    ],
+)
+def test_a_size_with_its_expanded_uncertainty(value: float, u: float, unit: str, told: str) -> None:
+    assert ascii_only(with_expanded(value, u, unit)) == told
+
+
+def test_numbers_without_an_end() -> None:
+    assert quantity(math.nan, "mm") == "unknown"
+    assert ascii_only(quantity(0.0, "mm")) == "0 um"
+    assert probability(0.0) == "below 1e-300"
+    assert probability(0.034) == "0.034"
+
+
+@pytest.mark.parametrize(
+    ("effect", "title", "where"),
+    [
+        (Effect("backlash", "EXX"), "Backlash in EXX", "positioning error of the X axis (EXX)"),
+        (Effect("backlash", "ECC"), "Backlash in ECC", "positioning error of the C axis (ECC)"),
+        (Effect("cyclic", "EYX"), "Cyclic in EYX", "straightness of the X axis in Y (EYX)"),
+        (Effect("drift", "EXC"), "Drift in EXC", "error motion of the C axis in X (EXC)"),
+        (Effect("drift", "EAZ"), "Drift in EAZ", "rotation of the Z axis about X (EAZ)"),
+        (Effect("cross_axis", "EXX", "Y"), "Cross axis in EXX with Y", "positioning error of the X axis (EXX)"),
+        (
+            Effect("squareness", "EC0X"),
+            "Squareness in EC0X",
+            "squareness: position error EC of the joint of the X axis (EC0X)",
+        ),
+        (Effect("laser_scale"), "Laser scale", "readings of the instrument"),
+        (Effect("laser_cosine", runs=("X1", "X2")), "Laser cosine of X1, X2", "readings of X1, X2"),
+        (
+            Effect("point_offset", runs=("X1",), end="reference"),
+            "Point offset of the reference of X1",
+            "set-up of X1",
+        ),
+    ],
+)
+def test_an_effect_in_words(effect: Effect, title: str, where: str) -> None:
+    assert effect_title(effect) == title
+    assert joint(effect) == where
+
+
+def test_lists_in_words() -> None:
+    assert [enumerated(list("abc"[:n]), "or") for n in range(4)] == ["", "a", "a or b", "a, b or c"]
