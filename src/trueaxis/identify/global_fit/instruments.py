@@ -206,6 +206,14 @@ def _carried(machine: IdentifiedMachine, run: Run, ball: PointOn, coordinate: in
     return machine.view_ideal(view, positions, unit) - machine.view_ideal(view, positions, np.zeros((3, 1)))
 
 
+def ball_columns(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
+    """(n, 3): derivative of the readings of a ball-bar run by the place of its ball on the workpiece (or bed)."""
+    sign, ball = _ball(run)
+    direction = sensed_directions(machine, run, positions)
+    carried = (_carried(machine, run, ball, coordinate, positions) for coordinate in range(3))
+    return np.stack([sign * np.einsum("in,in->n", direction, one) for one in carried], axis=1)
+
+
 def _point(end: PointOn) -> str:
     return f"({', '.join(f'{value:g}' for value in end.point)}) on the {end.on}"
 
