@@ -1,6 +1,6 @@
 /* Generated from machines/dmu60p_5axis.toml, do not edit; regenerate with: trueaxis derive machines/dmu60p_5axis.toml
  * Kernels of DECKEL MAHO DMU60P, all five axes: geometric error model in C17.
- * Spec: sha256 1e9ea96f6f8f6e09b7241f720eb3aea43e5fed8e47f7e01dd1ada9d8988cb39b
+ * Spec: sha256 1b0a63b86ea881e06983b884ca7f951aa51e2ebb46ef2eaccf5755fd64d1985f
  *
  * Every function computes n points; row k of an array that has a value per point holds point i at [k * stride + i],
  * n <= stride. Arrays must not overlap. Lengths mm, angles rad, rotary axes deg. Rows and units: kernels.c.
@@ -10,7 +10,7 @@
 
 #include <stddef.h>
 
-#define TRUEAXIS_KERNEL_ABI 1
+#define TRUEAXIS_KERNEL_ABI 2
 
 /* The ABI that these kernels were compiled with. */
 int dmu60p_5axis_kernel_abi(void);
@@ -306,5 +306,110 @@ void dmu60p_5axis_motion_YZ(
     const double *restrict workpiece_point,
     const double *restrict tool_point,
     double *restrict displacement);
+
+/* Term of the effect backlash: play or elastic wind-up in the drive (along the axis: lost motion) or in the guides (across: lateral play). */
+void dmu60p_5axis_effect_backlash(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect backlash_slope: lost motion that varies along the travel: a worn part of the screw, wind-up that depends on its free length. */
+void dmu60p_5axis_effect_backlash_slope(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect cyclic: a periodic error: pitch of the screw, its coupling, an eccentric encoder, interpolation of a scale. */
+void dmu60p_5axis_effect_cyclic(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect thermal_expansion: a scale or screw that grows with its temperature. */
+void dmu60p_5axis_effect_thermal_expansion(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect thermal_offset: a structure that bends or shifts with its temperature. */
+void dmu60p_5axis_effect_thermal_offset(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect warm_up: a screw or scale that warms up by its own friction. */
+void dmu60p_5axis_effect_warm_up(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect drift: something creeps while it is measured: temperature, foundation, fixture. */
+void dmu60p_5axis_effect_drift(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect servo_lag: following error of the position loop; only its difference between axes shows in a circle. */
+void dmu60p_5axis_effect_servo_lag(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect reversal_spike: friction that the position loop has to overcome at a reversal (quadrant glitch). */
+void dmu60p_5axis_effect_reversal_spike(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect cross_axis: a body that bends under another one: the component error of one axis depends on where another axis stands. */
+void dmu60p_5axis_effect_cross_axis(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect laser_cosine: the laser beam was not parallel to the motion: it reads short. */
+void dmu60p_5axis_effect_laser_cosine(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect laser_scale: wavelength of the laser: air temperature, pressure or humidity were not what was entered. */
+void dmu60p_5axis_effect_laser_scale(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect laser_step: something slipped or lost counts in the middle of a run. */
+void dmu60p_5axis_effect_laser_step(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect ballbar_length: the bar is longer than it is said to be. */
+void dmu60p_5axis_effect_ballbar_length(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
+
+/* Term of the effect ballbar_lobes: form error of the balls or of the bar's sockets: three lobes. */
+void dmu60p_5axis_effect_ballbar_lobes(
+    size_t n, size_t stride,
+    const double *restrict context,
+    const double *restrict parameters,
+    double *restrict term);
 
 #endif

@@ -60,7 +60,7 @@ def test_compiles_without_a_warning(compiler: str, folder: Path) -> None:
 
 def test_header_stands_alone(folder: Path) -> None:
     alone = folder / "alone.c"
-    alone.write_text('#include "kernels.h"\n#include "kernels.h"\nint main(void) { return TRUEAXIS_KERNEL_ABI - 1; }\n')
+    alone.write_text('#include "kernels.h"\n#include "kernels.h"\nint main(void) { return TRUEAXIS_KERNEL_ABI - 2; }\n')
     assert run(compiler_or_skip("gcc"), *STRICT, "-fsyntax-only", alone).stderr == ""
 
 
@@ -133,7 +133,7 @@ def test_head_says_where_it_comes_from(folder: Path, machine: Machine) -> None:
             f"/* Generated from machines/{machine.name}.toml, do not edit; regenerate with: {command}"
         )
         assert machine.digest in text
-    assert "#define TRUEAXIS_KERNEL_ABI 1\n" in (folder / "kernels.h").read_text()
+    assert "#define TRUEAXIS_KERNEL_ABI 2\n" in (folder / "kernels.h").read_text()
 
 
 def test_templates_use_exactly_what_they_are_given(machine: Machine) -> None:
@@ -173,7 +173,7 @@ def test_printer_keeps_every_digit_of_a_constant() -> None:
     assert float(CPrinter({}).doprint(sp.Float(number))) == number
 
 
-@pytest.mark.parametrize("value", [sp.exp(x), x**y, x ** sp.Rational(1, 3)])
+@pytest.mark.parametrize("value", [sp.log(x), x**y, x ** sp.Rational(1, 3)])
 def test_printer_refuses_what_no_kernel_needs(value: sp.Expr) -> None:
     with pytest.raises(ValueError, match="no kernel needs"):
         CPrinter({}).doprint(value)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trueaxis.derive import library, symbols
+from trueaxis.derive.effect_terms import effect_routines
 from trueaxis.derive.motion import MotionEquation, standard_motions
 from trueaxis.derive.routine import Argument, Routine, build
 from trueaxis.derive.squareness import Squareness, squarenesses
@@ -32,6 +33,7 @@ def derive_model(machine: Machine, runs: Sequence[RunPattern] = ()) -> DerivedMo
     routines = library.derive_routines(machine)
     routines += tuple(_motion_routine(machine, equation) for equation in motions)
     routines += tuple(_system_routines(machine, systems)) if systems else ()
+    routines += effect_routines(machine)
     return DerivedModel(machine, routines, motions, squarenesses(machine), tuple(runs), systems)
 
 

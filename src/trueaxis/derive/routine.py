@@ -1,8 +1,8 @@
 """A routine: named inputs and outputs and the assignments between them, in three stages.
 
-`batch` is computed once per call (it depends on constants alone), `preparation` once per point and holds the only
-calls of library functions (cosines and sines), `body` once per point and is plain arithmetic. Both emitters and the
-documents print this record.
+`batch` is computed once per call (it depends on constants alone), `preparation` once per point and holds the cosines
+and sines of rotary axes, `body` once per point and is plain arithmetic, but for the terms of effects, which call
+functions. Both emitters and the documents print this record.
 """
 
 import math

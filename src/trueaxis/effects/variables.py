@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 REFERENCE_TEMPERATURE = 20.0  # degC, ISO 1
-# What d is before the first reversal: exp(-d/w) and its derivatives are then 0, where an infinite d would make them NaN.
+# What d is before the first reversal: exp(-d/w) and its derivatives are then 0, an infinite d would make them NaN.
 FARTHEST = 1e9
 
 

@@ -1,9 +1,13 @@
-"""Expressions as C code: every digit of a constant, powers as products, no call but cos, sin and sqrt."""
+"""Expressions as C code: every digit of a constant, powers as products, no call but those that kernels need."""
 
 from collections.abc import Mapping
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
+
+from trueaxis.derive.functions import Absolute, Root, Sign, Step
+
+_FUNCTIONS = (sp.cos, sp.sin, sp.exp, sp.tanh, Absolute, Root, Sign, Step)
 
 
 class CPrinter(C99CodePrinter):  # type: ignore[misc]
@@ -16,7 +20,7 @@ class CPrinter(C99CodePrinter):  # type: ignore[misc]
     def doprint(self, expr: sp.Expr) -> str:
         """The C expression. Raises ValueError for a function that no kernel needs."""
         for function in expr.atoms(sp.Function):
-            if function.func not in (sp.cos, sp.sin):
+            if function.func not in _FUNCTIONS:
                 raise ValueError(f"no kernel needs {function}")
         return str(super().doprint(expr))
 
@@ -29,6 +33,18 @@ class CPrinter(C99CodePrinter):  # type: ignore[misc]
     # SymPy finds the method by the type's name.
     _print_Float = _print_Integer = _print_Rational = _print_NumberSymbol = _print_Number  # noqa: N815
     _print_Zero = _print_One = _print_Half = _print_NegativeOne = _print_Pi = _print_Number  # noqa: N815
+
+    def _print_Absolute(self, expr: sp.Expr) -> str:
+        return f"fabs({self._print(expr.args[0])})"
+
+    def _print_Root(self, expr: sp.Expr) -> str:
+        return f"sqrt({self._print(expr.args[0])})"
+
+    def _print_Sign(self, expr: sp.Expr) -> str:
+        return f"sign({self._print(expr.args[0])})"
+
+    def _print_Step(self, expr: sp.Expr) -> str:
+        return f"step({self._print(expr.args[0])})"
 
     def _print_Mul(self, expr: sp.Mul) -> str:
         constants = [factor for factor in expr.args if factor.is_number]

@@ -5,7 +5,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import sympy as sp
+
 from trueaxis.c_prefix import c_prefix
+from trueaxis.derive.functions import Sign, Step
 from trueaxis.derive.routine import Argument, Assignment, Routine
 from trueaxis.emit.c_printer import CPrinter
 from trueaxis.emit.meta import ABI, spec_name
@@ -19,7 +22,7 @@ BLOCK = 512
 _WIDTH = 116
 # What the functions use beside the arguments' names; the macros of stddef.h and math.h that a name may not be.
 _TAKEN = frozenset(
-    "n stride start count i j block size_t ptrdiff_t wchar_t max_align_t cos sin sqrt".split()
+    "n stride start count i j block size_t ptrdiff_t wchar_t max_align_t cos sin sqrt exp tanh fabs step sign".split()
 ) | frozenset(
     "NULL NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL MATH_ERRNO MATH_ERREXCEPT math_errhandling offsetof".split()
 )
@@ -36,7 +39,7 @@ class TrigonometryText:
 
 @dataclass(frozen=True)
 class FunctionText:
-    """What the template prints of one routine."""
+    """What the template prints of one routine; calls: whether its body calls functions, which is not vectorised."""
 
     name: str
     summary: str
@@ -47,6 +50,7 @@ class FunctionText:
     batch: tuple[str, ...]
     positions: tuple[str, ...]
     preparation: tuple[TrigonometryText, ...]
+    calls: bool
     rows: tuple[str, ...]
     body: tuple[str, ...]
     stores: tuple[str, ...]
@@ -64,7 +68,10 @@ def c_header(machine: Machine, routines: tuple[Routine, ...]) -> str:
 
 def source_context(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
     """The variables of kernels.c.j2."""
-    return _context(machine, routines) | {"block": BLOCK}
+    values = [value for routine in routines for _, value in routine.batch + routine.body]
+    helpers = {"sign": Sign, "step": Step}
+    used = [name for name, function in helpers.items() if any(value.has(function) for value in values)]
+    return _context(machine, routines) | {"block": BLOCK, "helpers": used}
 
 
 def header_context(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
@@ -113,6 +120,7 @@ def _function(prefix: str, routine: Routine) -> FunctionText:
             TrigonometryText(names[target.name], f"{names[target.name]}_block", printer.doprint(value))
             for target, value in routine.preparation
         ),
+        any(value.has(sp.Function) for _, value in routine.body),
         tuple(_loads(varying, body, names)),
         tuple(_assigned(assignment, printer) for assignment in routine.body if assignment[0].name not in direct),
         tuple(

@@ -5,9 +5,11 @@ from typing import Any
 from trueaxis.derive import symbols
 from trueaxis.derive.routine import Argument, Routine
 from trueaxis.derive.squareness import squarenesses
+from trueaxis.effects.kind import Effect
+from trueaxis.effects.placement import context_of
 from trueaxis.spec.machine import ROTARY, Machine
 
-ABI = 1  # raised whenever the signature, layout or meaning of a kernel changes
+ABI = 2  # raised whenever the signature, layout or meaning of a kernel changes
 
 
 def spec_name(machine: Machine) -> str:
@@ -16,7 +18,7 @@ def spec_name(machine: Machine) -> str:
 
 
 def meta(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
-    """Axes, components and parameters in order with units, squareness relations, and every routine's arguments."""
+    """Axes, components and parameters in order with units, squareness relations, effects, every routine's arguments."""
     texts = symbols.describe(machine)
     return {
         "machine": machine.name,
@@ -34,6 +36,17 @@ def meta(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
         "location_errors": list(machine.location_errors),
         "curve_degree": machine.curve_degree,
         "squareness": [_squareness(pair.axes, pair.product) for pair in squarenesses(machine)],
+        "effects": {
+            "kinds": {
+                name: {
+                    "place": kind.place,
+                    "context": list(context_of(kind)),
+                    "parameters": [parameter.name for parameter in kind.parameters],
+                }
+                for name, kind in machine.kinds.items()
+            },
+            "terms": [_term(effect) for effect in machine.effects],
+        },
         "routines": {routine.name: _routine(routine) for routine in routines},
     }
 
@@ -41,6 +54,12 @@ def meta(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
 def _squareness(axes: tuple[str, str], product: Any) -> dict[str, Any]:
     terms = {symbol.name: float(product.coeff(symbol)) for symbol in sorted(product.free_symbols, key=str)}
     return {"axes": list(axes), "location_errors": terms}
+
+
+def _term(effect: Effect) -> dict[str, Any]:
+    told: dict[str, Any] = {"kind": effect.kind, "component": effect.component, "axis": effect.axis}
+    told |= {"runs": list(effect.runs) or None, "end": effect.end}
+    return {key: value for key, value in told.items() if value is not None}
 
 
 def _routine(routine: Routine) -> dict[str, Any]:

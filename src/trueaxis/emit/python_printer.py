@@ -1,5 +1,6 @@
 """Expressions as NumPy code: every digit of a constant, powers as products."""
 
+import math
 from collections.abc import Mapping
 
 import sympy as sp
@@ -30,14 +31,37 @@ class PythonPrinter(PythonCodePrinter):  # type: ignore[misc]
     def _print_sin(self, expr: sp.Expr) -> str:
         return f"np.sin({self._print(expr.args[0])})"
 
+    def _print_Pi(self, expr: sp.Expr) -> str:  # noqa: ARG002  SymPy's signature
+        return repr(math.pi)
+
+    def _print_exp(self, expr: sp.Expr) -> str:
+        return f"np.exp({self._print(expr.args[0])})"
+
+    def _print_tanh(self, expr: sp.Expr) -> str:
+        return f"np.tanh({self._print(expr.args[0])})"
+
+    def _print_Absolute(self, expr: sp.Expr) -> str:
+        return f"np.abs({self._print(expr.args[0])})"
+
+    def _print_Sign(self, expr: sp.Expr) -> str:
+        return f"np.sign({self._print(expr.args[0])})"
+
+    def _print_Step(self, expr: sp.Expr) -> str:
+        return f"np.heaviside({self._print(expr.args[0])}, 1.0)"
+
+    def _print_Root(self, expr: sp.Expr) -> str:
+        return f"np.sqrt({self._print(expr.args[0])})"
+
     def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:  # noqa: ARG002  SymPy's signature
         base = self.parenthesize(expr.base, 99)
         if expr.exp == sp.Rational(1, 2):
             return f"np.sqrt({self._print(expr.base)})"
-        if expr.exp.is_Integer and 1 < expr.exp <= 4:
+        if expr.exp.is_Integer and expr.exp > 1:
             return "(" + "*".join([base] * int(expr.exp)) + ")"
         if expr.exp == -1:
             return f"1.0/{base}"
+        if expr.exp.is_Integer:
+            return f"1.0/{self._print(sp.Pow(expr.base, -expr.exp, evaluate=False))}"
         raise ValueError(f"no kernel needs {expr}")
 
     def code(self, value: sp.Expr) -> str:

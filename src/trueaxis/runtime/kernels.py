@@ -20,7 +20,7 @@ Kernel = Callable[..., Any]
 
 _LOG = logging.getLogger(__name__)
 
-ABI = 1  # of the kernels that this runtime calls
+ABI = 2  # of the kernels that this runtime calls
 
 
 @dataclass(frozen=True)

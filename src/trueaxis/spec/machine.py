@@ -5,6 +5,9 @@ import json
 from dataclasses import asdict, dataclass
 from functools import cached_property
 
+from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.library import BY_NAME
+
 AXES = ("X", "Y", "Z", "A", "B", "C")
 LINEAR, ROTARY = AXES[:3], AXES[3:]
 DIRECTIONS = ("EX", "EY", "EZ", "EA", "EB", "EC")
@@ -39,6 +42,7 @@ class Machine:
     true_rotation: whether error rotations are true rotations instead of the paper's matrix 1 + [epsilon x].
     runs: folder of the measuring plan whose identification systems are derived, relative to the spec; or None.
     references: pairs (equation label, where the literature has it), printed beside the equations.
+    effects: terms beside the geometric errors, in the order of the spec; effect_kinds: the spec's own kinds.
     """
 
     name: str
@@ -50,6 +54,8 @@ class Machine:
     true_rotation: bool = False
     runs: str | None = None
     references: tuple[tuple[str, str], ...] = ()
+    effects: tuple[Effect, ...] = ()
+    effect_kinds: tuple[Kind, ...] = ()
 
     @cached_property
     def axes(self) -> tuple[str, ...]:
@@ -76,6 +82,11 @@ class Machine:
     def parameters(self) -> tuple[str, ...]:
         """Every named parameter: dimensions, then location errors."""
         return self.dimensions + self.location_errors
+
+    @cached_property
+    def kinds(self) -> dict[str, Kind]:
+        """Every kind of effect by its name: those of the library, then the machine's own."""
+        return BY_NAME | {kind.name: kind for kind in self.effect_kinds}
 
     @cached_property
     def travel(self) -> dict[str, tuple[float, float]]:
