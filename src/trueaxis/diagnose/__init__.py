@@ -1,0 +1,1 @@
+"""Diagnose: where simulation and measurement differ beyond noise, why, and what an extended model gains."""

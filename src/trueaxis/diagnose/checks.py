@@ -1,0 +1,210 @@
+"""Is there structure left? Classes of structure that need no cause, tested on what the final model leaves."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import legendre
+from scipy.stats import f as f_distribution
+
+from trueaxis.diagnose.freedom import Freedom
+from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.result import Check, FloatArray, IntArray
+from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.whiten import Whitening
+
+FALSE_ALARMS = 0.005  # share of clean data sets in which one check or other may fire
+DEGREE = 6
+LOBES = 10
+BINS = 6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Structure:
+    """One class: columns (n, k) over all rows."""
+
+    name: str
+    meaning: str
+    columns: FloatArray
+
+
+def run_checks(
+    rows: Rows, theta: FloatArray, whitening: Whitening, projection: Projection, residual: FloatArray, freedom: Freedom
+) -> tuple[Check, ...]:
+    """All checks. residual: (n,), whitened, model projected out; p values multiplied by the number of checks."""
+    classes = list(structures(rows, theta))
+    found = []
+    for one in classes:
+        white = whitening(one.columns)
+        size = np.linalg.norm(white, axis=0)
+        left = projection.rest(white)
+        kept = left[:, np.linalg.norm(left, axis=0) > 1e-4 * np.maximum(size, 1e-300)]
+        basis = orthonormal(kept)
+        k = basis.shape[1]
+        if k == 0:
+            continue
+        inside = basis.T @ residual
+        statistic = float(inside @ inside)
+        log_p = float(f_distribution.logsf(statistic / k, k, freedom.of(basis))) + np.log(len(classes))
+        rms = float(np.sqrt(max(statistic - k, 0.0) / rows.size))
+        p_value = float(np.exp(min(log_p, 0.0)))
+        found.append(Check(one.name, one.meaning, p_value, p_value < FALSE_ALARMS, rms))
+    return tuple(found)
+
+
+def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:
+    """The classes that these rows can show."""
+    ballbar = np.array([run.instrument == "ballbar" for run in rows.runs])[rows.run]
+    for axis, name in enumerate(rows.axes):
+        mine = ~ballbar & _led_by(rows, axis)
+        if mine.any():
+            yield from _of_lines(rows, axis, name, mine)
+    for number in np.unique(rows.setup[ballbar]):
+        mine = ballbar & (rows.setup == number)
+        yield from _of_circles(rows, theta, mine)
+
+
+def _led_by(rows: Rows, axis: int) -> FloatArray:
+    """Rows of runs in which this axis moves most."""
+    found = np.zeros(rows.size, dtype=bool)
+    for index in rows.present:
+        span = np.ptp(rows.positions[:, rows.of_run(index)], axis=1)
+        if span[axis] > 0.0 and int(np.argmax(span)) == axis:
+            found[rows.of_run(index)] = True
+    return found
+
+
+def _of_lines(rows: Rows, axis: int, name: str, mine: FloatArray) -> Iterator[Structure]:
+    at, way = rows.positions[axis], rows.directions[axis]
+    scaled = 2.0 * (at - at[mine].min()) / max(float(np.ptp(at[mine])), 1e-300) - 1.0
+    curve = legendre.legvander(np.where(mine, scaled, 0.0), 2 * DEGREE) * mine[:, np.newaxis]
+    lines = [mine & (rows.setup == number) for number in np.unique(rows.setup[mine])]
+    odd = way[:, np.newaxis]
+    title = f"lines of {name}"
+    yield Structure(f"{title}, between directions", "differs by the direction of approach", curve * odd)
+    yield Structure(
+        f"{title}, between directions, by line",
+        "differs by the direction of approach, otherwise on each line",
+        np.hstack([curve[:, :2] * odd * line[:, np.newaxis] for line in lines]),
+    )
+    if len(lines) > 1:
+        yield Structure(
+            f"{title}, by line",
+            "depends on the position, otherwise on each line",
+            np.hstack([curve[:, 1 : DEGREE + 1] * line[:, np.newaxis] for line in lines]),
+        )
+    present = [index for index in rows.present if mine[rows.of_run(index)].any()]
+    course = np.zeros((rows.size, 3))
+    each = np.zeros((rows.size, 2 * len(present)))
+    for place, index in enumerate(present):
+        part = rows.of_run(index)
+        ramp = np.linspace(-1.0, 1.0, part.stop - part.start)
+        course[part] = legendre.legvander(ramp, 4)[:, 2:]
+        each[part, 2 * place] = legendre.legval(ramp, [0, 0, 1])
+        each[part, 2 * place + 1] = scaled[part]
+    yield Structure(f"{title}, in the course of a run", "changes while a run is taken, alike in all", course)
+    if len(present) > 1:
+        yield Structure(f"{title}, from run to run", "scale or course differ from run to run", each)
+    if rows.temperature is not None and np.isfinite(rows.temperature[mine]).all():
+        warm = rows.temperature - rows.temperature[mine].mean()
+        yield Structure(
+            f"{title}, with temperature",
+            "goes with the temperature",
+            np.stack([warm, warm * scaled, warm**2, warm**2 * scaled, warm * way, warm * warm * way], axis=1)
+            * mine[:, np.newaxis],
+        )
+    bins = _bins(scaled, 2 * BINS)
+    yield Structure(
+        f"{title}, locally",
+        "a place where the readings step aside, by direction",
+        np.hstack([bins * odd, bins]) * mine[:, np.newaxis],
+    )
+
+
+def _bins(scaled: FloatArray, count: int) -> FloatArray:
+    edge = np.clip(((scaled + 1.0) / 2.0 * count).astype(int), 0, count - 1)
+    return np.eye(count)[edge]
+
+
+def _of_circles(rows: Rows, theta: FloatArray, mine: FloatArray) -> Iterator[Structure]:
+    angle = np.where(mine, theta, 0.0)
+    lobes = np.stack([part(k * angle) for k in range(LOBES + 1) for part in (np.cos, np.sin)][:1] + [
+        part(k * angle) for k in range(1, LOBES + 1) for part in (np.cos, np.sin)
+    ], axis=1) * mine[:, np.newaxis]  # fmt: skip
+    sense = _sense(rows, theta)[:, np.newaxis]
+    title = "circles of " + _plane(rows, mine)
+    yield Structure(f"{title}, lobes", "lobes common to both directions", lobes[:, 1:])
+    both = np.unique(sense[mine]).size > 1
+    if both:
+        yield Structure(f"{title}, lobes by direction", "lobes that change sign with the direction", lobes * sense)
+    feeds = _feeds(rows, mine)
+    if feeds is not None:
+        fast = feeds[:, np.newaxis]
+        yield Structure(f"{title}, lobes by feed", "lobes that change with the feed", lobes * fast)
+        if both:
+            yield Structure(
+                f"{title}, lobes by direction and feed",
+                "lobes that change with direction and feed",
+                lobes * fast * sense,
+            )
+    moving = [axis for axis in range(len(rows.axes)) if np.ptp(rows.positions[axis, mine]) > 0.0]
+    quarter = np.hstack([rows.directions[axis][:, np.newaxis] * mine[:, np.newaxis] for axis in moving])
+    yield Structure(f"{title}, at reversals", "steps where an axis turns round", quarter)
+    near = np.hstack(
+        [
+            np.exp(-_since_turn(rows, axis, mine) / decay)[:, np.newaxis] * rows.directions[axis][:, np.newaxis]
+            for axis in moving
+            for decay in (1.0, 4.0, 16.0)
+        ]
+    )
+    yield Structure(f"{title}, after reversals", "a course after each reversal", near * mine[:, np.newaxis])
+    runs = np.unique(rows.run[mine])
+    each = np.zeros((rows.size, 3 * runs.size))
+    for place, index in enumerate(runs):
+        part = rows.of_run(int(index))
+        ramp = np.linspace(-1.0, 1.0, part.stop - part.start)
+        each[part, 3 * place : 3 * place + 3] = legendre.legvander(ramp, 2)
+    yield Structure(f"{title}, from run to run", "size or course differ from run to run", each)
+
+
+def _since_turn(rows: Rows, axis: int, mine: FloatArray) -> FloatArray:
+    found = np.full(rows.size, np.inf)
+    for index in np.unique(rows.run[mine]):
+        part = rows.of_run(int(index))
+        way, at = rows.directions[axis, part], rows.positions[axis, part]
+        turn = np.flatnonzero(np.diff(way) != 0.0) + 1
+        if turn.size:
+            last = np.searchsorted(turn, np.arange(way.size), side="right") - 1
+            start = at[turn[np.maximum(last, 0)]]
+            found[part] = np.where(last >= 0, np.abs(at - start), np.inf)
+    return found
+
+
+def _sense(rows: Rows, theta: FloatArray) -> FloatArray:
+    """(n,): +1 where the polar angle grows in the run, -1 where it falls, 0 for lines."""
+    found = np.zeros(rows.size)
+    for index in rows.present:
+        part = rows.of_run(index)
+        if np.isfinite(theta[part]).all() and part.stop - part.start > 1:
+            found[part] = np.sign(np.median(np.diff(np.unwrap(theta[part]))))
+    return found
+
+
+def _feeds(rows: Rows, mine: FloatArray) -> FloatArray | None:
+    if rows.feed is None:
+        return None
+    feed = rows.feed[mine]
+    if not np.isfinite(feed).all() or np.unique(feed).size < 2:
+        return None
+    found = np.zeros(rows.size)
+    found[mine] = (feed - feed.mean()) / np.ptp(feed)
+    return found
+
+
+def _plane(rows: Rows, mine: FloatArray) -> str:
+    return "".join(name for name, at in zip(rows.axes, rows.positions, strict=True) if np.ptp(at[mine]) > 0.0)
+
+
+def groups_of(rows: Rows) -> IntArray:
+    """(n,): the set-up of each row, within which an amplitude should be the same."""
+    return rows.setup

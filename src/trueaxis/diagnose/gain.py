@@ -1,0 +1,119 @@
+"""What was gained: residuals over all readings and over held-out ones, as given, refitted and extended."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from trueaxis.diagnose.base import Base
+from trueaxis.diagnose.refit import Fitted
+from trueaxis.diagnose.result import BoolArray, FloatArray, Gain, IntArray, Stage
+from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.whiten import Whitening
+
+HELD = 0.4  # share of the repeats that is held back, one at least
+EVERY = 4  # without repeats, every fourth reading
+RANK = 1e-8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Left:
+    """(n,) mm: what is left of each reading."""
+
+    given: FloatArray
+    refitted: FloatArray
+    extended: FloatArray
+
+
+def held_out(rows: Rows) -> tuple[BoolArray, str]:
+    """(n,) which rows are held back, and how they were chosen: whole runs or passes where there are repeats."""
+    held = np.zeros(rows.size, dtype=bool)
+    whole = passes = 0
+    for number in np.unique(rows.setup):
+        mine = rows.setup == number
+        blocks = _repeats(rows, np.flatnonzero(mine))
+        for repeats in blocks:
+            if len(repeats) < 2:
+                continue
+            last = repeats[-max(1, round(HELD * len(repeats))) :]
+            for one in last:
+                held[one] = True
+                if (rows.run == rows.run[one[0]]).sum() == one.size:
+                    whole += 1
+                else:
+                    passes += 1
+    if held.any():
+        what = [f"{count} {name}" for count, name in ((whole, "whole runs"), (passes, "passes of runs")) if count]
+        return held, f"the last repeats held back: {' and '.join(what)}"
+    held = np.arange(rows.size) % EVERY == EVERY // 2
+    return held, f"nothing is repeated: every {EVERY}th reading held back"
+
+
+def _repeats(rows: Rows, mine: IntArray) -> list[list[IntArray]]:
+    """Passes over (nearly) the same targets, together, in order of time."""
+    found: list[tuple[set[int], list[IntArray]]] = []
+    key = rows.run[mine] * 10**6 + rows.passing[mine]
+    for number in dict.fromkeys(key.tolist()):
+        one = mine[key == number]
+        targets = set(rows.target[one].tolist())
+        for theirs, passes in found:
+            if len(theirs & targets) >= 0.8 * max(len(theirs), len(targets)):
+                passes.append(one)
+                break
+        else:
+            found.append((targets, [one]))
+    return [passes for _, passes in found]
+
+
+def fitted_left(
+    base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted], train: BoolArray
+) -> Left:
+    """Residuals of all rows, fitted on those of `train`; offsets of runs are taken from the readings themselves.
+
+    Whitened columns keep rows of one run together, so the weights of a run of which a part is held back are those of
+    white noise of its size.
+    """
+    own = base.columns[:, base.plan.count :]
+    nuisance = [base.columns[:, base.plan.of_instruments], own]
+    machine = base.columns[:, : base.plan.of_machine]
+    signals = [one.signal[:, np.newaxis] for one in causes]
+    weights = 1.0 / _sizes(whitening)
+    given = _left(values, np.hstack(nuisance), own, weights, train)
+    refitted = _left(values, np.hstack([machine, *nuisance]), own, weights, train)
+    extended = _left(values, np.hstack([machine, *nuisance, *signals]), own, weights, train) if causes else refitted
+    return Left(given, refitted, extended)
+
+
+def _sizes(whitening: Whitening) -> FloatArray:
+    counts = np.diff(whitening.starts)
+    return np.repeat([one.sigma for one in whitening.noise], counts)
+
+
+def _left(
+    values: FloatArray, columns: FloatArray, own: FloatArray, weights: FloatArray, train: BoolArray
+) -> FloatArray:
+    weighted = columns[train] * weights[train, np.newaxis]
+    size = np.linalg.norm(weighted, axis=0)
+    kept = size > 0.0
+    coefficient = np.zeros(columns.shape[1])
+    if kept.any():
+        solved = np.linalg.lstsq(weighted[:, kept] / size[kept], values[train] * weights[train], rcond=RANK)[0]
+        coefficient[kept] = solved / size[kept]
+    rest = values - columns @ coefficient
+    if train.all():
+        return rest
+    held = ~train
+    for column in own.T:
+        mine = held & (column != 0.0)
+        if mine.any():
+            rest[mine] -= np.mean(rest[mine])
+    return rest
+
+
+def gain_of(everything: Left, held: Left, rows_held: BoolArray, split: str, floor: float) -> Gain:
+    """RMS of all rows (fitted on all) and of those held back (fitted on the others)."""
+    return Gain(_stage(everything, np.ones_like(rows_held)), _stage(held, rows_held), split, floor)
+
+
+def _stage(left: Left, rows: BoolArray) -> Stage:
+    return Stage(*(float(np.sqrt(np.mean(part[rows] ** 2))) for part in (left.given, left.refitted, left.extended)))

@@ -1,0 +1,56 @@
+"""Where the parameters that a term is not linear in are searched."""
+
+from collections.abc import Mapping
+from itertools import product
+
+import numpy as np
+
+from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.rows import Rows
+from trueaxis.effects.kind import Effect, Kind, Parameter
+
+PERIODS = 150  # per range of the axis: the shortest pitch searched
+FEWEST_PERIODS = 2.0
+STEPS_PER_PERIOD = 3  # of frequency, per 1/range: the next frequency is still within a tenth of the power
+TIMES = 6  # time constants, from a twentieth of the time covered to twice it
+WAYS = 6  # decay lengths, from a two-thousandth of the range of the axis to a twentieth
+
+
+def grid_of(kind: Kind, effect: Effect, rows: Rows) -> tuple[Mapping[str, float], ...]:
+    """The points of the grid: values of the parameters with the role `grid`; one empty point where there is none."""
+    searched = [one for one in kind.parameters if one.role == "grid"]
+    each = [_values(one, effect, rows) for one in searched]
+    return tuple(dict(zip((one.name for one in searched), point, strict=True)) for point in product(*each))
+
+
+def _values(parameter: Parameter, effect: Effect, rows: Rows) -> list[float]:
+    if parameter.grid == "given":
+        return list(parameter.values)
+    if parameter.grid == "moment":
+        return _moments(effect, rows)
+    if parameter.grid == "time":
+        span = 0.0 if rows.time is None else float(np.nanmax(rows.time) - np.nanmin(rows.time))
+        return _geometric(span / 20.0, 2.0 * span, TIMES) if span > 0.0 else [1.0]
+    assert effect.component is not None
+    at = rows.positions[rows.axes.index(effect.component[2])]
+    span = float(np.ptp(at))
+    if span == 0.0:
+        return [1.0]
+    if parameter.grid == "reversal":
+        return _geometric(span / 2000.0, span / 20.0, WAYS)
+    count = int((PERIODS - FEWEST_PERIODS) * STEPS_PER_PERIOD) + 1
+    return (span / np.linspace(FEWEST_PERIODS, PERIODS, count)).tolist()
+
+
+def _geometric(low: float, high: float, count: int) -> list[float]:
+    return np.geomspace(low, high, count).tolist()
+
+
+def _moments(effect: Effect, rows: Rows) -> list[float]:
+    """Between every two neighbouring readings of the run, two at least before and after."""
+    index = next(place for place, run in enumerate(rows.runs) if run.id == effect.runs[0])
+    if rows.time is None:
+        return [np.nan]
+    times: FloatArray = rows.time[rows.of_run(index)]
+    between = 0.5 * (times[1:] + times[:-1])
+    return between[1:-1].tolist() if between.size > 2 else [np.nan]

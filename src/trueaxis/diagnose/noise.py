@@ -1,0 +1,211 @@
+"""The noise of the readings, from replicates: what differs between readings of the same target.
+
+Differences of repeats hold no model misfit. What a cause could put into them (an offset, a drift, a scale that has
+changed) is projected out before: an offset, a slope in time and one along the way for lines, the first harmonics for
+circles. The rest is fitted by restricted maximum likelihood as white plus first-order autocorrelated noise.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.linalg import solve_banded
+from scipy.optimize import minimize
+
+from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
+from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.whiten import differenced, ramp, tridiagonal, whitened
+
+HARMONICS = 4  # of a circle, that a contrast of two feeds may hold
+FEWEST = 12  # targets that two passes must share to be compared
+MOST_CORRELATED = 0.98
+FEWEST_RUNS = 4  # for a slope's variance
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contrast:
+    """A difference of passes over the same targets, of the variance of one reading.
+
+    values: (n,) mm, in the order of reading; nuisance: (n, k), what is projected out, the slope in time second.
+    across_runs: whether the passes are of different runs.
+    """
+
+    instrument: str
+    values: FloatArray
+    nuisance: FloatArray
+    across_runs: bool
+
+
+def contrasts(rows: Rows, values: FloatArray, along: FloatArray, theta: FloatArray) -> tuple[Contrast, ...]:
+    """All contrasts. values: (n,) mm, readings less what is expected; along (mm), theta (rad): (n,), see ReadingContext.
+
+    Circles without an exact repeat are compared with those at another feed.
+    """
+    found = []
+    without_repeat = []
+    for mine in _by(rows.setup):
+        instrument = rows.runs[rows.run[mine[0]]].instrument
+        blocks = list(_by(rows.run[mine] * 10**6 + rows.passing[mine]))
+        members = [mine[block] for block in blocks]
+        sets = _sets(members, rows.target)
+        if instrument == "ballbar" and all(len(one) < 2 for one in sets):
+            without_repeat.append(members)
+            continue
+        for one in sets:
+            found += _of_set(rows, one, rows.target, values, along, theta)
+    if without_repeat:
+        place = _places(rows)
+        for members in without_repeat:
+            for one in _sets(members, place):
+                found += _of_set(rows, one, place, values, along, theta)
+    return tuple(found)
+
+
+def estimate_noise(found: Sequence[Contrast], instrument: str) -> NoiseOf | None:
+    """Noise of one instrument; None where nothing was repeated."""
+    mine = [one for one in found if one.instrument == instrument]
+    freedom = sum(one.values.size - one.nuisance.shape[1] for one in mine)
+    if freedom < FEWEST:
+        return None
+    scale = float(np.sqrt(sum(_rss(one) for one in mine) / freedom))
+    if scale == 0.0:
+        return NoiseOf(instrument, 1e-9, 0.0, 0.0, 0.0, freedom, "repeats agree to the last digit")
+    shapes: dict[tuple[int, bytes], list[Contrast]] = {}
+    for one in mine:
+        shapes.setdefault((one.values.size, one.nuisance.tobytes()), []).append(one)
+    stacks = [(np.stack([one.values for one in each], axis=1), each[0].nuisance) for each in shapes.values()]
+
+    def noise_of(at: FloatArray) -> NoiseOf:
+        share, correlation = _between(at[1]), MOST_CORRELATED * _between(at[2])
+        sigma = scale * float(np.exp(at[0]))
+        return NoiseOf(
+            instrument, sigma * np.sqrt(1.0 - share), sigma * np.sqrt(share), correlation, 0.0, freedom, "repeats"
+        )
+
+    def cost(at: FloatArray) -> float:
+        return _negative_log_likelihood(noise_of(at), stacks)
+
+    starts = [np.array([0.0, -3.0, 0.0]), np.array([0.0, 0.0, 1.5])]
+    options = {"xatol": 1e-3, "fatol": 1e-3, "maxiter": 160}
+    tried = [minimize(cost, start, method="Nelder-Mead", options=options) for start in starts]
+    best = noise_of(min(tried, key=lambda one: float(one.fun)).x)
+    slope, told_by = _slope(mine, best)
+    return replace(best, slope=slope, slope_freedom=told_by)
+
+
+def _between(at: float) -> float:
+    return float(1.0 / (1.0 + np.exp(-np.clip(at, -30.0, 30.0))))
+
+
+def _rss(one: Contrast) -> float:
+    fitted = np.linalg.lstsq(one.nuisance, one.values, rcond=None)[0]
+    rest = one.values - one.nuisance @ fitted
+    return float(rest @ rest)
+
+
+def _negative_log_likelihood(noise: NoiseOf, stacks: list[tuple[FloatArray, FloatArray]]) -> float:
+    total = 0.0
+    for values, nuisance in stacks:
+        count = values.shape[1]
+        factor = tridiagonal(noise, values.shape[0])
+        white = solve_banded(
+            (1, 0), factor, differenced(noise, np.hstack([nuisance, values])), overwrite_b=True, check_finite=False
+        )
+        q, r = np.linalg.qr(white[:, : nuisance.shape[1]])
+        rest = white[:, nuisance.shape[1] :]
+        rest = rest - q @ (q.T @ rest)
+        total += 0.5 * float(np.sum(rest**2))
+        total += count * float(np.sum(np.log(factor[0])) + np.sum(np.log(np.abs(np.diag(r)))))
+    return total
+
+
+def _slope(mine: Sequence[Contrast], noise: NoiseOf) -> tuple[float, float]:
+    """Standard deviation of the slopes of runs, mm over a run, beyond what the other noise makes of them; freedom."""
+    squares, variances = [], []
+    for one in mine:
+        if not one.across_runs:
+            continue
+        white = whitened(noise, np.hstack([one.nuisance, one.values[:, np.newaxis]]))
+        inverse = np.linalg.pinv(white[:, :-1].T @ white[:, :-1])
+        coefficient = inverse @ (white[:, :-1].T @ white[:, -1])
+        squares.append(float(coefficient[1] ** 2))
+        variances.append(float(inverse[1, 1]))
+    if len(squares) < FEWEST_RUNS:
+        return 0.0, 0.0
+    return float(np.sqrt(max(np.mean(squares) - np.mean(variances), 0.0))), float(len(squares))
+
+
+def _by(number: IntArray) -> Iterator[IntArray]:
+    """Rows of each number, in order."""
+    order = np.argsort(number, kind="stable")
+    edges = np.flatnonzero(np.diff(number[order])) + 1
+    yield from np.split(order, edges)
+
+
+def _sets(members: list[IntArray], target: IntArray) -> list[list[IntArray]]:
+    """Passes that share nearly all of their targets, together."""
+    found: list[tuple[set[int], list[IntArray]]] = []
+    for member in members:
+        mine = set(target[member].tolist())
+        for theirs, passes in found:
+            shared = theirs & mine
+            if len(shared) >= max(FEWEST, 0.8 * max(len(mine), len(theirs))):
+                passes.append(member)
+                theirs &= mine
+                break
+        else:
+            found.append((mine, [member]))
+    return [passes for _, passes in found]
+
+
+def _of_set(
+    rows: Rows, passes: list[IntArray], target: IntArray, values: FloatArray, along: FloatArray, theta: FloatArray
+) -> list[Contrast]:
+    if len(passes) < 2:
+        return []
+    shared = set.intersection(*(set(target[one].tolist()) for one in passes))
+    first = passes[0][np.isin(target[passes[0]], list(shared))]
+    order = target[first]
+    if np.unique(order).size != order.size or order.size < FEWEST:
+        return []
+    table = np.empty((len(passes), order.size))
+    for index, one in enumerate(passes):
+        place = {int(number): int(at) for number, at in zip(target[one], one, strict=True)}
+        table[index] = values[[place[int(number)] for number in order]]
+    instrument = rows.runs[rows.run[first[0]]].instrument
+    nuisance = [np.ones(order.size), ramp(order.size)]
+    if instrument == "ballbar":
+        angle = theta[first]
+        nuisance += [part(k * angle) for k in range(1, HARMONICS + 1) for part in (np.cos, np.sin)]
+    else:
+        way = along[first]
+        nuisance += [way, way * way] if np.ptp(way) > 0.0 else []
+    columns = _independent(np.stack(nuisance, axis=1))
+    across = len({int(rows.run[one[0]]) for one in passes}) == len(passes)
+    return [Contrast(instrument, values_of, columns, across) for values_of in _helmert(len(passes)) @ table]
+
+
+def _independent(columns: FloatArray) -> FloatArray:
+    scaled = columns / np.maximum(np.ptp(columns, axis=0), np.abs(columns).max(axis=0) * 1e-3)
+    keep: list[int] = []
+    for index in range(columns.shape[1]):
+        if np.linalg.matrix_rank(scaled[:, [*keep, index]], tol=1e-6) > len(keep):
+            keep.append(index)
+    return scaled[:, keep]
+
+
+def _helmert(count: int) -> FloatArray:
+    """(count - 1, count): orthonormal rows that sum to zero."""
+    found = np.zeros((count - 1, count))
+    for k in range(1, count):
+        found[k - 1, :k] = 1.0
+        found[k - 1, k] = -k
+        found[k - 1] /= np.sqrt(k * (k + 1.0))
+    return found
+
+
+def _places(rows: Rows) -> IntArray:
+    """Targets whatever the feed."""
+    parts = np.vstack([rows.setup[np.newaxis], np.round(rows.positions, 3) + 0.0, rows.directions])
+    _, found = np.unique(parts, axis=1, return_inverse=True)
+    return found.reshape(-1).astype(np.int64)

@@ -1,0 +1,134 @@
+"""The diagnosis from readings to verdict: audit, noise, screening, base, search, refit, checks, gain."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.stats import f as f_distribution
+
+from trueaxis.diagnose.audit import Audit, audit
+from trueaxis.diagnose.base import Base, base_of
+from trueaxis.diagnose.candidates import candidates
+from trueaxis.diagnose.checks import run_checks
+from trueaxis.diagnose.freedom import freedom_of
+from trueaxis.diagnose.gain import fitted_left, gain_of, held_out
+from trueaxis.diagnose.noise import contrasts
+from trueaxis.diagnose.noise_of_runs import noise_of_runs
+from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.refit import Fitted, refit
+from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
+from trueaxis.diagnose.rows import Rows, rows_of
+from trueaxis.diagnose.screening import outliers
+from trueaxis.diagnose.search import Ground, Search, search
+from trueaxis.diagnose.signatures import Readings, readings_of
+from trueaxis.diagnose.whiten import whitening
+from trueaxis.diagnose.write_up import Outcome, diagnosis_of
+from trueaxis.measure.context import context_of
+from trueaxis.measure.data import MeasuredData
+from trueaxis.measure.reading_model import expected_readings
+from trueaxis.runtime.model import MachineModel
+
+AGAIN = 0.03  # relative change of the noise, causes taken away, from which the search is done again
+STALE = 0.005  # p value below which the values given are stale ...
+WORTH = 0.02  # ... if refitting also lowers the held-out RMS by this share
+
+
+@dataclass(frozen=True, slots=True)
+class DiagnoseOptions:
+    """noise_um: standard deviation of a reading, um, if it is known; None: from repeats. progress: is told each stage."""
+
+    noise_um: float | None = None
+    progress: Callable[[str], None] = lambda _: None
+
+
+def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions | None = None) -> Diagnosis:
+    """What the model gets wrong of the data, and why. Raises InputError where there are too few readings.
+
+    Cost: linear in the number of readings, times rank of the base (hundreds) times the points of all grids.
+    """
+    options = options or DiagnoseOptions()
+    options.progress("reading")
+    rows = rows_of(data)
+    values = rows.reading - _expected(model, rows)
+    keep, off = outliers(rows, values)
+    rows, values = rows.only(keep), values[keep]
+    readings = readings_of(model, rows)
+    base = base_of(model, rows)
+    options.progress("noise")
+    noise = noise_of_runs(rows, readings.reading, values, options.noise_um)
+    ground, found, causes = _searched(readings, base, values, noise, options)
+    if causes:
+        signals = np.sum([one.signal for one in causes], axis=0)
+        again = noise_of_runs(rows, readings.reading, values - signals, options.noise_um)
+        if _changed(noise, again):
+            noise = again
+            ground, found, causes = _searched(readings, base, values, noise, options)
+    options.progress("checks")
+    checks = run_checks(
+        rows, readings.reading.theta, ground.whitening, found.projection, found.residual, ground.freedom
+    )
+    audited = audit(ground, found.first)
+    held, split = held_out(rows)
+    everything = fitted_left(base, ground.whitening, values, causes, np.ones_like(held))
+    of_held = fitted_left(base, ground.whitening, values, causes, ~held)
+    gain = gain_of(
+        everything, of_held, held, split, float(np.sqrt(np.mean([one.sigma**2 for one in ground.whitening.noise])))
+    )
+    stale = _stale(ground, base)
+    outcome = Outcome(
+        ground=ground,
+        base=base,
+        search=found,
+        causes=causes,
+        audit=audited,
+        checks=checks,
+        outliers=off,
+        gain=gain,
+        left=everything,
+        expected=rows.reading - values,
+        held=held,
+        stale_p=stale,
+        noise=noise,
+        recalibrate=stale < STALE and gain.held_out.refitted < (1.0 - WORTH) * gain.held_out.given,
+    )
+    return diagnosis_of(outcome)
+
+
+def _expected(model: MachineModel, rows: Rows) -> FloatArray:
+    return expected_readings(model, rows.runs, rows.run, rows.positions, context_of(rows.runs, rows))
+
+
+def _searched(
+    readings: Readings, base: Base, values: FloatArray, noise: Sequence[NoiseOf], options: DiagnoseOptions
+) -> tuple[Ground, Search, tuple[Fitted, ...]]:
+    rows = readings.rows
+    white = whitening(rows.run, [noise[index] for index in rows.present])
+    projection = Projection(orthonormal(white(base.columns)))
+    ground = Ground(
+        readings=readings,
+        effects=candidates(readings.model, rows),
+        whitening=white,
+        base=projection,
+        values=white(values),
+        freedom=freedom_of(white),
+        progress=options.progress,
+    )
+    found = search(ground)
+    return ground, found, refit(ground, found.causes)
+
+
+def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf]) -> bool:
+    pairs = [(one.sigma, other.sigma) for one, other in zip(before, after, strict=True)]
+    pairs += [(one.sigma + one.slope, other.sigma + other.slope) for one, other in zip(before, after, strict=True)]
+    return any(abs(one - other) > AGAIN * max(one, other) for one, other in pairs)
+
+
+def _stale(ground: Ground, base: Base) -> float:
+    """The p value of the hypothesis that the values given are right: what the base explains beyond the instruments' unknowns."""
+    nuisance = Projection(orthonormal(ground.whitening(base.columns[:, base.of_instruments])))
+    left = nuisance.rest(ground.values)
+    within = ground.base.basis.T @ left
+    k = ground.base.rank - nuisance.rank
+    if k <= 0:
+        return 1.0
+    return float(f_distribution.sf(float(within @ within) / k, k, ground.freedom.of_readings))

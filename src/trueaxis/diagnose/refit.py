@@ -1,0 +1,91 @@
+"""All causes fitted together: Gauss-Newton on every parameter, with the derivatives that the kernels give."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.search import Found, Ground
+from trueaxis.diagnose.signatures import Readings, parameter_signature
+from trueaxis.effects.kind import Effect, Kind
+
+STEPS = 12
+CONVERGED = 1e-6  # of a standard uncertainty
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fitted:
+    """One cause with its parameters in the order of its kind; u: NaN where the readings do not tell.
+
+    signal: (n,), mm, its signature in the readings; unit: (n,), the same per unit of its first parameter.
+    """
+
+    effect: Effect
+    kind: Kind
+    values: FloatArray
+    u: FloatArray
+    signal: FloatArray
+
+
+def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
+    """Values and standard uncertainties of all parameters, base projected out."""
+    if not causes:
+        return ()
+    kinds = [one.signature.kind for one in causes]
+    effects = [one.scan.effect for one in causes]
+    values = [_start(one) for one in causes]
+    ends = np.cumsum([0, *(one.size for one in values)])
+    covariance = np.zeros((int(ends[-1]), int(ends[-1])))
+    for _ in range(STEPS):
+        signals, jacobian = _linearised(ground.readings, effects, values)
+        left = ground.base.rest(ground.whitening(jacobian))
+        residual = ground.base.rest(ground.values - ground.whitening(signals.sum(axis=1)))
+        step, covariance = _solved(left, residual)
+        values = [one + step[ends[k] : ends[k + 1]] for k, one in enumerate(values)]
+        spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+        if (np.abs(step) <= CONVERGED * spread + 1e-300).all():
+            break
+    signals, _ = _linearised(ground.readings, effects, values)
+    spread = np.sqrt(np.diag(covariance))
+    spread = np.where(spread > 0.0, spread, np.nan)
+    return tuple(
+        Fitted(effect, kind, values[k], spread[ends[k] : ends[k + 1]], signals[:, k])
+        for k, (effect, kind) in enumerate(zip(effects, kinds, strict=True))
+    )
+
+
+def _solved(columns: FloatArray, residual: FloatArray) -> tuple[FloatArray, FloatArray]:
+    size = np.linalg.norm(columns, axis=0)
+    told = size > 1e-12 * size.max(initial=0.0)
+    told &= size > 0.0
+    scaled = columns[:, told] / size[told]
+    inverse = np.linalg.pinv(scaled.T @ scaled, rcond=1e-10, hermitian=True)
+    step, covariance = np.zeros(size.size), np.zeros((size.size, size.size))
+    step[told] = (inverse @ (scaled.T @ residual)) / size[told]
+    covariance[np.ix_(told, told)] = inverse / np.outer(size[told], size[told])
+    return step, covariance
+
+
+def _linearised(
+    readings: Readings, effects: Sequence[Effect], values: Sequence[FloatArray]
+) -> tuple[FloatArray, FloatArray]:
+    """(n, n_causes) signals and (n, all parameters) derivatives, mm."""
+    pairs = [parameter_signature(readings, effect, vector) for effect, vector in zip(effects, values, strict=True)]
+    return np.stack([signal for signal, _ in pairs], axis=1), np.hstack([jacobian for _, jacobian in pairs])
+
+
+def _start(one: Found) -> FloatArray:
+    kind, scan = one.signature.kind, one.scan
+    found = dict(scan.point)
+    linear = [each.name for each in kind.parameters if each.role == "linear"]
+    phases = [each.name for each in kind.parameters if each.role == "phase"]
+    roots = [each.name for each in kind.parameters if each.role == "root"]
+    if phases:
+        found[linear[0]] = float(np.hypot(*scan.amplitudes))
+        found[phases[0]] = float(np.arctan2(scan.amplitudes[1], scan.amplitudes[0]))
+    elif roots:
+        found[roots[0]] = float(np.sqrt(max(scan.amplitudes[0], 0.0)))
+    else:
+        found |= dict(zip(linear, scan.amplitudes.tolist(), strict=True))
+    return np.array([found[each.name] for each in kind.parameters])

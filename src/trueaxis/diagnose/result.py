@@ -1,0 +1,233 @@
+"""What a diagnosis comes to: plain records, from which report and diagnosis.json are written."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from trueaxis.effects.kind import Effect
+
+FloatArray = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int64]
+BoolArray = npt.NDArray[np.bool_]
+
+Verdict = Literal["no_discrepancy", "recalibrate", "explained", "ambiguous", "unexplained_structure"]
+
+
+@dataclass(frozen=True, slots=True)
+class NoiseOf:
+    """Noise of the readings of one instrument, mm: white, autocorrelated (first order, from one reading to the next)
+    and the slope of a run (over the whole run). freedom: degrees of freedom of the estimate; origin: where it is from;
+    slope_freedom: those of the slope alone, which few runs tell.
+    """
+
+    instrument: str
+    white: float
+    correlated: float
+    correlation: float
+    slope: float
+    freedom: float
+    origin: str
+    slope_freedom: float = 0.0
+
+    @property
+    def sigma(self) -> float:
+        """Standard deviation of a reading, mm, slopes of runs left out."""
+        return float(np.hypot(self.white, self.correlated))
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """Value and standard uncertainty of a parameter."""
+
+    name: str
+    value: float
+    u: float
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """What the audit says of a candidate before any reading is looked at.
+
+    size: name and unit of the amplitude that the limits are of; detection: what is found half the time... at the
+    threshold of the evidence; isolation: what is told from its nearest rival; share: |M s|^2 / |s|^2, the part of the
+    signature that the base does not hold (M projects out the base); nearest: the candidate most like it, and r2, the
+    squared correlation of what the base leaves of both. state: `observable`, `confounded` (r2 above 0.95) or
+    `unobservable`; reason: why it is unobservable.
+    """
+
+    effect: Effect
+    size: str
+    unit: str
+    detection: float
+    isolation: float
+    share: float
+    nearest: Effect | None
+    r2: float
+    state: Literal["observable", "confounded", "unobservable"]
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """-log10(p m) of one candidate in one round of the search; threshold: what it had to reach."""
+
+    effect: Effect
+    evidence: float
+    p_value: float
+    tries: float
+    freedom: int
+
+
+@dataclass(frozen=True, slots=True)
+class AmplitudeOf:
+    """The amplitude of a cause as one run (or line) alone shows it, in the unit of its first parameter."""
+
+    group: str
+    value: float
+    u: float
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """One named cause, or the best of a set that the readings cannot tell apart.
+
+    rms: of its signature over the readings, mm; held_out_gain: share by which it lowers the held-out RMS, noise
+    included; rivals: what explains the readings about as well; homogeneous_p: of the test that all groups have one
+    amplitude; remainder: whether structure is left beside it; formula: its term in LaTeX, values not filled in;
+    separating: what further run would tell it from its rivals.
+    """
+
+    effect: Effect
+    parameters: tuple[Estimate, ...]
+    sentence: str
+    formula: str
+    p_value: float
+    evidence: float
+    rms: float
+    held_out_gain: float
+    rivals: tuple[Evidence, ...]
+    amplitudes: tuple[AmplitudeOf, ...]
+    homogeneous_p: float
+    remainder: bool
+    separating: str
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """A test for structure of a class that needs no cause; p_value already multiplied by the number of checks."""
+
+    name: str
+    meaning: str
+    p_value: float
+    fired: bool
+    rms: float
+
+
+@dataclass(frozen=True, slots=True)
+class Outlier:
+    """A reading far from its repeats, left out; deviation in mm and in robust standard deviations."""
+
+    run: str
+    seq: int
+    deviation: float
+    z: float
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """RMS in mm of what is left, over all readings kept and over held-out ones, with values as given, refitted, and
+    with the extended model; floor: that of the noise (pure error).
+    """
+
+    given: float
+    refitted: float
+    extended: float
+
+
+@dataclass(frozen=True, slots=True)
+class Gain:
+    """What was gained. split: how the held-out readings were chosen; floor: RMS of the pure error, mm."""
+
+    rms: Stage
+    held_out: Stage
+    split: str
+    floor: float
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """Circularity of a circle by ball bar, mm, ISO 230-4 (largest minus smallest radius about the fitted centre):
+    measured; what is left of it without the given, the refitted, the extended model.
+    """
+
+    run: str
+    measured: float
+    given: float
+    refitted: float
+    extended: float
+
+
+@dataclass(frozen=True, slots=True)
+class NextRun:
+    """A further run that would help, and what it would tell: limit before and after where it lowers one."""
+
+    purpose: str
+    run: str
+    gain: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Residuals:
+    """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds.
+
+    run: index into runs; positions, directions: (n_axes, n); theta: polar angle (rad) of circles, NaN elsewhere;
+    along: ideal displacement sensed (mm) of lines.
+    """
+
+    runs: tuple[str, ...]
+    instruments: tuple[str, ...]
+    axes: tuple[str, ...]
+    row: IntArray
+    run: IntArray
+    seq: IntArray
+    positions: FloatArray
+    directions: FloatArray
+    time: FloatArray | None
+    temperature: FloatArray | None
+    feed: FloatArray | None
+    theta: FloatArray
+    along: FloatArray
+    reading: FloatArray
+    given: FloatArray
+    refitted: FloatArray
+    extended: FloatArray
+    whitened: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Diagnosis:
+    """Everything that was found. correlation: (g, g), R^2 between the candidates of `isolability`, base projected out;
+    threshold: evidence that a candidate had to reach; absences: what the data lack and what that costs.
+    """
+
+    machine: str
+    verdict: Verdict
+    noise: tuple[NoiseOf, ...]
+    causes: tuple[Cause, ...]
+    limits: tuple[Limit, ...]
+    isolability: tuple[Effect, ...]
+    correlation: FloatArray
+    scan: tuple[Evidence, ...]
+    threshold: float
+    checks: tuple[Check, ...]
+    outliers: tuple[Outlier, ...]
+    gain: Gain
+    circles: tuple[Circle, ...]
+    recalibration_p: float
+    next_runs: tuple[NextRun, ...]
+    absences: tuple[str, ...]
+    warnings: tuple[str, ...]
+    residuals: Residuals

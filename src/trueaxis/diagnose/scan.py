@@ -1,0 +1,154 @@
+"""The scan: how much better every candidate explains what the base leaves, searched parameters at their best."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.stats import f as f_distribution
+
+from trueaxis.diagnose.freedom import Freedom
+from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.signatures import Signature
+from trueaxis.diagnose.whiten import Whitening
+from trueaxis.effects.kind import Effect
+
+WORTH_A_LOOK = 9.0  # of a statistic, below which nobody asks how sure the noise is
+UNOBSERVABLE = 1e-9  # share of the squared signature that the base leaves
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scanned:
+    """One candidate: the best point of its grid.
+
+    statistic: whitened sum of squares that it explains there (chi^2 of `freedom` under noise alone); tries: effective
+    number of independent places that were tried; amplitudes: (freedom,); evidence: -log10(p tries).
+    share: of its squared whitened signature that the base leaves, the most over the grid; strength: the same sum
+    itself per unit of amplitude squared; middle: (n_support, k), the whitened signature in the middle of the grid.
+    """
+
+    effect: Effect
+    point: Mapping[str, float]
+    place: int
+    amplitudes: FloatArray
+    statistic: float
+    freedom: int
+    tries: float
+    p_value: float
+    evidence: float
+    share: float
+    strength: float
+    middle: FloatArray
+    support: slice
+    missing: str = ""
+
+
+def scanned(
+    signature: Signature, whitening: Whitening, projection: Projection, residual: FloatArray, freedom: Freedom
+) -> Scanned:
+    """Scan one candidate. residual: (n,), whitened, base projected out; freedom: of the noise estimate.
+
+    The cost grows with readings times rank of the base times points of the grid.
+    """
+    size, points, k = signature.columns.shape
+    support = signature.support
+    white = _whitened(signature, whitening)
+    inside = projection.basis[support].T @ white
+    full = white.reshape(size, points, k)
+    held = inside.reshape(-1, points, k)
+    total = _gram(full)
+    gram = total - _gram(held)
+    right = (residual[support] @ white).reshape(points, k)
+    whole = np.trace(total, axis1=1, axis2=2)
+    left = np.trace(gram, axis1=1, axis2=2)
+    share = np.divide(left, whole, out=np.zeros(points), where=whole > 0.0)
+    statistic, amplitudes = _explained(gram, right, whole, one_sided=_one_sided(signature))
+    best = int(np.argmax(statistic))
+    tries = _tries(full, share)
+    within = freedom.of_readings
+    if statistic[best] > WORTH_A_LOOK:
+        whole = np.zeros((residual.size, k))
+        whole[support] = full[:, best]
+        within = freedom.of(orthonormal(projection.rest(whole)))
+    p_value = float(f_distribution.sf(statistic[best] / k, k, within))
+    evidence = -float(_log10_sf(statistic[best] / k, k, within)) - float(np.log10(tries))
+    return Scanned(
+        effect=signature.effect,
+        point=signature.points[best],
+        place=best,
+        amplitudes=amplitudes[best],
+        statistic=float(statistic[best]),
+        freedom=k,
+        tries=tries,
+        p_value=min(1.0, p_value * tries),
+        evidence=evidence if statistic[best] > 0.0 else 0.0,
+        share=float(share.max()),
+        strength=float(np.median(left / k)),
+        middle=full[:, points // 2].copy(),
+        support=support,
+        missing=signature.missing,
+    )
+
+
+def _gram(columns: FloatArray) -> FloatArray:
+    """(points, k, k) from (n, points, k)."""
+    _, points, k = columns.shape
+    found = np.empty((points, k, k))
+    for i in range(k):
+        for j in range(i, k):
+            found[:, i, j] = found[:, j, i] = np.einsum("np,np->p", columns[:, :, i], columns[:, :, j])
+    return found
+
+
+def _whitened(signature: Signature, whitening: Whitening) -> FloatArray:
+    size = signature.columns.shape[0]
+    flat = signature.columns.reshape(size, -1)
+    found = np.empty_like(flat)
+    first = signature.support.start
+    for index in range(len(whitening.noise)):
+        start, stop = int(whitening.starts[index]) - first, int(whitening.starts[index + 1]) - first
+        if stop <= 0 or start >= size:
+            continue
+        found[start:stop] = whitening.block(index, flat[start:stop])
+    return found
+
+
+def _one_sided(signature: Signature) -> bool:
+    return any(one.role == "root" for one in signature.kind.parameters)
+
+
+def _explained(
+    gram: FloatArray, right: FloatArray, whole: FloatArray, *, one_sided: bool
+) -> tuple[FloatArray, FloatArray]:
+    """(points,) sums of squares explained and (points, k) amplitudes, by the Gram matrices (points, k, k)."""
+    values, vectors = np.linalg.eigh(gram)
+    kept = values > UNOBSERVABLE * whole[:, np.newaxis]
+    turned = np.einsum("pij,pi->pj", vectors, right)
+    scaled = np.divide(turned, values, out=np.zeros_like(turned), where=kept)
+    amplitudes = np.einsum("pij,pj->pi", vectors, scaled)
+    statistic = np.sum(np.where(kept, turned * scaled, 0.0), axis=1)
+    if one_sided:
+        statistic = np.where(amplitudes[:, 0] > 0.0, statistic, 0.0)
+    return statistic, amplitudes
+
+
+def _tries(full: FloatArray, share: FloatArray) -> float:
+    """Effective number of independent places along the grid: one more for each quarter turn of the signature."""
+    points = full.shape[1]
+    if points == 1:
+        return 1.0
+    first = full[:, :, 0]
+    size = np.linalg.norm(first, axis=0)
+    unit = np.divide(first, size, out=np.zeros_like(first), where=size > 0.0)
+    cosine = np.abs(np.einsum("np,np->p", unit[:, 1:], unit[:, :-1]))
+    if full.shape[2] > 1:
+        second = full[:, :, 1]
+        other = np.linalg.norm(second, axis=0)
+        turned = np.divide(second, other, out=np.zeros_like(second), where=other > 0.0)
+        cosine = np.hypot(cosine, np.einsum("np,np->p", unit[:, 1:], turned[:, :-1]))
+    angle = np.arccos(np.clip(cosine, 0.0, 1.0))
+    return 1.0 + float(np.sum(angle[share[1:] > 1e-6])) / (0.5 * np.pi)
+
+
+def _log10_sf(value: float, k: int, freedom: float) -> float:
+    return float(f_distribution.logsf(value, k, freedom) / np.log(10.0))

@@ -1,0 +1,211 @@
+"""The search for causes: one after another, each with everything that explains the readings about as well."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trueaxis.diagnose.freedom import Freedom
+from trueaxis.diagnose.projection import Projection
+from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.scan import Scanned, scanned
+from trueaxis.diagnose.signatures import Readings, Signature, signature_of
+from trueaxis.diagnose.whiten import Whitening
+from trueaxis.effects.kind import Effect
+
+FALSE_ALARMS = 0.005  # share of clean data sets in which one candidate or other may reach the threshold
+RIVAL = 2.0  # decades of evidence within which a candidate remains in the running
+ALIKE = 0.02  # share of what the best explains by which a rival may fall short: no real effect has the exact form
+MOST_CAUSES = 4
+ZOOM = 7  # points per zoom of a grid, twice
+WORTH_ZOOMING = 0.6  # share of the best statistic from which a candidate's grid is looked at more closely
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """One cause: scan of it given all other causes, its signature there (n_support, 1, k), and its rivals."""
+
+    scan: Scanned
+    signature: Signature
+    rivals: tuple[Scanned, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Search:
+    """causes, in order of what they explain; first: every candidate's scan before any cause was taken; projection:
+    base and causes; residual: (n,), whitened, what they leave; threshold: of the evidence.
+    """
+
+    causes: tuple[Found, ...]
+    first: tuple[Scanned, ...]
+    projection: Projection
+    residual: FloatArray
+    threshold: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ground:
+    """What is searched on: candidates, whitened readings less what is expected, noise and base."""
+
+    readings: Readings
+    effects: tuple[Effect, ...]
+    whitening: Whitening
+    base: Projection
+    values: FloatArray
+    freedom: Freedom
+    progress: Progress
+
+    @property
+    def threshold(self) -> float:
+        """Evidence that a candidate has to reach: Bonferroni over the candidates."""
+        return float(np.log10(max(len(self.effects), 1) / FALSE_ALARMS))
+
+
+def search(ground: Ground) -> Search:
+    """Forward, with all causes looked at again given the others, until no candidate reaches the threshold."""
+    causes: list[Found] = []
+    first: tuple[Scanned, ...] = ()
+    while len(causes) <= MOST_CAUSES:
+        projection = _with(ground, causes)
+        residual = projection.rest(ground.values)
+        taken = {one.scan.effect for one in causes}
+        scans = scan_all(ground, projection, residual, [one for one in ground.effects if one not in taken])
+        first = first or scans
+        if len(causes) == MOST_CAUSES:
+            break
+        best = _best(ground, projection, residual, scans)
+        if best is None or best.scan.evidence < ground.threshold:
+            break
+        causes = _settled(ground, [*causes, best])
+    causes = [_with_rivals(ground, causes, index, first) for index in range(len(causes))]
+    causes.sort(key=lambda one: -one.scan.statistic)
+    projection = _with(ground, causes)
+    return Search(tuple(causes), first, projection, projection.rest(ground.values), ground.threshold)
+
+
+def scan_all(
+    ground: Ground, projection: Projection, residual: FloatArray, effects: Sequence[Effect]
+) -> tuple[Scanned, ...]:
+    """Every candidate on its grid."""
+    found = []
+    for number, effect in enumerate(effects):
+        ground.progress(f"scan {number + 1} of {len(effects)}: {effect.label}")
+        signature = signature_of(ground.readings, effect)
+        found.append(scanned(signature, ground.whitening, projection, residual, ground.freedom))
+    return tuple(found)
+
+
+def zoomed(ground: Ground, projection: Projection, residual: FloatArray, scan: Scanned) -> Found:
+    """The candidate with its searched parameters between the points of the grid; tries remain those of the grid."""
+    grid = signature_of(ground.readings, scan.effect)
+    points, place, best = grid.points, scan.place, scan
+    if len(points) > 1 and len(points[0]) == 1:
+        (name,) = points[0]
+        for _ in range(2):
+            fine = _between(points, place, name)
+            signature = signature_of(ground.readings, scan.effect, fine)
+            closer = scanned(signature, ground.whitening, projection, residual, ground.freedom)
+            points, place = fine, closer.place
+            if closer.statistic >= best.statistic:
+                best = _with_tries(closer, scan.tries)
+    signature = signature_of(ground.readings, scan.effect, (best.point,))
+    return Found(best, signature)
+
+
+def _between(points: Sequence[Mapping[str, float]], place: int, name: str) -> tuple[Mapping[str, float], ...]:
+    """A finer grid between the neighbours of a point; in its inverse, in which frequencies are even."""
+    ends = [points[max(place - 1, 0)][name], points[min(place + 1, len(points) - 1)][name]]
+    if min(ends) > 0.0:
+        values = 1.0 / np.linspace(1.0 / ends[0], 1.0 / ends[1], ZOOM)
+    else:
+        values = np.linspace(ends[0], ends[1], ZOOM)
+    return tuple({name: float(value)} for value in values)
+
+
+def _with_tries(scan: Scanned, tries: float) -> Scanned:
+    lower = float(np.log10(tries / scan.tries))
+    return replace(scan, tries=tries, evidence=scan.evidence - lower, p_value=min(1.0, scan.p_value * 10.0**lower))
+
+
+def _with(ground: Ground, causes: Sequence[Found]) -> Projection:
+    found = ground.base
+    if causes:
+        found = found.extended(np.hstack([whitened_columns(ground, one.signature) for one in causes]))
+    return found
+
+
+def whitened_columns(ground: Ground, signature: Signature) -> FloatArray:
+    """(n, k): the signature at its one point, over all rows, whitened."""
+    return ground.whitening(full_columns(ground, signature))
+
+
+def full_columns(ground: Ground, signature: Signature) -> FloatArray:
+    """(n, k): the signature at its one point, over all rows, mm per unit amplitude."""
+    found = np.zeros((ground.values.size, signature.columns.shape[2]))
+    found[signature.support] = signature.columns[:, 0]
+    return found
+
+
+def _best(ground: Ground, projection: Projection, residual: FloatArray, scans: Sequence[Scanned]) -> Found | None:
+    most = max((one.evidence for one in scans), default=0.0)
+    if most <= 0.0:
+        return None
+    strongest = max(one.statistic for one in scans)
+    close = [
+        one
+        for one in scans
+        if one.evidence >= most - RIVAL or (len(one.point) and one.statistic > WORTH_ZOOMING * strongest)
+    ]
+    found = [zoomed(ground, projection, residual, one) for one in close]
+    return max(found, key=lambda one: one.scan.evidence)
+
+
+def _settled(ground: Ground, causes: list[Found]) -> list[Found]:
+    """Each cause looked at again given the others; one that no longer reaches the threshold goes."""
+    if len(causes) == 1:
+        return causes
+    for _ in range(2):
+        for index in range(len(causes)):
+            others = causes[:index] + causes[index + 1 :]
+            projection = _with(ground, others)
+            residual = projection.rest(ground.values)
+            again = scan_all(ground, projection, residual, [causes[index].scan.effect])[0]
+            causes[index] = zoomed(ground, projection, residual, again)
+        weakest = min(range(len(causes)), key=lambda index: causes[index].scan.evidence)
+        if causes[weakest].scan.evidence >= ground.threshold:
+            return causes
+        causes = causes[:weakest] + causes[weakest + 1 :]
+        if len(causes) == 1:
+            projection = ground.base
+            residual = projection.rest(ground.values)
+            return [
+                zoomed(ground, projection, residual, scan_all(ground, projection, residual, [causes[0].scan.effect])[0])
+            ]
+    return causes
+
+
+def _with_rivals(ground: Ground, causes: Sequence[Found], index: int, first: tuple[Scanned, ...]) -> Found:
+    """The cause with what explains the readings about as well in its place, the others staying."""
+    mine, others = causes[index], [*causes[:index], *causes[index + 1 :]]
+    projection = _with(ground, others)
+    residual = projection.rest(ground.values)
+    taken = {one.scan.effect for one in causes}
+    if others:
+        scans = scan_all(ground, projection, residual, [one for one in ground.effects if one not in taken])
+    else:
+        scans = tuple(one for one in first if one.effect not in taken)
+    rivals = []
+    for one in scans:
+        if not _may_rival(one, mine.scan, WORTH_ZOOMING if one.point else 1.0 - ALIKE):
+            continue
+        closer = zoomed(ground, projection, residual, one).scan
+        if _may_rival(closer, mine.scan, 1.0 - ALIKE) and closer.evidence >= ground.threshold - RIVAL:
+            rivals.append(closer)
+    rivals.sort(key=lambda one: -one.evidence)
+    return replace(mine, rivals=tuple(rivals))
+
+
+def _may_rival(one: Scanned, best: Scanned, share: float) -> bool:
+    return one.evidence >= best.evidence - RIVAL or one.statistic >= share * best.statistic

@@ -1,0 +1,283 @@
+"""What each candidate does to the readings: sensitivity of the reading times the term of the effect.
+
+Nothing here is written for an instrument by hand: sensitivities come from the derived kernels, terms from the kernels
+`effect_...`.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import cast
+
+import numpy as np
+
+from trueaxis.diagnose.grids import grid_of
+from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.rows import Rows
+from trueaxis.effects.kind import Effect, Kind
+from trueaxis.identify.first_order import sensed
+from trueaxis.measure.context import context_of
+from trueaxis.measure.reading_context import reading_context_of
+from trueaxis.measure.machine import View
+from trueaxis.measure.reading_model import measuring_frame, sensed_directions
+from trueaxis.measure.setup import PointOn, Run
+from trueaxis.runtime.context import Context, ReadingContext
+from trueaxis.runtime.effect_terms import component_term, reading_term
+from trueaxis.runtime.model import MachineModel
+from trueaxis.spec.machine import LINEAR
+
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Signature:
+    """Signature of a candidate at all points of its grid.
+
+    columns: (n_support, n_points, k), mm per unit of the k linear amplitudes; support: the rows where it may differ
+    from 0; points: values of the searched parameters; missing: what the data lack for it, empty where nothing.
+    """
+
+    effect: Effect
+    kind: Kind
+    columns: FloatArray
+    support: slice
+    points: tuple[Mapping[str, float], ...]
+    missing: str = ""
+
+
+class Latest:
+    """The terms made last: those of one kind on one axis are the same for all component errors of the axis."""
+
+    def __init__(self) -> None:
+        self._key: object = None
+        self._terms: FloatArray | None = None
+
+    def of(self, effect: Effect, points: object) -> FloatArray | None:
+        """(n, points times amplitudes), or None."""
+        return self._terms if self._key == _term_key(effect, points) else None
+
+    def keep(self, effect: Effect, points: object, terms: FloatArray) -> None:
+        """Keep these instead."""
+        self._key, self._terms = _term_key(effect, points), terms
+
+
+def _term_key(effect: Effect, points: object) -> object:
+    return effect.kind, (effect.component or "")[-1:], effect.axis, points
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Readings:
+    """What signatures are made from, of all rows: sensitivity: (n_components + n_location_errors, n)."""
+
+    model: MachineModel
+    rows: Rows
+    context: Context
+    reading: ReadingContext
+    sensitivity: FloatArray
+    latest: Latest
+
+
+def readings_of(model: MachineModel, rows: Rows) -> Readings:
+    """Contexts and sensitivities of the rows."""
+    sensitivity = np.zeros((len(model.components) + len(model.location_errors), rows.size))
+    for index in rows.present:
+        mine = rows.of_run(index)
+        sensitivity[:, mine] = sensed(model, rows.runs[index], np.ascontiguousarray(rows.positions[:, mine]))
+    return Readings(model, rows, context_of(rows.runs, rows), reading_context_of(model, rows.runs, rows), sensitivity, Latest())
+
+
+def signature_of(
+    readings: Readings, effect: Effect, points: tuple[Mapping[str, float], ...] | None = None
+) -> Signature:
+    """The signature at the points of the grid, or at other points."""
+    kind = readings.model.machine.kinds[effect.kind]
+    support = _support(readings.rows, effect)
+    if points is None:
+        points = grid_of(kind, effect, readings.rows)
+    if kind.place == "component":
+        columns = _of_component(readings, effect, kind, points)
+    elif kind.place == "reading":
+        columns = _of_reading(readings, effect, kind, points, support)
+    elif kind.place == "point":
+        columns = _of_point(readings, effect, support)
+    else:
+        columns = _of_location(readings, effect)
+    missing = "" if np.isfinite(columns).all() else _missing(readings)
+    return Signature(effect, kind, np.nan_to_num(columns), support, points, missing)
+
+
+def parameter_signature(readings: Readings, effect: Effect, values: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """(n,) the signal of an effect with parameters (m,), mm, and (n, m) its derivatives."""
+    model, rows = readings.model, readings.rows
+    kind = model.machine.kinds[effect.kind]
+    if kind.place == "component":
+        assert effect.component is not None
+        lever = readings.sensitivity[model.components.index(effect.component)]
+        term = component_term(model.kernels, model.machine, effect, values, rows.positions, readings.context)
+        found = np.where(lever == 0.0, 0.0, term * lever)
+        return found[0], found[1:].T
+    if kind.place == "reading":
+        mine = np.array([run.instrument == kind.instrument and _named(run, effect) for run in rows.runs])[rows.run]
+        term = reading_term(model.kernels, model.machine, effect, values, readings.reading)
+        found = np.where(mine, term, 0.0)
+        return found[0], found[1:].T
+    columns = np.zeros((rows.size, values.size))
+    support = _support(rows, effect)
+    columns[support] = (
+        _of_point(readings, effect, support) if kind.place == "point" else _of_location(readings, effect)
+    )[:, 0]
+    return columns @ values, columns
+
+
+def basis_parameters(kind: Kind) -> tuple[dict[str, float], ...]:
+    """Values of the parameters not searched on a grid, for each linear amplitude: the term there is its signature.
+
+    Of a phase: amplitude 1 at phase 0, where the derivative by the phase is the signature of the other amplitude.
+    """
+    linear = [one.name for one in kind.parameters if one.role in ("linear", "root")]
+    phases = [one.name for one in kind.parameters if one.role == "phase"]
+    if phases:
+        return ({linear[0]: 1.0, phases[0]: 0.0},)
+    return tuple({other: float(name == other) for other in linear} for name in linear)
+
+
+def _support(rows: Rows, effect: Effect) -> slice:
+    if not effect.runs:
+        return slice(0, rows.size)
+    mine = [rows.of_run(index) for index, run in enumerate(rows.runs) if run.id in effect.runs]
+    return slice(min(one.start for one in mine), max(one.stop for one in mine))
+
+
+def _vectors(kind: Kind, points: tuple[Mapping[str, float], ...]) -> list[FloatArray]:
+    """Parameter vectors of the kind: for each point each basis amplitude."""
+    names = [one.name for one in kind.parameters]
+    return [
+        np.array([{**point, **basis}.get(name, 0.0) for name in names])
+        for point in points
+        for basis in basis_parameters(kind)
+    ]
+
+
+def _columns(
+    kind: Kind, points: tuple[Mapping[str, float], ...], term: Callable[[FloatArray], FloatArray]
+) -> FloatArray:
+    """(n, points times amplitudes): the terms of all basis amplitudes at all points."""
+    phases = [place for place, one in enumerate(kind.parameters) if one.role == "phase"]
+    found = []
+    for vector in _vectors(kind, points):
+        value = term(vector)
+        found.append(value[0])
+        found += [value[1 + place] for place in phases]
+    return np.stack(found, axis=1)
+
+
+def _of_component(
+    readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...]
+) -> FloatArray:
+    model = readings.model
+    assert effect.component is not None
+    lever = readings.sensitivity[model.components.index(effect.component)]
+    terms = readings.latest.of(effect, points)
+    if terms is None:
+        rows, context = readings.rows, readings.context
+        terms = _columns(
+            kind,
+            points,
+            lambda vector: component_term(model.kernels, model.machine, effect, vector, rows.positions, context),
+        )
+        readings.latest.keep(effect, points, terms)
+    # a row that the component does not reach is not spoilt by what is unknown there
+    lever = lever[:, np.newaxis]
+    columns = terms * lever if np.isfinite(terms).all() else np.where(lever == 0.0, 0.0, terms * lever)
+    return columns.reshape(readings.rows.size, len(points), -1)
+
+
+def _of_reading(
+    readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...], support: slice
+) -> FloatArray:
+    model, rows = readings.model, readings.rows
+    mine = np.array([run.instrument == kind.instrument and _named(run, effect) for run in rows.runs])[rows.run[support]]
+    whole = readings.reading
+    context = ReadingContext(
+        whole.along[support], whole.theta[support], whole.time[support], whole.temperature[support]
+    )
+    columns = _columns(
+        kind, points, lambda vector: reading_term(model.kernels, model.machine, effect, vector, context)
+    )
+    columns = np.where(mine[:, np.newaxis], columns, 0.0)
+    return columns.reshape(mine.size, len(points), -1)
+
+
+def _of_point(readings: Readings, effect: Effect, support: slice) -> FloatArray:
+    """What the point's coordinates change: the body that carries it is turned by its motion and by its errors."""
+    model, rows = readings.model, readings.rows
+    errors = model.in_context(readings.context).component_errors(rows.positions)
+    columns = np.zeros((rows.size, 1, 3))
+    for index in rows.present:
+        run = rows.runs[index]
+        if not _named(run, effect):
+            continue
+        mine = rows.of_run(index)
+        end = effect.end or ("target" if run.target.on == "workpiece" else "reference")
+        positions = np.ascontiguousarray(rows.positions[:, mine])
+        moved = _carried(model, run, getattr(run, end), positions, np.ascontiguousarray(errors[:, mine]))
+        sign = 1.0 if end == "target" else -1.0
+        sensed_part = sign * np.einsum("in,ikn->nk", sensed_directions(model, run, positions), moved)
+        # the zero of a laser takes a constant away: the offset of the run does the same
+        columns[mine, 0] = sensed_part if run.instrument == "ballbar" else sensed_part - sensed_part[0]
+    return columns[support]
+
+
+def _carried(model: MachineModel, run: Run, point: PointOn, positions: FloatArray, errors: FloatArray) -> FloatArray:
+    """(3, 3, n): by how much the actual point moves in the measuring frame for each unit of its coordinates."""
+    frame = measuring_frame(run)
+    if point.on == frame:
+        return np.repeat(np.eye(3)[:, :, np.newaxis], positions.shape[1], axis=2)
+    view = cast(View, f"{point.on}_in_{frame}")
+    at = [np.array(point.point)[:, np.newaxis] + offset for offset in (np.zeros((3, 1)), *np.eye(3)[:, :, np.newaxis])]
+    places = [
+        model.view_ideal(view, positions, one)
+        + model.view_deviation_of(view, positions, errors, model.parameter_values, one)
+        for one in at
+    ]
+    return np.stack([place - places[0] for place in places[1:]], axis=1)
+
+
+def _of_location(readings: Readings, effect: Effect) -> FloatArray:
+    """A rotation before the motion of a linear axis is the same rotation after it and a straightness of its slope."""
+    model, rows = readings.model, readings.rows
+    assert effect.component is not None
+    direction, axis = effect.component[:2], effect.component[3]
+    body = model.machine.mover(axis)
+    turn, along = np.zeros(3), np.zeros(3)
+    turn["ABC".index(direction[1])] = 1.0
+    along[LINEAR.index(axis)] = float(body.sense)
+    slope = np.cross(turn, along)
+    at = rows.positions[rows.axes.index(axis)]
+    column = _sensitivity(readings, f"{direction}{axis}").copy()
+    for place, letter in enumerate("XYZ"):
+        if slope[place]:
+            column += _sensitivity(readings, f"E{letter}{axis}") * slope[place] * at
+    return column[:, np.newaxis, np.newaxis]
+
+
+def _sensitivity(readings: Readings, component: str) -> FloatArray:
+    components = readings.model.components
+    if component not in components:
+        return np.full(readings.rows.size, np.nan)
+    return np.asarray(readings.sensitivity[components.index(component)])
+
+
+def _named(run: Run, effect: Effect) -> bool:
+    return not effect.runs or run.id in effect.runs
+
+
+def _missing(readings: Readings) -> str:
+    lacking = [
+        name
+        for name, values in (
+            ("time_s", readings.context.time),
+            ("temperature_c", readings.context.temperature),
+            ("feed", readings.context.velocity),
+        )
+        if not np.isfinite(values).all()
+    ]
+    return ", ".join(lacking) if lacking else "motion errors that the spec leaves out"

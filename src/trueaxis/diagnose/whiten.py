@@ -1,0 +1,93 @@
+"""Readings made independent: multiplied by the inverse root of the covariance of their noise, run by run.
+
+Within a run the noise is white (variance w), autocorrelated (stationary AR(1), variance a, coefficient f from one
+reading to the next) and has a random slope. With D the matrix that takes f times the reading before away, D V D' is
+tridiagonal and its Cholesky factor bidiagonal: the cost grows with the number of readings alone.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import cholesky_banded, solve_banded
+
+from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Whitening:
+    """Inverse root of the covariance, one block per run. starts: (n_runs + 1,), first row of each run; noise: of each
+    run, in their order.
+    """
+
+    starts: IntArray
+    noise: tuple[NoiseOf, ...]
+
+    def __call__(self, columns: FloatArray) -> FloatArray:
+        """(n, k) whitened; columns: (n, k) or (n,)."""
+        found = np.empty_like(columns, dtype=np.float64)
+        for index in range(len(self.noise)):
+            mine = slice(int(self.starts[index]), int(self.starts[index + 1]))
+            found[mine] = self.block(index, columns[mine])
+        return found
+
+    def ramps(self) -> FloatArray:
+        """(n,): the whitened slope of each run, in its own standard deviation: its share of the noise."""
+        found = np.zeros(int(self.starts[-1]))
+        for index, noise in enumerate(self.noise):
+            first, last = int(self.starts[index]), int(self.starts[index + 1])
+            if noise.slope > 0.0:
+                found[first:last] = self.block(index, noise.slope * ramp(last - first))
+        return found
+
+    def block(self, index: int, columns: FloatArray) -> FloatArray:
+        """The rows of one run whitened: (n_run, k) or (n_run,)."""
+        return whitened(self.noise[index], columns)
+
+
+def whitening(run: IntArray, of_run: Sequence[NoiseOf]) -> Whitening:
+    """For rows sorted by run, (n,); of_run: noise of the runs present, in order."""
+    starts = np.append(np.flatnonzero(np.diff(run, prepend=-1)), run.size)
+    return Whitening(starts.astype(np.int64), tuple(of_run))
+
+
+def whitened(noise: NoiseOf, columns: FloatArray) -> FloatArray:
+    """One run's columns, (n,) or (n, k), whitened."""
+    flat = columns.reshape(columns.shape[0], -1)
+    found = _stationary(noise, flat)
+    if noise.slope > 0.0 and flat.shape[0] > 1:
+        direction = _stationary(noise, noise.slope * ramp(flat.shape[0])[:, np.newaxis])[:, 0]
+        size = float(direction @ direction)
+        shrink = (1.0 - 1.0 / np.sqrt(1.0 + size)) / size
+        found = found - np.outer(shrink * direction, direction @ found)
+    return found.reshape(columns.shape)
+
+
+def ramp(size: int) -> FloatArray:
+    """(size,), from -1/2 to 1/2: a slope over the whole run has height 1."""
+    return np.linspace(-0.5, 0.5, size)
+
+
+def tridiagonal(noise: NoiseOf, size: int) -> FloatArray:
+    """Lower banded Cholesky factor (2, size) of D V D' of white and AR(1) noise."""
+    f, white = noise.correlation, noise.white**2
+    band = np.zeros((2, size))
+    band[0] = white * (1.0 + f * f) + noise.correlated**2 * (1.0 - f * f)
+    band[0, 0] = white + noise.correlated**2
+    band[1, :-1] = -white * f
+    return np.asarray(cholesky_banded(band, lower=True, check_finite=False))
+
+
+def differenced(noise: NoiseOf, columns: FloatArray) -> FloatArray:
+    """D times columns (n, k)."""
+    found = columns.copy()
+    found[1:] -= noise.correlation * columns[:-1]
+    return found
+
+
+def _stationary(noise: NoiseOf, columns: FloatArray) -> FloatArray:
+    if noise.correlated == 0.0 or noise.correlation == 0.0:
+        return columns / noise.sigma
+    factor = tridiagonal(noise, columns.shape[0])
+    solved = solve_banded((1, 0), factor, differenced(noise, columns), check_finite=False)
+    return np.asarray(solved)
