@@ -8,7 +8,7 @@ import pytest
 from tests.diagnose.report import builders
 from trueaxis.diagnose.report.figures.periodogram import FALSE_ALARM, _frequencies, _spectrum
 from trueaxis.diagnose.report.figures.whiteness import _autocorrelation
-from trueaxis.diagnose.report.lines import envelope, lines_of, rounds_of
+from trueaxis.diagnose.report.lines import envelope, lines_of, rounds_of, sample
 from trueaxis.diagnose.report.svg import picture
 
 
@@ -33,7 +33,12 @@ def test_thinning_keeps_what_stands_out() -> None:
     assert kept.size <= 100
     assert {4321, 777} <= set(kept.tolist())
     assert np.all(np.diff(kept) > 0)
-    assert envelope(values[:100], 100).tolist() == list(range(100))
+    drawn = sample(values, 1000)
+    assert drawn.size <= 1000
+    assert {4321, 777} <= set(drawn.tolist())
+    middle = values[drawn][np.abs(values[drawn]) < 1.6]
+    assert middle.std() == pytest.approx(values[np.abs(values) < 1.6].std(), rel=0.1)
+    assert sample(values[:100], 100).tolist() == envelope(values[:100], 100).tolist() == list(range(100))
 
 
 def test_a_sine_stands_at_its_period_and_noise_crosses_the_line_as_often_as_it_says() -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from trueaxis.diagnose.result import FloatArray, IntArray, Residuals
 
 BALLBAR = "ballbar"
+GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 PLANES = {frozenset("XY"): "XY", frozenset("YZ"): "YZ", frozenset("XZ"): "ZX"}
 
 
@@ -57,8 +58,8 @@ def rounds_of(residuals: Residuals) -> tuple[Round, ...]:
 
 
 def envelope(values: FloatArray, limit: int) -> IntArray:
-    """Indices of `limit` values at most, in order: the largest and the smallest of each stretch, so that nothing that
-    stands out is lost.
+    """Indices of `limit` points of a curve at most, in order: the largest and the smallest of each stretch, so that
+    no peak is lost.
     """
     if values.size <= limit:
         return np.arange(values.size)
@@ -68,6 +69,17 @@ def envelope(values: FloatArray, limit: int) -> IntArray:
         stretch = values[low:high]
         kept |= {low + int(stretch.argmin()), low + int(stretch.argmax())}
     return np.array(sorted(kept), dtype=np.int64)
+
+
+def sample(values: FloatArray, limit: int) -> IntArray:
+    """Indices of `limit` values at most, in order: spread evenly over the rows, so that a cloud keeps its shape (the
+    golden ratio falls into step with no number of targets or repeats), and a few for those farthest out.
+    """
+    if values.size <= limit:
+        return np.arange(values.size)
+    far = np.argsort(-np.abs(values - np.median(values)), kind="stable")[: limit // 30]
+    spread = (GOLDEN * np.arange(limit - far.size) % 1.0 * values.size).astype(np.int64)
+    return np.union1d(far, spread)
 
 
 def _by_run(residuals: Residuals) -> Iterator[tuple[int, IntArray]]:

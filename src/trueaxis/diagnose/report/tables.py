@@ -121,7 +121,7 @@ def scan(diagnosis: Diagnosis) -> Table:
 
 
 def _short(value: float) -> str:
-    return f"{value:.3g}" if math.isfinite(value) else DASH
+    return f"{value:.2f}" if math.isfinite(value) else DASH
 
 
 def _least(size: float, unit: str) -> str:

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from trueaxis.diagnose.report.lines import Round, envelope, rounds_of
+from trueaxis.diagnose.report.lines import Round, rounds_of, sample
 from trueaxis.diagnose.report.quantity import UM
 from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, WIDTH, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, Residuals
@@ -44,7 +44,7 @@ def _figure(residuals: Residuals, rounds: list[Round]) -> Figure:
             theta = np.degrees(residuals.theta[together]) % 360.0
             order = np.argsort(theta, kind="stable")
             theta, left = theta[order], 1e3 * values[together][order]
-            kept = envelope(left, MOST_POINTS)
+            kept = sample(left, MOST_POINTS)
             panel.plot(
                 theta[kept],
                 left[kept],

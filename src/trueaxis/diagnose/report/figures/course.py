@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from trueaxis.diagnose.report.lines import envelope
+from trueaxis.diagnose.report.lines import sample
 from trueaxis.diagnose.report.quantity import UM
 from trueaxis.diagnose.report.svg import BLUE, GREEN, INK, ORANGE, WIDTH, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
@@ -64,7 +64,7 @@ def _figure(residuals: Residuals, across: FloatArray, label: str) -> Figure:
         for name, (marker, colour, face) in _LOOK.items():
             rows = np.flatnonzero((instrument == name) & np.isfinite(across))
             rows = rows[np.argsort(across[rows], kind="stable")]
-            rows = rows[envelope(values[rows], MOST_POINTS)]
+            rows = rows[sample(values[rows], MOST_POINTS)]
             if rows.size:
                 panel.plot(
                     across[rows],

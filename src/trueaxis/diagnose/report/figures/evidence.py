@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
 
 from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SKY, WIDTH, Picture, picture
 from trueaxis.diagnose.report.words import short_title
@@ -54,6 +55,7 @@ def _figure(diagnosis: Diagnosis) -> Figure:
     panel.axvline(diagnosis.threshold, color=INK, linewidth=1.0, linestyle="--", label="threshold")
     if values.max() > 20.0 * diagnosis.threshold:
         panel.set_xscale("symlog", linthresh=diagnosis.threshold)
+        panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     panel.set_xlim(left=0.0)
     panel.set_yticks(at, [short_title(one.effect) for one in ranked])
     panel.set_ylim(len(ranked) - 0.5, -0.5)

@@ -14,7 +14,7 @@ from trueaxis.diagnose.result import Diagnosis, FloatArray, IntArray, Residuals
 
 FALSE_ALARM = 0.01
 MOST_READINGS = 6000  # taken evenly, in order of position
-MOST_FREQUENCIES = 1500
+MOST_FREQUENCIES = 2400
 MOST_POINTS = 800
 OVERSAMPLING = 4
 HIGHEST_LOBE = 40
@@ -54,8 +54,8 @@ def periodograms(diagnosis: Diagnosis) -> list[Picture]:
 
 
 def _frequencies(at: FloatArray) -> FloatArray:
-    """From one period over the extent to the Nyquist frequency of the distances between targets; the median of these
-    where targets are regular, shorter ones where they are not.
+    """From one period over the extent, in steps that miss no peak, to the Nyquist frequency of the shorter distances
+    between targets, or as far as MOST_FREQUENCIES of these steps reach.
     """
     targets = np.unique(np.round(at, 3))
     if targets.size < 5:
@@ -63,8 +63,9 @@ def _frequencies(at: FloatArray) -> FloatArray:
     extent = float(np.ptp(targets))
     gaps = np.diff(targets)
     spacing = max(float(np.quantile(gaps, 0.1)), float(np.median(gaps)) / 5.0)
-    count = int(min(MOST_FREQUENCIES, OVERSAMPLING * max(1.0, extent / (2.0 * spacing))))
-    return np.linspace(1.0 / extent, max(0.5 / spacing, 2.0 / extent), max(count, 8))
+    periods = np.arange(OVERSAMPLING, OVERSAMPLING + MOST_FREQUENCIES) / OVERSAMPLING  # over the extent
+    highest = max(extent / (2.0 * spacing), 2.0)
+    return periods[periods <= highest] / extent
 
 
 def _spectrum(residuals: Residuals, rows: IntArray, at: FloatArray, frequencies: FloatArray) -> Spectrum:

@@ -4,12 +4,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from trueaxis.diagnose.report.lines import Line, envelope, lines_of
+from trueaxis.diagnose.report.lines import Line, lines_of, sample
 from trueaxis.diagnose.report.quantity import UM
 from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SOFT, WIDTH, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, IntArray, Residuals
 
-MOST_POINTS = 900  # of a panel; beyond, only the extremes of each stretch are drawn
+MOST_POINTS = 900  # of a panel; beyond, only a sample is drawn
 STAGES = ("given", "refitted", "extended")
 TITLES = {"given": "values as given", "refitted": "refitted", "extended": "extended model"}
 _WAYS = ((1, "^", BLUE, BLUE, "coming up (+)"), (-1, "v", ORANGE, "none", "coming down (\N{MINUS SIGN})"))
@@ -32,7 +32,11 @@ def _picture(residuals: Residuals, lines: list[Line], axis: int) -> Picture:
     thinned = rows.size > MOST_POINTS
     caption = (
         f"{rows.size} readings of {len(lines)} runs. "
-        + ("Too many to draw all: the extremes of each stretch. " if thinned else "A line joins one pass of a run. ")
+        + (
+            "Too many to draw all: a sample, and those farthest out. "
+            if thinned
+            else "A line joins one pass of a run. "
+        )
         + "The upper panel has a scale of its own."
     )
     return picture(
@@ -80,7 +84,7 @@ def _draw(
     points = np.concatenate(passes)
     if thinned:
         points = points[np.argsort(residuals.positions[axis, points], kind="stable")]
-        points = points[envelope(values[points], MOST_POINTS // 2)]
+        points = points[sample(values[points], MOST_POINTS // 2)]
     else:
         gap = np.array([np.nan])
         x = np.concatenate([part for one in passes for part in (residuals.positions[axis, one], gap)])

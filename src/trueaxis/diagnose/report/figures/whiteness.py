@@ -4,7 +4,6 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.stats import norm
 
-from trueaxis.diagnose.report.lines import envelope
 from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, WIDTH, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
 
@@ -47,12 +46,10 @@ def _quantiles(whitened: FloatArray) -> Figure:
     figure = Figure(figsize=(WIDTH, 3.2))
     panel = figure.add_subplot()
     expected = norm.ppf((np.arange(1, whitened.size + 1) - 0.5) / whitened.size)
-    # the tails whole, the middle thinned
-    tail = MOST_POINTS // 4
-    middle = np.arange(tail, whitened.size - tail)
-    middle = middle[envelope(whitened[middle], MOST_POINTS // 2)] if middle.size else middle
-    kept = np.unique(np.concatenate([np.arange(whitened.size)[:tail], middle, np.arange(whitened.size)[-tail:]]))
     ends = np.array([expected[0], expected[-1]])
+    kept = np.unique(
+        np.searchsorted(expected, np.linspace(expected[0], expected[-1], MOST_POINTS)).clip(0, whitened.size - 1)
+    )
     panel.plot(ends, ends, "--", color=INK, linewidth=0.9, label="noise as estimated")
     panel.plot(expected[kept], whitened[kept], "o", color=BLUE, markersize=2.4, label="residuals")
     panel.set_xlabel("normal quantile")
