@@ -121,7 +121,7 @@ def _cause(cause: Cause, number: int) -> CauseText:
 def _sections(diagnosis: Diagnosis) -> list[Section]:
     return [
         Section("next", "What to measure next", "", (), (tables.next_runs(diagnosis),)),
-        Section("gain", "What was gained", "", tuple(stages(diagnosis)), (tables.circularity(diagnosis),)),
+        Section("gain", "Before and after", "", tuple(stages(diagnosis)), (tables.circularity(diagnosis),)),
         Section(
             "residuals",
             "Residuals",
