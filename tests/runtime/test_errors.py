@@ -101,7 +101,7 @@ def test_uncertainties_ride_along(tmp_path: Path) -> None:
         ({"parameters": []}, "parameters: a list is not an object"),
         ({"motion_errors": {"EXZ": {}}}, "motion_errors.EXZ: the machine has no motion error EXZ"),
         ({"motion_errors": {"EXX": 3}}, "motion_errors.EXX: 3 is not an error curve"),
-        ({"effects": [{"kind": "backlash"}]}, "effects: effects are not known to this version"),
+        ({"effects": [{"kind": "backlash"}]}, "effects[0]: the machine has no effect backlash; add it to the"),
         ({"u": {"eps_xy": -1.0}}, "u.eps_xy: -1.0 is negative"),
         ({"paramters": {}}, "paramters: is not a key of an error-values file; did you mean parameters?"),
         ({"undetermined": {}}, "undetermined: an object is not a list"),

@@ -54,14 +54,23 @@ def run(args: argparse.Namespace) -> int:
     )
     machine = read_machine(args.machine)
     components, parameters = machine.components, machine.parameters
-    errors = read_errors(args.errors, machine=machine.name, components=components, parameters=parameters)
+    errors = read_errors(
+        args.errors,
+        machine=machine.name,
+        components=components,
+        parameters=parameters,
+        effects=machine.effects,
+        kinds=machine.kinds,
+    )
     if faults:
         raise InputError(faults)
     fits = fit_tables(errors.motion_errors, max_order=args.max_order, alpha=args.alpha)
     if not fits:
         raise InputError([Fault(str(args.errors), "motion_errors", "has no table of three positions or more")])
     curves, notes = polynomial_curves(errors.motion_errors, fits)
-    fitted = dump_errors(replace(errors, motion_errors=curves), components=components, parameters=parameters)
+    fitted = dump_errors(
+        replace(errors, motion_errors=curves), components=components, parameters=parameters, effects=machine.effects
+    )
     contents: dict[Path, bytes | str] = {args.out: fitted}
     if args.picture is not None:
         tables = ((name, errors.motion_errors[name]) for name in fits)

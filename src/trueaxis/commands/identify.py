@@ -114,7 +114,9 @@ def run(args: argparse.Namespace) -> int:
     observed = observations(str(args.data), data.setup.runs, data.readings)
     identified = _identify(args, model, observed, known)
     contents: dict[Path, str | bytes] = {}
-    contents[args.out] = dump_errors(identified.values, components=machine.components, parameters=machine.parameters)
+    contents[args.out] = dump_errors(
+        identified.values, components=machine.components, parameters=machine.parameters, effects=machine.effects
+    )
     if args.report is not None:
         contents[args.report] = report_json(identified.report)
     if args.covariance is not None:

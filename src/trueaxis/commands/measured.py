@@ -34,7 +34,12 @@ def read_measured(args: argparse.Namespace, found: list[Fault]) -> MeasuredInput
     if args.known is not None:
         with gathering(found):
             known = read_errors(
-                args.known, machine=machine.name, components=machine.components, parameters=machine.parameters
+                args.known,
+                machine=machine.name,
+                components=machine.components,
+                parameters=machine.parameters,
+                effects=machine.effects,
+                kinds=machine.kinds,
             )
     if found:
         raise InputError(found)

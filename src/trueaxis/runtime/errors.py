@@ -7,10 +7,14 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
+from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.library import BY_NAME
 from trueaxis.faults import Faults, InputError
 from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.runtime.curve_json import curve_object, read_curve, read_u, u_value
 from trueaxis.runtime.curves import Curve
+from trueaxis.runtime.effect_json import effect_object, read_effects
+from trueaxis.runtime.effect_values import EffectValues, in_order
 from trueaxis.runtime.strict_json import JsonPath, key_path, number, parse, shown
 
 SCHEMA = 1
@@ -33,7 +37,8 @@ class ErrorValues:
     """Error values of a machine; what is not named is zero.
 
     parameters: name -> value (mm or rad); motion_errors: component -> curve; u: standard uncertainties of
-    parameters, NaN where unknown (those of curves are in the curves); undetermined: what identification left open.
+    parameters, NaN where unknown (those of curves are in the curves); undetermined: what identification left open;
+    effects: values of the machine's effects.
     """
 
     machine: str
@@ -41,11 +46,21 @@ class ErrorValues:
     motion_errors: Mapping[str, Curve] = field(default_factory=dict)
     u: Mapping[str, float] = field(default_factory=dict)
     undetermined: tuple[Undetermined, ...] = ()
+    effects: tuple[EffectValues, ...] = ()
 
 
-def read_errors(path: Path, *, machine: str, components: Sequence[str], parameters: Sequence[str]) -> ErrorValues:
-    """Read an error-values file for a machine with the given motion-error components and parameters.
+def read_errors(
+    path: Path,
+    *,
+    machine: str,
+    components: Sequence[str],
+    parameters: Sequence[str],
+    effects: Sequence[Effect] = (),
+    kinds: Mapping[str, Kind] = BY_NAME,
+) -> ErrorValues:
+    """Read an error-values file for a machine with the given motion-error components, parameters and effects.
 
+    kinds: those of the effects, by name. Effects come in the order of the machine's, whatever that of the file.
     Raises InputError with every fault of the file, each at its JSON key path.
     """
     faults = Faults(str(path))
@@ -63,13 +78,17 @@ def read_errors(path: Path, *, machine: str, components: Sequence[str], paramete
         if curve is not None:
             curves[name] = curve
     undetermined = _undetermined(tree.get("undetermined", []), faults)
+    found = read_effects(tree.get("effects", []), effects, kinds, faults)
     faults.raise_if_any()
-    return ErrorValues(machine, values, curves, uncertainties, undetermined)
+    return ErrorValues(machine, values, curves, uncertainties, undetermined, found)
 
 
-def dump_errors(errors: ErrorValues, *, components: Sequence[str], parameters: Sequence[str]) -> str:
+def dump_errors(
+    errors: ErrorValues, *, components: Sequence[str], parameters: Sequence[str], effects: Sequence[Effect] = ()
+) -> str:
     """JSON text of error values, in the machine's order whatever order the values came in; the same bytes each time.
 
+    effects: those of the machine; values of others, which reading would refuse, come after them as they are.
     Floats are written so that they read back as the same numbers.
     """
     tree: dict[str, Any] = {"schema": SCHEMA, "machine": errors.machine}
@@ -79,7 +98,7 @@ def dump_errors(errors: ErrorValues, *, components: Sequence[str], parameters: S
     tree["motion_errors"] = {
         name: curve_object(errors.motion_errors[name]) for name in components if name in errors.motion_errors
     }
-    tree["effects"] = []
+    tree["effects"] = [effect_object(one) for one in in_order(errors.effects, effects)]
     if errors.undetermined:
         tree["undetermined"] = [
             {"combination": item.combination, "parameters": list(item.parameters)} for item in errors.undetermined
@@ -98,8 +117,6 @@ def _check_head(tree: dict[str, Any], machine: str, faults: Faults) -> None:
         faults.add("machine", "is missing", f'give "{machine}"')
     elif tree["machine"] != machine:
         faults.add("machine", f"{shown(tree['machine'])} is another machine", f'the machine is "{machine}"')
-    if tree.get("effects", []) != []:
-        faults.add("effects", "effects are not known to this version", "leave the list empty")
 
 
 def _named(

@@ -8,7 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
+from trueaxis.effects.kind import Effect, Kind, Place
+from trueaxis.runtime.context import Context, ReadingContext
 from trueaxis.runtime.curves import FloatArray, TableCurve, evaluate_components, pack_polynomials
+from trueaxis.runtime.effect_locations import location_terms
+from trueaxis.runtime.effect_terms import component_term, reading_term
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, read_errors
 from trueaxis.runtime.kernels import Kernels, load_kernels
 from trueaxis.spec import Machine, read_machine
@@ -25,11 +30,16 @@ class MachineModel:
 
     Arrays: positions (n_axes, n) commanded, mm or deg; point (3, 1) or (3, n) in the frame of its body, mm; results
     (3, n), mm. A view is one of VIEWS: a point of one body seen from another.
+
+    context: of the positions that the model will be asked for, where effects depend on more than positions (see
+    `in_context`). Without one all axes stand and have not moved yet (direction 0, velocity 0, no reversal), at time 0
+    and 20 degC.
     """
 
     machine: Machine
     kernels: Kernels
     errors: ErrorValues
+    context: Context | None = None
 
     @property
     def name(self) -> str:
@@ -66,9 +76,28 @@ class MachineModel:
         """Axis -> lowest and highest commanded position, mm or deg."""
         return self.machine.travel
 
+    @property
+    def effects(self) -> tuple[Effect, ...]:
+        """The machine's effects, whether the error values name them or not."""
+        return self.machine.effects
+
+    @property
+    def kinds(self) -> Mapping[str, Kind]:
+        """Every kind of effect by its name."""
+        return self.machine.kinds
+
+    @property
+    def effect_values(self) -> tuple[EffectValues, ...]:
+        """The effects that the error values name; the others are zero."""
+        return self.errors.effects
+
     def with_values(self, errors: ErrorValues) -> "MachineModel":
         """The same kernels with other error values."""
         return replace(self, errors=errors)
+
+    def in_context(self, context: Context) -> "MachineModel":
+        """The same model at positions of that context: it is to be called with as many, in that order."""
+        return replace(self, context=context)
 
     @cached_property
     def parameter_values(self) -> FloatArray:
@@ -77,12 +106,43 @@ class MachineModel:
 
     @cached_property
     def _curves(self) -> FloatArray | None:
+        if self._effects_on("component") or self._effects_on("location"):
+            return None
         return pack_polynomials(self.errors.motion_errors, self.components, self.machine.curve_degree)
 
     def component_errors(self, positions: FloatArray) -> FloatArray:
-        """(n_components, n): every motion error at the commanded positions, mm or rad."""
+        """(n_components, n): every motion error at the commanded positions, mm or rad: its curve and its effects.
+
+        NaN where the context lacks what an effect depends on. Raises ValueError for a context of another number of
+        positions.
+        """
         axes = [self.axes.index(name[2]) for name in self.components]
-        return evaluate_components(self.errors.motion_errors, self.components, axes, positions)
+        found = evaluate_components(self.errors.motion_errors, self.components, axes, positions)
+        for values in self._effects_on("location"):
+            angle = float(values.vector(self.kinds[values.effect.kind])[0])
+            for name, row in location_terms(self.machine, values.effect, angle, positions).items():
+                found[self.components.index(name)] += row
+        terms = self._effects_on("component")
+        if not terms:
+            return found
+        context = self.context or Context.at_rest(len(self.axes), positions.shape[1])
+        if context.count != positions.shape[1]:
+            raise ValueError(f"the context is of {context.count} positions, not {positions.shape[1]}")
+        for values in terms:
+            effect = values.effect
+            vector = values.vector(self.kinds[effect.kind])
+            term = component_term(self.kernels, self.machine, effect, vector, positions, context)
+            found[self.components.index(effect.component or "")] += term[0]
+        return found
+
+    def reading_effect(self, values: EffectValues, context: ReadingContext) -> FloatArray:
+        """(n,): what an effect adds to readings of its instrument, mm; NaN where the context lacks what it needs."""
+        vector = values.vector(self.kinds[values.effect.kind])
+        term = reading_term(self.kernels, self.machine, values.effect, vector, context)
+        return np.ascontiguousarray(term[0])
+
+    def _effects_on(self, place: Place) -> tuple[EffectValues, ...]:
+        return tuple(one for one in self.errors.effects if self.kinds[one.effect.kind].place == place)
 
     def _call(self, name: str, *arrays: FloatArray) -> FloatArray:
         result: FloatArray = self.kernels[name](*arrays)
@@ -146,7 +206,12 @@ def load_model(
     errors = ErrorValues(machine.name)
     if errors_path is not None:
         errors = read_errors(
-            errors_path, machine=machine.name, components=machine.components, parameters=machine.parameters
+            errors_path,
+            machine=machine.name,
+            components=machine.components,
+            parameters=machine.parameters,
+            effects=machine.effects,
+            kinds=machine.kinds,
         )
     for name, curve in errors.motion_errors.items():
         if isinstance(curve, TableCurve):

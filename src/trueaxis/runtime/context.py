@@ -1,0 +1,80 @@
+"""What effects depend on besides positions: how the axes came there and moved, and when, at what temperature."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from trueaxis.effects.variables import REFERENCE_TEMPERATURE
+
+FloatArray = npt.NDArray[np.float64]
+Rows = npt.NDArray[np.int64] | npt.NDArray[np.bool_] | slice
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Context:
+    """The context of n commanded positions; NaN where something is not known.
+
+    directions: (n_axes, n), direction by which each axis came: +1, -1, 0 before it has moved; velocity: (n_axes, n),
+    mm/s or deg/s; since_reversal: (n_axes, n), distance since the last reversal, mm or deg, infinite before the first;
+    time: (n,), s; temperature: (n,), degC. home: context of the position where each reading was zeroed, n as well;
+    None where nothing was zeroed.
+    """
+
+    directions: FloatArray
+    velocity: FloatArray
+    since_reversal: FloatArray
+    time: FloatArray
+    temperature: FloatArray
+    home: "Context | None" = None
+
+    @classmethod
+    def at_rest(
+        cls, axes: int, count: int, time: FloatArray | None = None, temperature: FloatArray | None = None
+    ) -> "Context":
+        """Axes that stand and have not moved yet: direction 0, velocity 0, no reversal.
+
+        time, temperature: (count,); by default 0 and the reference temperature of 20 degC.
+        """
+        still = np.zeros((axes, count))
+        return cls(
+            directions=still,
+            velocity=still,
+            since_reversal=np.full((axes, count), np.inf),
+            time=np.zeros(count) if time is None else time,
+            temperature=np.full(count, REFERENCE_TEMPERATURE) if temperature is None else temperature,
+        )
+
+    @property
+    def count(self) -> int:
+        """n, the number of positions."""
+        return len(self.time)
+
+    def of(self, rows: Rows) -> "Context":
+        """The context of some of the positions: indices, a mask or a slice."""
+        return Context(
+            np.ascontiguousarray(self.directions[:, rows]),
+            np.ascontiguousarray(self.velocity[:, rows]),
+            np.ascontiguousarray(self.since_reversal[:, rows]),
+            self.time[rows],
+            self.temperature[rows],
+            None if self.home is None else self.home.of(rows),
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ReadingContext:
+    """What effects on the readings of an instrument depend on, (n,) each; NaN where something is not known.
+
+    along: ideal displacement that laser or probe sense, since home, mm; theta: polar angle of a ball bar in the plane
+    of its circle, rad; time: s; temperature: degC.
+    """
+
+    along: FloatArray
+    theta: FloatArray
+    time: FloatArray
+    temperature: FloatArray
+
+    def of(self, rows: Rows) -> "ReadingContext":
+        """The context of some of the readings: indices, a mask or a slice."""
+        return ReadingContext(self.along[rows], self.theta[rows], self.time[rows], self.temperature[rows])

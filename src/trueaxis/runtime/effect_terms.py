@@ -1,0 +1,89 @@
+"""Terms of effects and their derivatives by the effects' parameters, from the generated kernels."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from trueaxis.effects.kind import Effect, Place
+from trueaxis.effects.variables import REFERENCE_TEMPERATURE
+from trueaxis.runtime.context import Context, FloatArray, ReadingContext
+from trueaxis.runtime.kernels import Kernels
+from trueaxis.spec.machine import Machine
+
+
+def context_variables(kernels: Kernels, kind: str) -> tuple[str, ...]:
+    """The context variables that the kernel of a kind takes, in the order of its rows."""
+    return tuple(kernels.meta["effects"]["kinds"][kind]["context"])
+
+
+def component_term(
+    kernels: Kernels, machine: Machine, effect: Effect, parameters: FloatArray, positions: FloatArray, context: Context
+) -> FloatArray:
+    """What an effect adds to its component error, (1 + m, n): the term, then its derivative by each parameter.
+
+    parameters: (m,), in the order of the kind; positions: (n_axes, n), mm or deg. Terms are in mm or rad, NaN where the
+    context lacks what the effect depends on.
+    """
+    _check_place(machine, effect, "component")
+    own = component_axis(effect)
+
+    def row(name: str) -> FloatArray:
+        if name == "t":
+            return context.time
+        if name == "T":
+            return context.temperature - REFERENCE_TEMPERATURE
+        axis = effect.axis if name.endswith("_b") else own
+        if axis is None:
+            raise ValueError(f"{effect.label} has no other axis")
+        return _of_axis(name.removesuffix("_b"), machine, axis, positions, context)
+
+    return _term(kernels, effect.kind, parameters, row)
+
+
+def reading_term(
+    kernels: Kernels, machine: Machine, effect: Effect, parameters: FloatArray, context: ReadingContext
+) -> FloatArray:
+    """What an effect adds to readings of its instrument, (1 + m, n), mm: the term, then its derivatives.
+
+    parameters: (m,), in the order of the kind. NaN where the context lacks what the effect depends on.
+    """
+    _check_place(machine, effect, "reading")
+    rows = {
+        "along": context.along,
+        "theta": context.theta,
+        "t": context.time,
+        "T": context.temperature - REFERENCE_TEMPERATURE,
+    }
+    return _term(kernels, effect.kind, parameters, rows.__getitem__)
+
+
+def component_axis(effect: Effect) -> str:
+    """The axis whose motion error a component effect adds to: the last letter of the component."""
+    return (effect.component or "")[-1]
+
+
+def _check_place(machine: Machine, effect: Effect, place: Place) -> None:
+    if machine.kinds[effect.kind].place != place:
+        raise ValueError(f"{effect.label} is no effect on a {place}")
+
+
+def _of_axis(name: str, machine: Machine, axis: str, positions: FloatArray, context: Context) -> FloatArray:
+    row = machine.axes.index(axis)
+    low, high = machine.travel[axis]
+    arrays = {
+        "q": positions,
+        "s": (positions - low) / (high - low),
+        "direction": context.directions,
+        "v": context.velocity,
+        "d": context.since_reversal,
+    }
+    found: FloatArray = arrays[name][row]
+    return found
+
+
+def _term(kernels: Kernels, kind: str, parameters: FloatArray, row: Callable[[str], FloatArray]) -> FloatArray:
+    given = np.array([row(name) for name in context_variables(kernels, kind)])
+    term: FloatArray = kernels[f"effect_{kind}"](given, np.asarray(parameters, dtype=np.float64))
+    # A comparison with an unknown value, as in a step, would pass for a known one.
+    term[:, np.isnan(given).any(axis=0)] = np.nan
+    return term
