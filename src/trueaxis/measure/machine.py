@@ -1,10 +1,14 @@
 """What measuring needs to know of a machine, and of a machine model."""
 
 from collections.abc import Mapping
-from typing import Literal, Protocol
+from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
+
+from trueaxis.effects.kind import Kind
+from trueaxis.runtime.context import Context, ReadingContext
+from trueaxis.runtime.effect_values import EffectValues
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -47,4 +51,27 @@ class MeasuredMachine(Protocol):
 
     def view_deviation(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
         """Actual minus ideal coordinates, (3, n), mm, on the exact model."""
+        ...
+
+
+@runtime_checkable
+class EffectMachine(MeasuredMachine, Protocol):
+    """A machine model with effects: what is read depends on more than positions."""
+
+    @property
+    def effect_values(self) -> tuple[EffectValues, ...]:
+        """The effects that are not zero."""
+        ...
+
+    @property
+    def kinds(self) -> Mapping[str, Kind]:
+        """Every kind of effect by its name."""
+        ...
+
+    def in_context(self, context: Context) -> MeasuredMachine:
+        """The machine at positions of that context, whose views take as many, in that order."""
+        ...
+
+    def reading_effect(self, values: EffectValues, context: ReadingContext) -> FloatArray:
+        """(n,): what an effect adds to readings of its instrument, mm; NaN where the context lacks what it needs."""
         ...
