@@ -43,8 +43,14 @@ class XyzMachine:
         return np.asarray(np.stack([x, -y, z]) + point)
 
     def actual(self, positions: FloatArray, point: FloatArray) -> FloatArray:
+        return self.actual_with(positions, point, {})
+
+    def actual_with(self, positions: FloatArray, point: FloatArray, further: Mapping[str, FloatArray]) -> FloatArray:
+        """further: component errors (n,) that do not depend on the position of their axis alone."""
         at = dict(zip("XYZ", positions, strict=True))
         errors = {name: curve(at[name[2]]) for name, curve in self.curves.items()}
+        for name, values in further.items():
+            errors[name] = errors.get(name, np.zeros_like(values)) + values
         zero = np.zeros_like(at["X"])
         xy, yz, xz = self.squareness
         workpiece = motion(errors, "Y", np.stack([zero, at["Y"], zero]))

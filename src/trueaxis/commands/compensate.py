@@ -34,6 +34,10 @@ words: `nearest` rounds. With --ball, `ends` chooses among the words within one 
 error lies across the ball bar, and `middles` passes points in the middle of short blocks (0.04 mm), where half
 steps can be reached: the smallest error, at the price of up to twice the blocks.
 
+effects of the spec ([[effect]]) are compensated where they depend on positions, directions of approach, distances
+since a reversal and velocity (F); the report names each. At a reversal a short block takes up the lost motion. Effects
+of time and temperature take --time and --temperature, the same for the whole program.
+
 orientation: words of 0.0001 deg leave up to 1.3 urad where two rotary axes turn the tool axis; --rotary-resolution
 sets their step. Where the tool axis comes within 0.57 deg of the line of a rotary axis (a singular pose), one direction
 of it cannot be corrected without turning far: the axis then keeps to its programmed position, and the report names the
@@ -87,6 +91,10 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         help="direction of the tool axis, tool frame (default 0,0,1)")  # fmt: skip
     parser.add_argument("--start", type=_start, default={}, metavar="X0Y0Z0",
                         help="axis positions before the first block (default: not known)")  # fmt: skip
+    parser.add_argument("--temperature", type=float, metavar="C",
+                        help="degC at which the program runs, for effects that depend on it (default 20)")  # fmt: skip
+    parser.add_argument("--time", type=float, metavar="S",
+                        help="time since start, for effects that depend on it (default: left alone)")  # fmt: skip
     parser.add_argument("--block-delete", choices=("fault", "run", "skip"), default=default.block_delete,
                         help="what motions in / blocks are (default %(default)s)")  # fmt: skip
     parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",

@@ -12,8 +12,8 @@ from trueaxis.compensate.orientation import ToolAxis, angle
 class Along(Protocol):
     """What subdivision asks of positions (n_axes, n) along motions."""
 
-    def correction(self, positions: FloatArray) -> FloatArray:
-        """First correction of the axes, (n_axes, n), mm and deg."""
+    def correction(self, model: ErrorModel, positions: FloatArray) -> FloatArray:
+        """First correction of the axes, (n_axes, n), mm and deg; model: the machine at those positions."""
 
     def apart(self, positions: FloatArray, correction: FloatArray, straight: FloatArray) -> FloatArray:
         """How far two corrections lie apart, (n,), in shares of what is allowed between words."""
@@ -23,17 +23,17 @@ class Along(Protocol):
 class PointAlong:
     """The tool point alone, by the linear axes; tolerance mm."""
 
-    model: ErrorModel
+    axes: tuple[str, ...]
     tool_point: FloatArray
     tolerance: float
 
-    def correction(self, positions: FloatArray) -> FloatArray:
+    def correction(self, model: ErrorModel, positions: FloatArray) -> FloatArray:
         """Eq. (55) once."""
-        return self.model.correction(positions, -self.model.deviation(positions, self.tool_point))
+        return model.correction(positions, -model.deviation(positions, self.tool_point))
 
     def apart(self, positions: FloatArray, correction: FloatArray, straight: FloatArray) -> FloatArray:  # noqa: ARG002
         """By the linear axes."""
-        rows = list(linear_rows(self.model.axes))
+        rows = list(linear_rows(self.axes))
         return np.asarray(np.sqrt(((correction[rows] - straight[rows]) ** 2).sum(axis=0)) / self.tolerance)
 
 
@@ -47,12 +47,12 @@ class PoseAlong:
     tolerance: float
     orientation_tolerance: float
 
-    def correction(self, positions: FloatArray) -> FloatArray:
+    def correction(self, model: ErrorModel, positions: FloatArray) -> FloatArray:
         """The turns of the rotary axes, then Eq. (55), once."""
-        error = self.tool_axis.wanted(positions) - self.tool_axis.actual(positions)
+        error = self.tool_axis.wanted(positions) - self.tool_axis.on(model).actual(positions)
         turned = positions + self.tool_axis.turning(positions).step(positions, error)[0]
-        off = self._ideal(positions) - self._ideal(turned) - self.model.deviation(turned, self.tool_point)
-        return np.asarray(turned - positions + self.model.correction(turned, off))
+        off = self._ideal(positions) - self._ideal(turned) - model.deviation(turned, self.tool_point)
+        return np.asarray(turned - positions + model.correction(turned, off))
 
     def apart(self, positions: FloatArray, correction: FloatArray, straight: FloatArray) -> FloatArray:
         """By tool point and tool axis, whichever is the larger share."""

@@ -4,6 +4,7 @@ Coordinates are axis positions. GOTO, GODLTA, FROM, RAPID, FEDRAT, CIRCLE and UN
 become M codes or comments; whatever else may move or shift anything is a fault of its line.
 """
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 
 from trueaxis.compensate import apt_words
@@ -40,6 +41,7 @@ class AptReader:
         self._motion: int | None = None
         self._feed: tuple[str, str] | None = None  # mode (G94, G95) and word, to be written with the next cut
         self._feed_mode = "G94"
+        self._per_minute = math.nan  # F in force, mm/min
         self._tool_axis: Vector | None = None
         self._circle: tuple[int, Vector, Vector, float] | None = None
         self._along: list[tuple[int, Vector]] = []
@@ -212,7 +214,10 @@ class AptReader:
         self._position = point
         kind = Kind.ARC if arc else Kind(motion)
         written = (True, True, True) + (False,) * len(self._rotary)
-        return Move(line, kind, point + self._rotary, written, True, self._inch, lead, tail, " ", _EOL, "", arc=arc)
+        return Move(
+            line, kind, point + self._rotary, written, True, self._inch, lead, tail, " ", _EOL, "", arc=arc,
+            feed=self._per_minute,
+        )  # fmt: skip
 
     def _open_circle(self, statement: Statement) -> Iterator[Item]:
         yield from ()
@@ -290,4 +295,6 @@ class AptReader:
         value = values[0]
         if inch is not None and inch != self._inch:
             value *= MM_PER_INCH if inch else 1.0 / MM_PER_INCH
-        self._feed = ("G95" if unit_name in _PER_TURN else "G94", f"F{value:.4f}".rstrip("0").rstrip("."))
+        turns = unit_name in _PER_TURN
+        self._per_minute = math.nan if turns else value * (MM_PER_INCH if self._inch else 1.0)
+        self._feed = ("G95" if turns else "G94", f"F{value:.4f}".rstrip("0").rstrip("."))

@@ -9,6 +9,7 @@ from trueaxis.compensate.lattice import Lattice, Stretch
 from trueaxis.compensate.machine import ErrorModel, FloatArray, linear_jacobian, linear_rows, rotary_rows
 from trueaxis.compensate.middles import passages, passages_allowed
 from trueaxis.compensate.path import Path
+from trueaxis.compensate.placed import of_points
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.solve import Solution
 from trueaxis.compensate.word_choice import choose
@@ -48,6 +49,7 @@ def execute(
 ) -> Executed:
     """Choose the words of one stretch; `previous` (n_axes,) is the position named by the words before it."""
     part = slice(stretch.first, stretch.last)
+    model = of_points(model, part)
     base = np.zeros_like(previous) if stretch.absolute else previous
     lattice = Lattice(base[:, None], stretch.step)
     commands, target = solution.commands[:, part], solution.target[:, part]
@@ -63,7 +65,7 @@ def execute(
     jacobian = linear_jacobian(model, commands, tool_point)
 
     def error(positions: FloatArray, index: NDArray[np.int64]) -> FloatArray:
-        actual = model.ideal(positions, tool_point) + model.deviation(positions, tool_point)
+        actual = model.ideal(positions, tool_point) + of_points(model, index).deviation(positions, tool_point)
         return np.asarray(actual - target[:, index])
 
     moves = jacobian * stretch.step[rows][None, :, :]

@@ -1,5 +1,6 @@
 """What the readers hand on: text that moves nothing, and moves."""
 
+import math
 from collections import Counter
 from dataclasses import dataclass, field
 from enum import IntEnum
@@ -32,7 +33,8 @@ class Move(NamedTuple):
     lead, tail: the other text of the block before and after its axis words; gap: what separates words.
     eol: line end as in the source. source: the whole block where it could stand unchanged, else empty.
     again: what the further blocks of a split begin with. split: lead and tail when split, None if the same.
-    passable: whether the tool may run through the end without anything due there.
+    passable: whether the tool may run through the end without anything due there. feed: F in force, mm/min (deg/min);
+    NaN where it is not known or counts by turns of the spindle.
     """
 
     line: int
@@ -50,6 +52,7 @@ class Move(NamedTuple):
     split: Split | None = None
     arc: Arc | None = None
     passable: bool = True
+    feed: float = math.nan
 
 
 class Start(NamedTuple):

@@ -19,13 +19,16 @@ _DWELL = frozenset("XUPFS")  # words of a G4 block, of which X and U are a time
 class Meaning:
     """A block taken apart; complaints are (problem, remedy) and none may be passed over.
 
-    motion, plane, inch, absolute: None where the block says nothing of it. axes: words that are positions.
+    motion, plane, inch, absolute, per_turn (F counts by turns), feed (as written): None where the block says nothing
+    of it. axes: words that are positions.
     """
 
     motion: int | None = None
     plane: int | None = None
     inch: bool | None = None
     absolute: bool | None = None
+    per_turn: bool | None = None
+    feed: float | None = None
     cancel_cycle: bool = False
     exact_stop: bool = False
     dwell: bool = False
@@ -104,6 +107,8 @@ def _preparatory(value: float, meaning: Meaning) -> None:
         _set(meaning, "inch", code == 200, name)
     elif code in (900, 910):
         _set(meaning, "absolute", code == 900, name)
+    elif code in (940, 950):
+        _set(meaning, "per_turn", code == 950, name)
     elif code == codes.DWELL:
         meaning.dwell = True
     elif code == codes.CANCEL_CYCLE:
@@ -137,6 +142,8 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         meaning.parameters.add(letter)
     if meaning.dwell and letter in _DWELL:
         return
+    if letter == "F":
+        meaning.feed = word.value
     if letter in _AXES:
         _axis(word, meaning, machine_axes)
     elif letter in _CENTRE:

@@ -12,9 +12,7 @@ DWELL = 40
 CANCEL_CYCLE = 800
 
 # no influence on where the axes go: cancels of what is a fault to start, path and feed modes, stored stroke checks off
-HARMLESS = frozenset(
-    {90, 131, 150, 230, 400, 401, 490, 500, 501, 610, 611, 640, 670, 690, 911, 940, 950, 970, 980, 990}
-)
+HARMLESS = frozenset({90, 131, 150, 230, 400, 401, 490, 500, 501, 610, 611, 640, 670, 690, 911, 970, 980, 990})
 # cancels whose axis words, if any, are parameters and not positions
 CANCELS_WITH_AXES = frozenset({500, 501, 690, 150, 131})
 

@@ -17,11 +17,11 @@ from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.nc_text import block_text
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
-# most blocks: N, G0 or G1, X Y Z and F, in this order; the groups are lead, G, X, Y, Z, tail, line end
+# most blocks: N, G0 or G1, X Y Z and F, in this order; the groups are lead, G, X, Y, Z, tail, F, line end
 _PLAIN = re.compile(
     rf"((?:N\d++)?+[ \t]*+(?:G0?([01]))?+[ \t]*+)"
     rf"(?:X({NUMBER}))?+(?:[ \t]*+Y({NUMBER}))?+(?:[ \t]*+Z({NUMBER}))?+"
-    rf"([ \t]*+(?:F[ \t]*+(?:\d++\.?+\d*+|\.\d++))?+[ \t]*+)(\r*+\n?+)"
+    rf"([ \t]*+(?:F[ \t]*+(\d++\.?+\d*+|\.\d++))?+[ \t]*+)(\r*+\n?+)"
 )
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
@@ -53,7 +53,7 @@ class NcReader:
     def _plain(self, number: int, line: str, match: re.Match[str]) -> Move | None:
         """The move of a plain block; None if it needs a closer look."""
         state = self._state
-        lead, code, x, y, z, tail, eol = match.groups()
+        lead, code, x, y, z, tail, feed, eol = match.groups()
         motion = state.motion if code is None else int(code)
         position = state.position.copy()
         if (
@@ -87,9 +87,11 @@ class NcReader:
             self._gap = ""
         state.motion = state.in_force = motion
         state.position, state.moved = position, True
+        if feed is not None:
+            state.feed = float(feed) * scale
         return Move(
             number, _STRAIGHT[motion], tuple(position), tuple(written), absolute, state.inch,  # type: ignore[arg-type]
-            lead, tail, self._gap, eol, line,
+            lead, tail, self._gap, eol, line, feed=state.feed_in_minutes,
         )  # fmt: skip
 
     def _any(self, number: int, line: str) -> Item:
@@ -146,6 +148,9 @@ class NcReader:
             state.inch = meaning.inch
         if meaning.absolute is not None:
             state.absolute = meaning.absolute
+        state.per_turn = state.per_turn if meaning.per_turn is None else meaning.per_turn
+        if meaning.feed is not None:
+            state.feed = meaning.feed * (MM_PER_INCH if state.inch else 1.0)
         if meaning.program_number and state.moved and not state.ended:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
         if codes.M_TOOL_CHANGE in meaning.miscellaneous:
@@ -190,6 +195,7 @@ class NcReader:
             number, kind, known_end, written, state.absolute, state.inch, text.lead, text.tail, self._gap,
             line[len(body) :],
             "" if arc or insert else line, again, text.split, arc, not due and not meaning.exact_stop,
+            state.feed_in_minutes,
         )  # fmt: skip
 
     def _may_move(self, number: int, meaning: Meaning) -> bool:

@@ -1,5 +1,6 @@
 """Modal state of an NC program while it is read."""
 
+import math
 from dataclasses import dataclass, field
 
 from trueaxis.compensate.machine import LINEAR
@@ -12,7 +13,8 @@ class NcState:
 
     position: programmed position of each axis, mm or deg, None until known. motion: 0 rapid, 1 line, 2 and 3 arc
     (clockwise, counter-clockwise), None: none in force. in_force: the motion in force in the program that is written,
-    where an arc has become lines. ended: line of the end of the program, 0 before.
+    where an arc has become lines. feed: F in force, mm/min or deg/min, NaN until known; per_turn: it counts by turns of
+    the spindle instead. ended: line of the end of the program, 0 before.
     """
 
     axes: tuple[str, ...]
@@ -22,6 +24,8 @@ class NcState:
     absolute: bool = True
     inch: bool = False
     plane: int = 170
+    feed: float = math.nan
+    per_turn: bool = False
     ended: int = 0
     percents: int = 0
     moved: bool = False
@@ -34,6 +38,11 @@ class NcState:
     def known(self) -> bool:
         """Whether the position of every axis is known."""
         return None not in self.position
+
+    @property
+    def feed_in_minutes(self) -> float:
+        """F in force, mm/min or deg/min; NaN where it is not known or counts by turns."""
+        return math.nan if self.per_turn else self.feed
 
     def scale(self, axis: str) -> float:
         """Length (mm) or angle (deg) of one unit of a word of this axis."""

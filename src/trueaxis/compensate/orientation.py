@@ -68,9 +68,13 @@ class ToolAxis:
     """The tool axis of a machine; `direction` is a vector of the tool frame."""
 
     def __init__(self, model: ErrorModel, direction: tuple[float, float, float]) -> None:
-        self._model = model
+        self._model, self.direction = model, direction
         self._direction = unit(np.array(direction, dtype=np.float64)[:, None])
         self._rows = list(rotary_rows(model.axes))
+
+    def on(self, model: ErrorModel) -> "ToolAxis":
+        """The same tool axis on another machine, or on this one at some places."""
+        return ToolAxis(model, self.direction)
 
     @property
     def turns(self) -> bool:

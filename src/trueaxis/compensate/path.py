@@ -16,13 +16,15 @@ class Path:
     """Points to be reached one after another, each by a straight motion of the axes from `origins`.
 
     points, origins: (n_axes, n), mm and deg. owner: (n,), index of the move that a point belongs to, ascending.
-    rapid: (n,), where only the end counts.
+    rapid: (n,), where only the end counts. halts: (n,), motions of no length in which an axis takes up what its
+    reversal changes.
     """
 
     points: FloatArray
     origins: FloatArray
     owner: NDArray[np.int64]
     rapid: NDArray[np.bool_]
+    halts: NDArray[np.bool_]
 
     @property
     def size(self) -> int:
@@ -37,7 +39,7 @@ def path_of(moves: Sequence[Move], start: FloatArray, axes: tuple[str, ...], cho
     rapid = np.array([move.kind == Kind.RAPID for move in moves])
     arcs = np.array([index for index, move in enumerate(moves) if move.arc is not None], dtype=np.int64)
     if arcs.size == 0:
-        return Path(ends, starts, np.arange(len(moves)), rapid)
+        return Path(ends, starts, np.arange(len(moves)), rapid, np.zeros_like(rapid))
 
     def xyz(positions: FloatArray) -> FloatArray:
         out = np.zeros((3, positions.shape[1]))
@@ -65,4 +67,4 @@ def path_of(moves: Sequence[Move], start: FloatArray, axes: tuple[str, ...], cho
     points = np.concatenate([ends[:, straight], on_arcs], axis=1)[:, order]
     owner = owner[order]
     origins = np.concatenate([start[:, None], points[:, :-1]], axis=1)
-    return Path(points, origins, owner, rapid[owner])
+    return Path(points, origins, owner, rapid[owner], np.zeros(owner.size, dtype=bool))

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensate.acting import acting
 from trueaxis.compensate.along import Along, PointAlong, PoseAlong
 from trueaxis.compensate.arcs import MOST_CHORDS, Arc, chord_counts
 from trueaxis.compensate.executed import Executed, execute, joined
@@ -15,12 +16,14 @@ from trueaxis.compensate.machine import LINEAR, ErrorModel, FloatArray, linear_r
 from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
 from trueaxis.compensate.orientation import ToolAxis
 from trueaxis.compensate.path import Path, path_of
+from trueaxis.compensate.placed import Everywhere, Placing
 from trueaxis.compensate.report import CompensationReport
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.solve import solve
 from trueaxis.compensate.solve_pose import solve_pose
 from trueaxis.compensate.subdivide import PROBE_SPACING, subdivide
 from trueaxis.compensate.tally import Solved, Tally
+from trueaxis.compensate.tracker import Tracker
 from trueaxis.compensate.writer import BlockWriter
 
 FEW_ROTARY_AXES = (
@@ -44,11 +47,14 @@ class Compensator:
         self._writer = BlockWriter(model.axes, settings)
         self._turned = self._axis_to_turn()
         self._along = self._comparison()
+        self._acting = acting(model, settings)
+        self._model = model if self._acting is None else self._acting.model
+        self._tracker = None if self._acting is None else Tracker(self._acting, self._along, settings, notes)
         nowhere = np.full(len(model.axes), np.nan)
         self._programmed = nowhere  # position programmed last
         self._written = nowhere  # position named by the words written last
         self._settled = False  # whether the machine stands at a compensated position
-        self._tally = Tally(model, settings)
+        self._tally = Tally(model, settings, () if self._acting is None else self._acting.notes)
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
         self._low, self._high = low[:, None] - 1e-9, high[:, None] + 1e-9
 
@@ -64,7 +70,7 @@ class Compensator:
     def _comparison(self) -> Along:
         settings = self._settings
         if self._turned is None:
-            return PointAlong(self._model, self._tool_point, settings.tolerance)
+            return PointAlong(self._model.axes, self._tool_point, settings.tolerance)
         return PoseAlong(
             self._model, self._tool_point, self._turned, settings.tolerance, 1e-6 * settings.orientation_tolerance_urad
         )
@@ -75,11 +81,16 @@ class Compensator:
         load = 0
         last: tuple[float, ...] | None = None
         for item in items:
+            if load >= self._settings.batch_points:
+                yield self._batch(batch, item if isinstance(item, Move) else None)
+                batch, load = [], 0
             if isinstance(item, Start):
                 yield self._batch(batch)
                 batch, load = [], 0
                 self._programmed = self._written = np.array(item.position)
                 self._settled = False
+                if self._tracker is not None:
+                    self._tracker.stand(self._programmed)
                 continue
             if not isinstance(item, str) and item.arc is not None:
                 chords = self._chords(item, item.arc)
@@ -93,9 +104,6 @@ class Compensator:
                 if item.kind and last is not None:
                     load += int(math.dist(last, item.end) / PROBE_SPACING)  # it may be cut as finely as it is probed
                 last = item.end
-            if load >= self._settings.batch_points:
-                yield self._batch(batch)
-                batch, load = [], 0
         yield self._batch(batch)
 
     def _chords(self, move: Move, arc: Arc) -> int:
@@ -104,7 +112,8 @@ class Compensator:
         count = chord_counts(np.array(radius), np.array(arc.sweep), self._settings.chord_tolerance)
         return int(count)
 
-    def _batch(self, batch: list[str | Move]) -> str:
+    def _batch(self, batch: list[str | Move], following: Move | None = None) -> str:
+        """The text of a batch; following: the move after it, if one follows at once."""
         moves = [item for item in batch if not isinstance(item, str)]
         if not moves:
             return "".join(item for item in batch if isinstance(item, str))
@@ -115,7 +124,7 @@ class Compensator:
         self._inside(moves, path)
         if self._faults.count:
             return ""
-        texts = self._compensated(moves, start, path, _follows(batch))
+        texts = self._compensated(moves, start, path, _follows(batch, following), following)
         if len(texts) == len(batch):
             return "".join(texts)
         of_moves = iter(texts)
@@ -135,19 +144,29 @@ class Compensator:
                 f"from {low:g} to {high:g}",
             )
 
-    def _compensated(self, moves: list[Move], start: FloatArray, path: Path, follows: NDArray[np.bool_]) -> list[str]:
-        settings, model, tool_point = self._settings, self._model, self._tool_point
-        axes = model.axes
+    def _compensated(
+        self,
+        moves: list[Move],
+        start: FloatArray,
+        path: Path,
+        follows: NDArray[np.bool_],
+        following: Move | None,
+    ) -> list[str]:
+        settings, tool_point, axes = self._settings, self._tool_point, self._model.axes
         if np.isnan(start).any() and moves[0].kind != Kind.RAPID:
             self._notes.add(moves[0].line, "a feed motion from an unknown position: only its end is compensated")
         self._note_turns(moves, start)
-        path = subdivide(path, self._along)
+        placing: Placing = Everywhere(self._model)
+        if self._tracker is not None:
+            path, placing = self._tracker.place(path, moves, follows, following)
+        path, placing = subdivide(path, self._along, placing)
+        model = placing.at(np.arange(path.size), np.ones(path.size))
         absolute = np.array([move.absolute for move in moves])[path.owner]
         inch = np.array([move.inch for move in moves])[path.owner]
         lines = np.array([move.line for move in moves])[path.owner]
         kinds = list(stretches(absolute, inch, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
-        solved = self._solved(path, kinds)
+        solved = self._solved(path, kinds, model)
         last_of_move = np.append(np.diff(path.owner) > 0, True)
         passable = ~last_of_move | follows[path.owner]
 
@@ -158,7 +177,7 @@ class Compensator:
             parts.append(part)
             previous = part.positions[:, -1]
         done = joined(parts)
-        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled)
+        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing)
         owner = path.owner[done.point]
         before = np.concatenate([self._written[:, None], done.positions[:, :-1]], axis=1)
         self._written, self._settled = previous, True
@@ -179,9 +198,9 @@ class Compensator:
             if moves[index].kind == Kind.LINE:
                 self._notes.add(moves[index].line, TURNS_ALONE)
 
-    def _solved(self, path: Path, kinds: list[Stretch]) -> Solved:
+    def _solved(self, path: Path, kinds: list[Stretch], model: ErrorModel) -> Solved:
         """Solve with the rotary positions that their words can name."""
-        settings, model, points = self._settings, self._model, path.points
+        settings, points = self._settings, path.points
         pose = None
         if self._turned is not None:
             pose = solve_pose(
@@ -197,12 +216,12 @@ class Compensator:
         return self._tally.report(program, language, blocks_in, blocks_out, self._notes)
 
 
-def _follows(batch: list[str | Move]) -> NDArray[np.bool_]:
+def _follows(batch: list[str | Move], following: Move | None) -> NDArray[np.bool_]:
     """For each move of a batch whether another follows at once and the tool may run through the end between them."""
     return np.array(
         [
             not isinstance(after, str) and after is not None and item.passable and after.passable
-            for item, after in zip(batch, [*batch[1:], None], strict=True)
+            for item, after in zip(batch, [*batch[1:], following], strict=True)
             if not isinstance(item, str)
         ]
     )

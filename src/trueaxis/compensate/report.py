@@ -3,6 +3,7 @@
 import json
 from dataclasses import asdict, dataclass
 
+from trueaxis.compensate.acting import EffectNote
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.statistics import Lines, Summary
 
@@ -24,13 +25,15 @@ class CompensationReport:
     """Counts, and lengths of error vectors (actual minus wanted tool point, workpiece frame) in mm.
 
     blocks_in, blocks_out: lines read and written. moves: blocks that move; points: their ends with those of chords and
-    cuts; short_blocks: points passed within a block of their own. iterations[k]: points that took k corrections.
+    cuts; short_blocks: points passed within a block of their own. take_ups: blocks that take up what a reversal
+    changes; they are no part of `along`, the tool stands in them. iterations[k]: points that took k corrections.
     before: as programmed, uncompensated. solved: after the solver, before words are rounded. after: with the words, at
     the points. along: at the ends and middles of all executed feed blocks, whose ends are not all programmed points.
     not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
     out_of_travel: points whose command leaves the travel of an axis.
     ball: |E| of Eq. (6), mm. orientation: angle between actual and wanted tool axis, urad, on machines with rotary
     axes. over_orientation: points with orientation.after above its tolerance, where orientation is corrected.
+    effects: what was done about each effect of the machine.
     singular: points at which one direction of the tool axis cannot be corrected, see orientation.SINGULAR.
     """
 
@@ -42,6 +45,7 @@ class CompensationReport:
     moves: int
     points: int
     short_blocks: int
+    take_ups: int
     iterations: tuple[int, ...]
     before: Summary | None
     solved: Summary | None
@@ -54,6 +58,7 @@ class CompensationReport:
     out_of_travel: Lines
     over_orientation: Lines
     singular: Lines
+    effects: tuple[EffectNote, ...]
     notes: tuple[str, ...]
 
     @property
@@ -75,7 +80,8 @@ class CompensationReport:
         lines = [
             f"{self.program} ({self.language.upper()}): {self.blocks_in} blocks read, {self.blocks_out} written; "
             f"{self.moves} moves, {self.points} points"
-            + (f", {self.short_blocks} passed in short blocks" if self.short_blocks else ""),
+            + (f", {self.short_blocks} passed in short blocks" if self.short_blocks else "")
+            + (f", {self.take_ups} blocks that take up reversals" if self.take_ups else ""),
             f"method {settings.method}, words {settings.words}, resolution {settings.resolution:g} mm, "
             f"tolerance {settings.tolerance:g} mm",
             "corrections made: " + ", ".join(f"{k}: {n} points" for k, n in enumerate(self.iterations) if n),
@@ -98,6 +104,10 @@ class CompensationReport:
         ):
             if found.points:
                 lines.append(f"{name}: {found}")
+        lines.extend(
+            f"effect {one.effect}: {'compensated' if one.compensated else 'left alone'}, {one.how}"
+            for one in self.effects
+        )
         lines.extend(f"note: {note}" for note in self.notes)
         return "\n".join(lines)
 

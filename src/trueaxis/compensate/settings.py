@@ -28,6 +28,7 @@ class Settings:
     orientation: `keep` corrects with the linear axes alone; `correct` turns rotary axes too, so that the tool axis
     points where the error-free machine's would, to orientation_tolerance_urad. tool_axis: its direction, tool frame.
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
+    temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
     batch_points: points computed at a time; bounds the memory.
 
     Raises ValueError when a value is out of its range.
@@ -47,6 +48,8 @@ class Settings:
     orientation_tolerance_urad: float = 2.0  # words of 0.0001 deg are up to 0.87 urad off in each of two axes
     tool_axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
     block_delete: BlockDelete = "fault"
+    temperature: float | None = None
+    time: float | None = None
     batch_points: int = 16384
 
     def __post_init__(self) -> None:
@@ -77,6 +80,10 @@ class Settings:
             yield "tool_axis must be a direction, not zero"
         if not all(map(math.isfinite, self.start.values())):
             yield "start must hold finite positions"
+        for name in ("temperature", "time"):
+            value = getattr(self, name)
+            if value is not None and not math.isfinite(value):
+                yield f"{name} is {value:g}; it must be finite"
         if self.words != "nearest" and self.ball is None:
             yield f"words '{self.words}' minimises the error along the ball bar; give the ball too"
 

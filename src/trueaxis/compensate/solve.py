@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensate.machine import ErrorModel, FloatArray
+from trueaxis.compensate.placed import of_points
 from trueaxis.compensate.settings import Method
 
 MOST_STEPS = 20
@@ -58,8 +59,9 @@ def solve(
         if index.size == 0:
             break
         part = slice(None) if index.size == active.size else index
-        tried = commands[:, part] + model.correction(commands[:, part], error[:, part])
-        left = target[:, part] - _actual(tried, model, tool_point)
+        here = of_points(model, part)
+        tried = commands[:, part] + here.correction(commands[:, part], error[:, part])
+        left = target[:, part] - _actual(tried, here, tool_point)
         length = _norm(left)
         better = np.isfinite(length) & ((length < best[part]) | (method == "ordinary"))
         kept = index[better]

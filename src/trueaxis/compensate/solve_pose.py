@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from trueaxis.compensate.machine import ErrorModel, FloatArray
 from trueaxis.compensate.orientation import ToolAxis
+from trueaxis.compensate.placed import of_points
 from trueaxis.compensate.settings import Method
 from trueaxis.compensate.solve import MOST_STEPS, SOLVER_SHARE
 
@@ -55,13 +56,13 @@ def solve_pose(
     goal, turn_goal = SOLVER_SHARE * tolerance, SOLVER_SHARE * orientation_tolerance
 
     def state(commands: FloatArray, index: NDArray[np.int64]) -> _State:
-        pointing = tool_axis.actual(commands)
+        pointing = tool_axis.on(of_points(model, index)).actual(commands)
         turn, reach = turning.at(index).step(commands, wanted[:, index] - pointing)
         off = np.sqrt((_left(commands, index) ** 2).sum(axis=0))
         return _State(commands, turn, np.maximum(off / goal, reach / turn_goal))
 
     def _left(commands: FloatArray, index: NDArray[np.int64]) -> FloatArray:
-        actual = model.ideal(commands, tool_point) + model.deviation(commands, tool_point)
+        actual = model.ideal(commands, tool_point) + of_points(model, index).deviation(commands, tool_point)
         return np.asarray(target[:, index] - actual)
 
     now = state(programmed.copy(), np.arange(programmed.shape[1]))

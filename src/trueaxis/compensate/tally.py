@@ -6,11 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensate.acting import EffectNote
 from trueaxis.compensate.executed import Executed
 from trueaxis.compensate.machine import ErrorModel, FloatArray
 from trueaxis.compensate.moves import Notes
 from trueaxis.compensate.orientation import ToolAxis, angle
 from trueaxis.compensate.path import Path
+from trueaxis.compensate.placed import Placing
 from trueaxis.compensate.report import CompensationReport, Errors
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.solve import Solution
@@ -47,14 +49,14 @@ class Solved:
 class Tally:
     """Counts and figures of one program on one machine."""
 
-    def __init__(self, model: ErrorModel, settings: Settings) -> None:
-        self._model, self._settings = model, settings
+    def __init__(self, model: ErrorModel, settings: Settings, effects: tuple[EffectNote, ...]) -> None:
+        self._settings, self._effects = settings, effects
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._axis = ToolAxis(model, settings.tool_axis)
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
         self._low, self._high = low[:, None] - 1e-9, high[:, None] + 1e-9
-        self._moves = self._points = self._short_blocks = 0
+        self._moves = self._points = self._short_blocks = self._take_ups = 0
         self._iterations: Counter[int] = Counter()
         self._vector = {stage: Running() for stage in STAGES}
         self._bar = {stage: Running() for stage in STAGES}
@@ -71,23 +73,26 @@ class Tally:
         lines: NDArray[np.int64],
         previous: FloatArray,
         settled: bool,
+        placing: Placing,
     ) -> None:
         """Evaluate what was written of one batch.
 
         lines: (n_points,), of the path's points. previous: (n_axes,), position named by the words before; settled:
-        whether it was a compensated one.
+        whether it was a compensated one. placing: gives the machine along the path.
         """
         self._moves += moves
         self._points += path.size
         self._short_blocks += int(done.passed.sum())
+        self._take_ups += int(path.halts.sum())
         self._iterations.update(dict(enumerate(np.bincount(solved.steps).tolist())))
         self._not_converged.add(lines[~solved.converged])
         outside = ((done.positions < self._low) | (done.positions > self._high)).any(axis=0)
         self._out_of_travel.add(lines[done.point[outside]])
 
-        self._stage("before", path.points, path.points, lines)
-        self._stage("solved", solved.commands, path.points, lines)
-        length, turned = self._stage("after", done.at_points(previous), path.points, lines)
+        model = placing.at(np.arange(path.size), np.ones(path.size))
+        self._stage("before", model, path.points, path.points, lines)
+        self._stage("solved", model, solved.commands, path.points, lines)
+        length, turned = self._stage("after", model, done.at_points(previous), path.points, lines)
         self._over_tolerance.add(lines[~(length <= self._settings.tolerance)])
         if solved.pose is not None and turned is not None:
             self._singular.add(lines[solved.pose.singular])
@@ -95,23 +100,25 @@ class Tally:
 
         fed = ~path.rapid[done.point]
         fed[0] &= settled  # the way from where the machine stood at first is half uncompensated
+        fed &= ~path.halts[done.point]  # what is taken up there moves the axis, not the tool
         index = np.flatnonzero(fed)
         reference = np.concatenate([path.origins[:, :1], done.reference], axis=1)
         executed = np.concatenate([previous[:, None], done.positions], axis=1)
         for share in (0.5, 1.0):
             at = executed[:, index] + share * (executed[:, index + 1] - executed[:, index])
             wanted = reference[:, index] + share * (reference[:, index + 1] - reference[:, index])
-            self._stage("along", at, wanted, lines[done.point[index]])
+            there = placing.at(done.point[index], np.full(index.size, share))
+            self._stage("along", there, at, wanted, lines[done.point[index]])
 
     def _stage(
-        self, stage: str, positions: FloatArray, wanted: FloatArray, lines: NDArray[np.int64]
+        self, stage: str, model: ErrorModel, positions: FloatArray, wanted: FloatArray, lines: NDArray[np.int64]
     ) -> tuple[FloatArray, FloatArray | None]:
         """Note where positions put the tool instead of where the error-free machine is at `wanted`.
 
         Returns the lengths of the error vectors, mm, and with rotary axes the orientation errors, rad; (n,).
         """
-        target = self._model.ideal(wanted, self._tool_point)
-        actual = self._model.ideal(positions, self._tool_point) + self._model.deviation(positions, self._tool_point)
+        target = model.ideal(wanted, self._tool_point)
+        actual = model.ideal(positions, self._tool_point) + model.deviation(positions, self._tool_point)
         error = actual - target
         length = np.sqrt((error**2).sum(axis=0))
         self._vector[stage].add(length, lines)
@@ -119,7 +126,7 @@ class Tally:
             self._bar[stage].add(bar_error(target, error, self._ball), lines)
         if not self._axis.turns:
             return length, None
-        turned = angle(self._axis.actual(positions), self._axis.wanted(wanted))
+        turned = angle(self._axis.on(model).actual(positions), self._axis.wanted(wanted))
         self._orientation[stage].add(1e6 * turned, lines)
         return length, turned
 
@@ -136,6 +143,7 @@ class Tally:
             self._moves,
             self._points,
             self._short_blocks,
+            self._take_ups,
             tuple(self._iterations[steps] for steps in range(most + 1)),
             vector.before,
             vector.solved,
@@ -148,6 +156,7 @@ class Tally:
             self._out_of_travel.lines(),
             self._over_orientation.lines(),
             self._singular.lines(),
+            self._effects,
             notes.texts(),
         )
 
