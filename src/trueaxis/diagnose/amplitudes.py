@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.stats import chi2
+from scipy.stats import norm
 
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import AmplitudeOf, FloatArray
 from trueaxis.diagnose.search import Ground
 
 TOLERANCE = 0.1  # of the amplitude, by which groups may differ: no real effect has the exact form
-TELLING = 0.5  # a group whose own uncertainty is larger than this share of the amplitude... is still shown
+TELLING = 1e-3  # share of the information below which a group says nothing of the amplitude
 
 
 def amplitudes_of(ground: Ground, causes: Sequence[Fitted], index: int) -> tuple[tuple[AmplitudeOf, ...], float]:
@@ -30,36 +30,36 @@ def amplitudes_of(ground: Ground, causes: Sequence[Fitted], index: int) -> tuple
         return (), 1.0
     others = [ground.whitening(one.signal) for place, one in enumerate(causes) if place != index]
     projection = ground.base.extended(np.stack(others, axis=1)) if others else ground.base
-    columns = np.stack([np.where(group, mine.signal, 0.0) for group in groups], axis=1)
-    left = projection.rest(ground.whitening(columns))
-    gram = left.T @ left
-    told = np.diag(gram) > 1e-6 * np.diag(gram).max()
-    gram, names = (
-        gram[np.ix_(told, told)],
-        [_name(ground, group) for group, seen in zip(groups, told, strict=True) if seen],
+    whole = projection.rest(ground.whitening(mine.signal))
+    residual = projection.rest(ground.values)
+    columns = projection.rest(
+        ground.whitening(np.stack([np.where(group, mine.signal, 0.0) for group in groups], axis=1))
     )
-    inverse = np.linalg.pinv(gram, rcond=1e-10, hermitian=True)
-    share = inverse @ (left[:, told].T @ projection.rest(ground.values))
-    spread = np.sqrt(np.maximum(np.diag(inverse), 0.0))
-    found = tuple(
-        AmplitudeOf(name, float(value * size), float(u * abs(size)))
-        for name, value, u in zip(names, share, spread, strict=True)
-    )
-    return found, _homogeneous(share, gram)
+    found, worst = [], 1.0
+    for place, group in enumerate(groups):
+        solved = _apart(whole, columns[:, place], residual)
+        if solved is None:
+            continue
+        share, u, excess, excess_u = solved
+        found.append(AmplitudeOf(_name(ground, group), share * size, u * abs(size)))
+        z = excess / np.hypot(excess_u, TOLERANCE)
+        worst = min(worst, float(2.0 * norm.sf(abs(z))) * len(groups))
+    return tuple(found), min(worst, 1.0)
 
 
-def _homogeneous(share: FloatArray, information: FloatArray) -> float:
-    """p of the hypothesis that all amplitudes are one, up to the tolerance."""
-    if share.size < 2:
-        return 1.0
-    values, vectors = np.linalg.eigh(information)
-    kept = values > 1e-10 * values.max()
-    covariance = vectors[:, kept] @ np.diag(1.0 / values[kept]) @ vectors[:, kept].T
-    weight = np.linalg.pinv(covariance + TOLERANCE**2 * np.eye(share.size), hermitian=True)
-    ones = np.ones(share.size)
-    mean = float(ones @ weight @ share / (ones @ weight @ ones))
-    rest = share - mean
-    return float(chi2.sf(float(rest @ weight @ rest), share.size - 1))
+def _apart(whole: FloatArray, part: FloatArray, residual: FloatArray) -> tuple[float, float, float, float] | None:
+    """Share of the amplitude in one group, its u, and by how much it exceeds that of all others, and its u.
+
+    None where the group alone does not tell: its signature is the same as the whole, or the base holds it.
+    """
+    pair = np.stack([whole, part], axis=1)
+    gram = pair.T @ pair
+    if gram[1, 1] < TELLING * gram[0, 0] or 1.0 - gram[0, 1] ** 2 / (gram[0, 0] * gram[1, 1]) < 1e-6:
+        return None
+    inverse = np.linalg.inv(gram)
+    value = inverse @ (pair.T @ residual)
+    both = float(inverse.sum())
+    return float(value.sum()), float(np.sqrt(max(both, 0.0))), float(value[1]), float(np.sqrt(inverse[1, 1]))
 
 
 def _name(ground: Ground, group: FloatArray) -> str:

@@ -93,18 +93,12 @@ def _of_lines(rows: Rows, axis: int, name: str, mine: FloatArray) -> Iterator[St
             "depends on the position, otherwise on each line",
             np.hstack([curve[:, 1 : DEGREE + 1] * line[:, np.newaxis] for line in lines]),
         )
-    present = [index for index in rows.present if mine[rows.of_run(index)].any()]
     course = np.zeros((rows.size, 3))
-    each = np.zeros((rows.size, 2 * len(present)))
-    for place, index in enumerate(present):
+    for index in rows.present:
         part = rows.of_run(index)
-        ramp = np.linspace(-1.0, 1.0, part.stop - part.start)
-        course[part] = legendre.legvander(ramp, 4)[:, 2:]
-        each[part, 2 * place] = legendre.legval(ramp, [0, 0, 1])
-        each[part, 2 * place + 1] = scaled[part]
+        if mine[part].any():
+            course[part] = legendre.legvander(np.linspace(-1.0, 1.0, part.stop - part.start), 4)[:, 2:]
     yield Structure(f"{title}, in the course of a run", "changes while a run is taken, alike in all", course)
-    if len(present) > 1:
-        yield Structure(f"{title}, from run to run", "scale or course differ from run to run", each)
     if rows.temperature is not None and np.isfinite(rows.temperature[mine]).all():
         warm = rows.temperature - rows.temperature[mine].mean()
         yield Structure(
@@ -158,13 +152,6 @@ def _of_circles(rows: Rows, theta: FloatArray, mine: FloatArray) -> Iterator[Str
         ]
     )
     yield Structure(f"{title}, after reversals", "a course after each reversal", near * mine[:, np.newaxis])
-    runs = np.unique(rows.run[mine])
-    each = np.zeros((rows.size, 3 * runs.size))
-    for place, index in enumerate(runs):
-        part = rows.of_run(int(index))
-        ramp = np.linspace(-1.0, 1.0, part.stop - part.start)
-        each[part, 3 * place : 3 * place + 3] = legendre.legvander(ramp, 2)
-    yield Structure(f"{title}, from run to run", "size or course differ from run to run", each)
 
 
 def _since_turn(rows: Rows, axis: int, mine: FloatArray) -> FloatArray:

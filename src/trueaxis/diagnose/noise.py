@@ -1,8 +1,8 @@
 """The noise of the readings, from replicates: what differs between readings of the same target.
 
-Differences of repeats hold no model misfit. What a cause could put into them (an offset, a drift, a scale that has
-changed) is projected out before: an offset, a slope in time and one along the way for lines, the first harmonics for
-circles. The rest is fitted by restricted maximum likelihood as white plus first-order autocorrelated noise.
+Differences of repeats hold no model misfit. What a cause could put into them (an offset or
+a drift of a run) is projected out before; from circles at two feeds what servo lag makes of them, too. The rest is fitted by restricted maximum likelihood as white plus first-order autocorrelated noise; of all that the repeats allow, the
+noise that is strongest at low frequencies is taken, since a cause that is none costs more than one not found.
 """
 
 from collections.abc import Iterator, Sequence
@@ -10,15 +10,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import solve_banded
-from scipy.optimize import minimize
 
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.whiten import differenced, ramp, tridiagonal, whitened
 
-HARMONICS = 4  # of a circle, that a contrast of two feeds may hold
+LAG = 2  # harmonic of a circle by which servo lag makes two feeds differ
 FEWEST = 12  # targets that two passes must share to be compared
-MOST_CORRELATED = 0.98
+ALLOWED = 1.35  # of log-likelihood: 90 % confidence; of all that repeats allow, the slowest noise is taken
+_SHARES = (0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.98)
+_CORRELATIONS = (0.3, 0.5, 0.65, 0.8, 0.9, 0.95, 0.98)
+_SHAPES = ((0.0, 0.0), *((share, correlation) for correlation in _CORRELATIONS for share in _SHARES))
 FEWEST_RUNS = 4  # for a slope's variance
 
 
@@ -36,8 +38,8 @@ class Contrast:
     across_runs: bool
 
 
-def contrasts(rows: Rows, values: FloatArray, along: FloatArray, theta: FloatArray) -> tuple[Contrast, ...]:
-    """All contrasts. values: (n,) mm, readings less what is expected; along (mm), theta (rad): (n,), see ReadingContext.
+def contrasts(rows: Rows, values: FloatArray, theta: FloatArray) -> tuple[Contrast, ...]:
+    """All contrasts. values: (n,) mm, readings less what is expected; theta: (n,) rad, polar angles of circles.
 
     Circles without an exact repeat are compared with those at another feed.
     """
@@ -52,12 +54,12 @@ def contrasts(rows: Rows, values: FloatArray, along: FloatArray, theta: FloatArr
             without_repeat.append(members)
             continue
         for one in sets:
-            found += _of_set(rows, one, rows.target, values, along, theta)
+            found += _of_set(rows, one, rows.target, values, theta)
     if without_repeat:
         place = _places(rows)
         for members in without_repeat:
             for one in _sets(members, place):
-                found += _of_set(rows, one, place, values, along, theta)
+                found += _of_set(rows, one, place, values, theta)
     return tuple(found)
 
 
@@ -75,26 +77,12 @@ def estimate_noise(found: Sequence[Contrast], instrument: str) -> NoiseOf | None
         shapes.setdefault((one.values.size, one.nuisance.tobytes()), []).append(one)
     stacks = [(np.stack([one.values for one in each], axis=1), each[0].nuisance) for each in shapes.values()]
 
-    def noise_of(at: FloatArray) -> NoiseOf:
-        share, correlation = _between(at[1]), MOST_CORRELATED * _between(at[2])
-        sigma = scale * float(np.exp(at[0]))
-        return NoiseOf(
-            instrument, sigma * np.sqrt(1.0 - share), sigma * np.sqrt(share), correlation, 0.0, freedom, "repeats"
-        )
-
-    def cost(at: FloatArray) -> float:
-        return _negative_log_likelihood(noise_of(at), stacks)
-
-    starts = [np.array([0.0, -3.0, 0.0]), np.array([0.0, 0.0, 1.5])]
-    options = {"xatol": 1e-3, "fatol": 1e-3, "maxiter": 160}
-    tried = [minimize(cost, start, method="Nelder-Mead", options=options) for start in starts]
-    best = noise_of(min(tried, key=lambda one: float(one.fun)).x)
+    tried = [_profiled(instrument, share, correlation, freedom, stacks) for share, correlation in _SHAPES]
+    most = max(likelihood for _, likelihood in tried)
+    allowed = [noise for noise, likelihood in tried if likelihood >= most - ALLOWED]
+    best = max(allowed, key=_slow)
     slope, told_by = _slope(mine, best)
     return replace(best, slope=slope, slope_freedom=told_by)
-
-
-def _between(at: float) -> float:
-    return float(1.0 / (1.0 + np.exp(-np.clip(at, -30.0, 30.0))))
 
 
 def _rss(one: Contrast) -> float:
@@ -103,20 +91,32 @@ def _rss(one: Contrast) -> float:
     return float(rest @ rest)
 
 
-def _negative_log_likelihood(noise: NoiseOf, stacks: list[tuple[FloatArray, FloatArray]]) -> float:
-    total = 0.0
+def _profiled(
+    instrument: str, share: float, correlation: float, freedom: float, stacks: list[tuple[FloatArray, FloatArray]]
+) -> tuple[NoiseOf, float]:
+    """The noise of this shape that the contrasts make likeliest, and its restricted log-likelihood."""
+    unit = NoiseOf(instrument, float(np.sqrt(1.0 - share)), float(np.sqrt(share)), correlation, 0.0, freedom, "repeats")
+    squares = determinant = 0.0
     for values, nuisance in stacks:
         count = values.shape[1]
-        factor = tridiagonal(noise, values.shape[0])
+        factor = tridiagonal(unit, values.shape[0])
         white = solve_banded(
-            (1, 0), factor, differenced(noise, np.hstack([nuisance, values])), overwrite_b=True, check_finite=False
+            (1, 0), factor, differenced(unit, np.hstack([nuisance, values])), overwrite_b=True, check_finite=False
         )
         q, r = np.linalg.qr(white[:, : nuisance.shape[1]])
         rest = white[:, nuisance.shape[1] :]
         rest = rest - q @ (q.T @ rest)
-        total += 0.5 * float(np.sum(rest**2))
-        total += count * float(np.sum(np.log(factor[0])) + np.sum(np.log(np.abs(np.diag(r)))))
-    return total
+        squares += float(np.sum(rest**2))
+        determinant += count * float(np.sum(np.log(factor[0])) + np.sum(np.log(np.abs(np.diag(r)))))
+    sigma = float(np.sqrt(squares / freedom))
+    likelihood = -freedom * float(np.log(sigma)) - determinant
+    return replace(unit, white=sigma * unit.white, correlated=sigma * unit.correlated), likelihood
+
+
+def _slow(noise: NoiseOf) -> float:
+    """Power of the noise at the lowest frequencies, where effects are."""
+    f = noise.correlation
+    return noise.white**2 + noise.correlated**2 * (1.0 + f) / (1.0 - f)
 
 
 def _slope(mine: Sequence[Contrast], noise: NoiseOf) -> tuple[float, float]:
@@ -159,7 +159,7 @@ def _sets(members: list[IntArray], target: IntArray) -> list[list[IntArray]]:
 
 
 def _of_set(
-    rows: Rows, passes: list[IntArray], target: IntArray, values: FloatArray, along: FloatArray, theta: FloatArray
+    rows: Rows, passes: list[IntArray], target: IntArray, values: FloatArray, theta: FloatArray
 ) -> list[Contrast]:
     if len(passes) < 2:
         return []
@@ -174,12 +174,9 @@ def _of_set(
         table[index] = values[[place[int(number)] for number in order]]
     instrument = rows.runs[rows.run[first[0]]].instrument
     nuisance = [np.ones(order.size), ramp(order.size)]
-    if instrument == "ballbar":
+    if instrument == "ballbar" and np.unique(rows.target[np.concatenate(passes)]).size > order.size:
         angle = theta[first]
-        nuisance += [part(k * angle) for k in range(1, HARMONICS + 1) for part in (np.cos, np.sin)]
-    else:
-        way = along[first]
-        nuisance += [way, way * way] if np.ptp(way) > 0.0 else []
+        nuisance += [np.cos(LAG * angle), np.sin(LAG * angle)]
     columns = _independent(np.stack(nuisance, axis=1))
     across = len({int(rows.run[one[0]]) for one in passes}) == len(passes)
     return [Contrast(instrument, values_of, columns, across) for values_of in _helmert(len(passes)) @ table]

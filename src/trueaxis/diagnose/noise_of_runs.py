@@ -23,7 +23,7 @@ def noise_of_runs(
     noise_um: of every reading, where it is known; what else there is of noise (correlation, slopes) is still taken
     from repeats.
     """
-    every = contrasts(rows, values, reading.along, reading.theta)
+    every = contrasts(rows, values, reading.theta)
     of: dict[str, NoiseOf] = {}
     for instrument in dict.fromkeys(run.instrument for run in rows.runs):
         found = estimate_noise(every, instrument)

@@ -23,7 +23,6 @@ from trueaxis.diagnose.search import Ground, Search, search
 from trueaxis.diagnose.signatures import Readings, readings_of
 from trueaxis.diagnose.whiten import whitening
 from trueaxis.diagnose.write_up import Outcome, diagnosis_of
-from trueaxis.measure.context import context_of
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.model import MachineModel
@@ -95,7 +94,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
 
 
 def _expected(model: MachineModel, rows: Rows) -> FloatArray:
-    return expected_readings(model, rows.runs, rows.run, rows.positions, context_of(rows.runs, rows))
+    return expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
 
 
 def _searched(

@@ -6,8 +6,10 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
+from trueaxis.measure.context import context_of
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.setup import Run
+from trueaxis.runtime.context import Context
 
 DECIMALS = 4  # mm or deg: positions that agree to a tenth of a micrometre are the same target
 
@@ -19,7 +21,7 @@ class Rows:
     row: place in the file; run: index into runs; positions, directions: (n_axes, n), mm or deg and -1, 0, +1; reading:
     mm; time (s), temperature (degC), feed (mm/min): None where the file has none. target: rows with the same number
     were read at the same place, approached the same way at the same feed, with the same set-up; passing: number of
-    the earlier rows of the same run with the same target.
+    the earlier rows of the same run with the same target. context: that of each row, from all rows of its run.
     """
 
     runs: tuple[Run, ...]
@@ -36,6 +38,7 @@ class Rows:
     setup: IntArray
     target: IntArray
     passing: IntArray
+    context: Context
 
     @property
     def size(self) -> int:
@@ -57,7 +60,10 @@ class Rows:
         cut = {}
         for one in fields(self):
             value = getattr(self, one.name)
-            cut[one.name] = value[..., keep] if isinstance(value, np.ndarray) else value
+            if isinstance(value, np.ndarray):
+                cut[one.name] = value[..., keep]
+            else:
+                cut[one.name] = value.of(keep) if isinstance(value, Context) else value
         return Rows(**cut)
 
 
@@ -99,6 +105,7 @@ def rows_of(data: MeasuredData) -> Rows:
         setup=setup,
         target=_targets(setup, positions, directions, feed),
         passing=np.zeros(order.size, dtype=np.int64),
+        context=context_of(runs, readings).of(order),
     ).only(keep)
     return _with_passes(everything)
 

@@ -52,7 +52,7 @@ def scanned(
     """
     size, points, k = signature.columns.shape
     support = signature.support
-    white = _whitened(signature, whitening)
+    white = whitening.part(support, signature.columns.reshape(size, -1))
     inside = projection.basis[support].T @ white
     full = white.reshape(size, points, k)
     held = inside.reshape(-1, points, k)
@@ -97,19 +97,6 @@ def _gram(columns: FloatArray) -> FloatArray:
     for i in range(k):
         for j in range(i, k):
             found[:, i, j] = found[:, j, i] = np.einsum("np,np->p", columns[:, :, i], columns[:, :, j])
-    return found
-
-
-def _whitened(signature: Signature, whitening: Whitening) -> FloatArray:
-    size = signature.columns.shape[0]
-    flat = signature.columns.reshape(size, -1)
-    found = np.empty_like(flat)
-    first = signature.support.start
-    for index in range(len(whitening.noise)):
-        start, stop = int(whitening.starts[index]) - first, int(whitening.starts[index + 1]) - first
-        if stop <= 0 or start >= size:
-            continue
-        found[start:stop] = whitening.block(index, flat[start:stop])
     return found
 
 

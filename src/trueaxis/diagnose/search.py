@@ -16,6 +16,7 @@ from trueaxis.effects.kind import Effect
 FALSE_ALARMS = 0.005  # share of clean data sets in which one candidate or other may reach the threshold
 RIVAL = 2.0  # decades of evidence within which a candidate remains in the running
 ALIKE = 0.02  # share of what the best explains by which a rival may fall short: no real effect has the exact form
+IMPERFECT = 0.03  # share of what a cause explains below which another at the same place is taken for its own form
 MOST_CAUSES = 4
 ZOOM = 7  # points per zoom of a grid, twice
 WORTH_ZOOMING = 0.6  # share of the best statistic from which a candidate's grid is looked at more closely
@@ -76,7 +77,7 @@ def search(ground: Ground) -> Search:
         if len(causes) == MOST_CAUSES:
             break
         best = _best(ground, projection, residual, scans)
-        if best is None or best.scan.evidence < ground.threshold:
+        if best is None or best.scan.evidence < ground.threshold or _imperfection(best.scan, causes):
             break
         causes = _settled(ground, [*causes, best])
     causes = [_with_rivals(ground, causes, index, first) for index in range(len(causes))]
@@ -160,6 +161,16 @@ def _best(ground: Ground, projection: Projection, residual: FloatArray, scans: S
     ]
     found = [zoomed(ground, projection, residual, one) for one in close]
     return max(found, key=lambda one: one.scan.evidence)
+
+
+def _imperfection(scan: Scanned, causes: Sequence[Found]) -> bool:
+    """Whether it is but the form of a cause at the same place that is not quite that of its kind."""
+    return any(
+        scan.effect.component is not None
+        and scan.effect.component == one.scan.effect.component
+        and scan.statistic < IMPERFECT * one.scan.statistic
+        for one in causes
+    )
 
 
 def _settled(ground: Ground, causes: list[Found]) -> list[Found]:

@@ -15,7 +15,6 @@ from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.identify.first_order import sensed
-from trueaxis.measure.context import context_of
 from trueaxis.measure.reading_context import reading_context_of
 from trueaxis.measure.machine import View
 from trueaxis.measure.reading_model import measuring_frame, sensed_directions
@@ -24,7 +23,6 @@ from trueaxis.runtime.context import Context, ReadingContext
 from trueaxis.runtime.effect_terms import component_term, reading_term
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR
-
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -81,7 +79,7 @@ def readings_of(model: MachineModel, rows: Rows) -> Readings:
     for index in rows.present:
         mine = rows.of_run(index)
         sensitivity[:, mine] = sensed(model, rows.runs[index], np.ascontiguousarray(rows.positions[:, mine]))
-    return Readings(model, rows, context_of(rows.runs, rows), reading_context_of(model, rows.runs, rows), sensitivity, Latest())
+    return Readings(model, rows, rows.context, reading_context_of(model, rows.runs, rows), sensitivity, Latest())
 
 
 def signature_of(
@@ -199,9 +197,7 @@ def _of_reading(
     context = ReadingContext(
         whole.along[support], whole.theta[support], whole.time[support], whole.temperature[support]
     )
-    columns = _columns(
-        kind, points, lambda vector: reading_term(model.kernels, model.machine, effect, vector, context)
-    )
+    columns = _columns(kind, points, lambda vector: reading_term(model.kernels, model.machine, effect, vector, context))
     columns = np.where(mine[:, np.newaxis], columns, 0.0)
     return columns.reshape(mine.size, len(points), -1)
 

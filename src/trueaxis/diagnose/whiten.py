@@ -25,11 +25,24 @@ class Whitening:
 
     def __call__(self, columns: FloatArray) -> FloatArray:
         """(n, k) whitened; columns: (n, k) or (n,)."""
-        found = np.empty_like(columns, dtype=np.float64)
-        for index in range(len(self.noise)):
-            mine = slice(int(self.starts[index]), int(self.starts[index + 1]))
-            found[mine] = self.block(index, columns[mine])
-        return found
+        return self.part(slice(0, int(self.starts[-1])), columns)
+
+    def part(self, rows: slice, columns: FloatArray) -> FloatArray:
+        """Columns (n_rows, k) or (n_rows,) of the rows of some neighbouring runs whitened.
+
+        Runs of one length and noise are done at once: a factorisation each would cost more than the work.
+        """
+        flat = columns.reshape(columns.shape[0], -1)
+        found = np.empty_like(flat, dtype=np.float64)
+        alike: dict[tuple[int, NoiseOf], list[int]] = {}
+        for index, noise in enumerate(self.noise):
+            first, last = int(self.starts[index]), int(self.starts[index + 1])
+            if rows.start <= first and last <= rows.stop:
+                alike.setdefault((last - first, noise), []).append(first - rows.start)
+        for (size, noise), begins in alike.items():
+            at = (np.array(begins)[:, np.newaxis] + np.arange(size)).T
+            found[at] = whitened(noise, flat[at].reshape(size, -1)).reshape(size, len(begins), -1)
+        return found.reshape(columns.shape)
 
     def ramps(self) -> FloatArray:
         """(n,): the whitened slope of each run, in its own standard deviation: its share of the noise."""
@@ -37,12 +50,8 @@ class Whitening:
         for index, noise in enumerate(self.noise):
             first, last = int(self.starts[index]), int(self.starts[index + 1])
             if noise.slope > 0.0:
-                found[first:last] = self.block(index, noise.slope * ramp(last - first))
+                found[first:last] = whitened(noise, noise.slope * ramp(last - first))
         return found
-
-    def block(self, index: int, columns: FloatArray) -> FloatArray:
-        """The rows of one run whitened: (n_run, k) or (n_run,)."""
-        return whitened(self.noise[index], columns)
 
 
 def whitening(run: IntArray, of_run: Sequence[NoiseOf]) -> Whitening:
