@@ -85,7 +85,6 @@ ONE_FAULT = {
     "unknown curve key": ("degree = 5", "degree = 5\nbasis = 1", 39, "curves.basis", "not a key", "degree"),
     "unknown direction": ("EX = ", "EW = ", 26, "body[2].position_errors.EW", "not a key", "EX EY EZ EA EB EC"),
     "unknown reference": ("motion_Y =", "motoin_Y =", 41, "references.motoin_Y", "not a key", "motion_X"),
-    "effects": ("[curves]", '[[effect]]\nkind = "backlash"\n[curves]', 37, "effect[0]", "'backlash'", "without"),
     # what bodies make together
     "axis moved twice": ('moves = "C"', 'moves = "Y"', 23, "body[2].moves", "axis Y is moved 2 times", "X Y Z A B C"),
     "no such end": ("tool = 9", "tool = 8", 35, "ends.tool", "there is no body 8", "number of a body"),

@@ -34,13 +34,44 @@ position = [1.0, "q_C", 2.0]
 [tool]
 position = ["q_x", "q_y", "q_z"]
 """
-SEEDS = [BASE, FIVE_AXIS.read_text(), DMU60P.read_text(), CODE]
+EFFECTS = (
+    DMU60P.read_text()
+    + """
+[[effect_kind]]
+name = "sag"
+expression = "depth*s_b*exp(-d/way)*(1 - s^2)"
+components = ["EZY", "turn"]
+other_axis = true
+
+[effect_kind.parameters.depth]
+unit = "u"
+
+[effect_kind.parameters.way]
+unit = "axis"
+grid = [1.0, 2.0]
+
+[[effect]]
+kind = "sag"
+component = "EZY"
+axis = "X"
+
+[[effect]]
+kind = "point_offset"
+runs = ["X1"]
+end = "reference"
+
+[[effect]]
+kind = "squareness"
+component = "EB0X"
+"""
+)
+SEEDS = [BASE, FIVE_AXIS.read_text(), DMU60P.read_text(), CODE, EFFECTS]
 
 # Values that some key takes, and such as none does.
 VALUES = st.sampled_from(
     '1 2 3 4 5 9 -1 0 0x7fffffffffffffff nan inf -inf 1e400 true "X" "Y" "C" "U" "all" "" "q_wx" "eps_c" "lambda" '
     '[] [0.0,1.0] [1.0,0.0] [0,0,0] ["q_wx","q_wx",1] ["EXY"] ["EXX","EXX"] [[1]] {} {EC="eps_c"} {EC=1} {E=2} '
-    '"XFYZ" "b" "XYZ+C" "CbXt" "true" '
+    '"XFYZ" "b" "XYZ+C" "CbXt" "true" "backlash" "EB0X" "a*s" "depth*(s" "depth/s_b" "u/K" "s" '
     "1979-05-27 07:32:00 'a\"b'".split()
 )
 
@@ -63,7 +94,10 @@ def mutated(draw: st.DrawFn) -> str:
                 lines[at] = lines[at].partition("=")[0] + "= " + draw(VALUES)
             case "key" if "=" in lines[at]:
                 key = draw(
-                    st.sampled_from("number lower moves sense travel position motion_errors tool structure a.b".split())
+                    st.sampled_from(
+                        "number lower moves sense travel position motion_errors tool structure a.b kind component axis "
+                        "runs end name expression components unit grid".split()
+                    )
                 )
                 lines[at] = key + " = " + lines[at].partition("=")[2]
             case _:
@@ -77,7 +111,8 @@ def read(text: str) -> Machine | None:
     except InputError as error:
         faults = error.faults
     assert faults
-    assert all(fault.problem and "\n" not in str(fault) for fault in faults)
+    # One line, but for the caret under a place in an expression.
+    assert all(fault.problem and ("\n" not in str(fault) or str(fault).endswith("^")) for fault in faults)
     return None
 
 

@@ -102,6 +102,29 @@ class Fields:
             return None
         return tuple(number for number in read if number is not None)
 
+    def texts(self, key: str, required: bool = False) -> tuple[str, ...] | None:
+        """A list of different texts, one or more."""
+        right = "a list of texts in quotes, each once"
+        value = self._take(key, required, right)
+        if value is None:
+            return None
+        if (
+            not isinstance(value, list)
+            or not value
+            or not all(isinstance(part, str) and part.strip() and part.isprintable() for part in value)
+            or len(set(value)) < len(value)
+        ):
+            self.fault(key, f"is {shown(value)}", right)
+            return None
+        return tuple(value)
+
+    def flag(self, key: str) -> bool:
+        """A switch; off where it is absent."""
+        value = self._take(key, False, "")
+        if value is not None and not isinstance(value, bool):
+            self.fault(key, f"is {shown(value)}", "true or false")
+        return value is True
+
     def table(self, key: str, required: bool = False) -> "Fields":
         """The sub-table of that key; an empty one where it is absent or no table."""
         value = self._take(key, required, f"a table [{key}]")

@@ -8,7 +8,9 @@ from pathlib import Path
 from trueaxis.faults import Faults, InputError
 from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.spec.body import PROSE, PROSE_MEANING, read_body, read_joint
-from trueaxis.spec.fields import Complain, Fields, shown
+from trueaxis.spec.effect_kinds import read_effect_kinds
+from trueaxis.spec.effects import read_effects, with_squareness
+from trueaxis.spec.fields import Complain, Fields
 from trueaxis.spec.machine import AXES, BED, LINEAR, Body, Machine
 from trueaxis.spec.structure import check_structure
 from trueaxis.spec.structure_code import AxisOrder, StructureCodeError, default_location_errors, parse_structure
@@ -44,20 +46,22 @@ def parse_machine(text: str, faults: Faults) -> Machine:
             lines.update(key_lines(text))
         faults.add(place(key, lines) if key else "", problem, remedy)
 
-    machine = _machine(Fields(tree, (), complain), complain)
+    machine = _machine(Fields(tree, (), complain), complain, faults)
     faults.raise_if_any()
     return machine
 
 
-def _machine(top: Fields, complain: Complain) -> Machine:
+def _machine(top: Fields, complain: Complain, faults: Faults) -> Machine:
     if (schema := top.integer("schema")) not in (1, None):
         complain(("schema",), f"{schema} is not a schema that this version reads", "schema = 1")
     name = top.text("name", pattern=_NAME, meaning="a letter, then letters, digits, _ and -") or "unnamed"
     title = top.text("title", default=name, pattern=PROSE, meaning=PROSE_MEANING) or name
+    before = len(faults.found)
     outline = _from_code(top, complain) if "structure" in top.raw else _from_bodies(top, complain)
-    for index, effect in enumerate(top.tables("effect")):
-        kind = shown(effect.raw.get("kind"))
-        complain(("effect", index), f"no effect {kind} is known to this version", "a machine without [[effect]]")
+    # What may act where cannot be told of bodies that are in doubt.
+    bodies = outline.bodies if len(faults.found) == before else None
+    kinds = read_effect_kinds(top, bodies)
+    effects = read_effects(top, bodies, kinds)
     curves = top.table("curves")
     degree = curves.integer("degree", default=7)
     if degree is not None and not 1 <= degree <= 15:
@@ -76,13 +80,15 @@ def _machine(top: Fields, complain: Complain) -> Machine:
     return Machine(
         name,
         title,
-        outline.bodies,
+        with_squareness(outline.bodies, effects),
         outline.workpiece,
         outline.tool,
         degree or 7,
         rotations == "true",
         runs or None,
         said,
+        effects,
+        kinds,
     )
 
 

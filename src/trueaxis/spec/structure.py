@@ -26,6 +26,11 @@ _RESERVED = re.compile(
 )
 
 
+def is_taken(name: str) -> bool:
+    """Whether generated code uses a name for something else."""
+    return keyword.iskeyword(name) or name in _C_WORDS or _RESERVED.fullmatch(name) is not None
+
+
 def check_structure(
     bodies: Sequence[IndexedBody], workpiece: int | None, tool: int | None, complete: bool, complain: Complain
 ) -> None:
@@ -143,7 +148,7 @@ def _check_names(bodies: Sequence[IndexedBody], complain: Complain) -> None:
             where = f"{key} of body {body.number}"
             if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
                 complain(("body", index, key), f"{name!r} is no name", "a letter, then letters, digits and _")
-            elif keyword.iskeyword(name) or name in _C_WORDS or _RESERVED.fullmatch(name):
+            elif is_taken(name):
                 complain(
                     ("body", index, key),
                     f"the name {name!r} clashes with one that generated code uses",
