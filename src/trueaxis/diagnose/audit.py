@@ -40,7 +40,8 @@ def audit(ground: Ground, scans: Sequence[Scanned]) -> Audit:
     for one in seen:
         whole = np.zeros((ground.values.size, one.freedom))
         whole[one.support] = one.middle
-        bases.append(orthonormal(ground.base.rest(whole)))
+        basis = orthonormal(ground.base.rest(whole))
+        bases.append(basis if basis.shape[1] else np.zeros((whole.shape[0], 1)))
     correlation = _correlations(bases)
     limits = {}
     for place, one in enumerate(seen):
@@ -63,13 +64,14 @@ def _correlations(bases: Sequence[FloatArray]) -> FloatArray:
     everything = np.hstack(bases)
     gram = everything.T @ everything
     ends = np.cumsum([0, *(one.shape[1] for one in bases)])
-    found = np.zeros((len(bases), len(bases)))
-    for i in range(len(bases)):
-        for j in range(i, len(bases)):
-            part = gram[ends[i] : ends[i + 1], ends[j] : ends[j + 1]]
-            if part.size:
-                found[i, j] = found[j, i] = min(1.0, float(np.linalg.norm(part, 2) ** 2))
-    return found
+    sizes = np.diff(ends)
+    found = np.add.reduceat(np.add.reduceat(gram**2, ends[:-1], axis=0), ends[:-1], axis=1)
+    # of a single column the sum of squares is the squared correlation; of two planes it is more than the largest one
+    planes = np.flatnonzero(sizes > 1)
+    for i in planes:
+        for j in planes:
+            found[i, j] = np.linalg.norm(gram[ends[i] : ends[i + 1], ends[j] : ends[j + 1]], 2) ** 2
+    return np.minimum(found, 1.0)
 
 
 def _limit(ground: Ground, one: Scanned, nearest: Effect | None, r2: float) -> Limit:

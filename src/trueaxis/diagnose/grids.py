@@ -9,9 +9,9 @@ from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.effects.kind import Effect, Kind, Parameter
 
-PERIODS = 150  # per range of the axis: the shortest pitch searched
+PERIODS = 120  # per range of the axis: the shortest pitch searched
 FEWEST_PERIODS = 2.0
-STEPS_PER_PERIOD = 3  # of frequency, per 1/range: the next frequency is still within a tenth of the power
+STEPS_PER_PERIOD = 2  # of frequency, per 1/range; what lies between is looked at where the evidence is best
 TIMES = 6  # time constants, from a twentieth of the time covered to twice it
 WAYS = 6  # decay lengths, from a two-thousandth of the range of the axis to a twentieth
 
