@@ -9,6 +9,7 @@ from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.identify.covariance import predicted_u, read_covariance
 from trueaxis.input_files import gathering
+from trueaxis.measure.context_needs import faults_of_points
 from trueaxis.measure.points import dump_predicted, read_points
 from trueaxis.measure.predict import predict
 from trueaxis.runtime.model import load_model
@@ -19,7 +20,8 @@ if TYPE_CHECKING:
 
 DESCRIPTION = """\
 Predict where the tool point really is. For each row of --at (a column per axis: mm, rotary axes deg; optionally tool_x,
-tool_y, tool_z: the point in the tool frame, mm) the deviation, actual minus ideal, is computed on the exact model and
+tool_y, tool_z: the point in the tool frame, mm; dir_X ..., time_s and temperature_c: how the axes came there, when, how
+warm, for machines with effects) the deviation, actual minus ideal, is computed on the exact model and
 written as dx, dy, dz (mm, workpiece frame) behind the columns of the row; with --covariance (of identify) their
 standard uncertainties, too, as u_dx, u_dy, u_dz: empty where a deviation rests on what the data could not determine."""
 
@@ -55,6 +57,10 @@ def run(args: argparse.Namespace) -> int:
             covariance = read_covariance(args.covariance, machine.name, machine.components, machine.location_errors)
     if found:
         raise InputError(found)
+    if model.effect_values:
+        if lacking := faults_of_points(model, points.context, str(args.at)):
+            raise InputError(lacking)
+        model = model.in_context(points.context)
     deviation = predict(model, points)
     spread = None if covariance is None else predicted_u(model, covariance, points.positions, points.tool)
     write_files({args.out: dump_predicted(points, deviation, args.out.suffix, spread)})

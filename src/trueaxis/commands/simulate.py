@@ -10,9 +10,11 @@ from trueaxis.files import write_files
 from trueaxis.input_files import gathering
 from trueaxis.measure import readings as readings_files
 from trueaxis.measure import setup as setup_file
+from trueaxis.measure.context import context_of
+from trueaxis.measure.context_needs import faults_of_readings
 from trueaxis.measure.data import read_data, readings_path
 from trueaxis.measure.readings import dump_readings
-from trueaxis.measure.simulate import check_simulated, simulate
+from trueaxis.measure.simulate import check_simulated, rows_to_fill, simulate
 from trueaxis.runtime.model import load_model
 from trueaxis.spec import read_machine
 
@@ -21,7 +23,8 @@ if TYPE_CHECKING:
 
 DESCRIPTION = """\
 Fill in a measuring plan: every row of readings.csv in --data whose reading is empty gets what the instrument would
-read on the exact model, plus Gaussian noise on request. Rows with a reading keep it unless --replace is given. The
+read on the exact model, plus Gaussian noise on request; effects of the machine act as directions, feeds, times and
+temperatures of the plan say. Rows with a reading keep it unless --replace is given. The
 folder --out gets readings.csv and an exact copy of setup.toml."""
 
 
@@ -56,7 +59,22 @@ def run(args: argparse.Namespace) -> int:
     if found:
         raise InputError(found)
     setup, readings = data.setup, data.readings
-    simulated = simulate(model, setup.runs, readings, noise_um=args.noise_um, seed=args.seed, replace_all=args.replace)
+    context = None
+    if model.effect_values:
+        context = context_of(setup.runs, readings)
+        asked = rows_to_fill(readings, args.replace)
+        found = faults_of_readings(model, setup.runs, readings, context, asked, str(readings_path(args.data)))
+        if found:
+            raise InputError(found)
+    simulated = simulate(
+        model,
+        setup.runs,
+        readings,
+        noise_um=args.noise_um,
+        seed=args.seed,
+        replace_all=args.replace,
+        context=context,
+    )
     check_simulated(simulated, str(readings_path(args.data)))
     write_files(
         {

@@ -87,6 +87,14 @@ def texts(table: Table, name: str, faults: Faults) -> pl.Series:
     return found
 
 
+def approaches(table: Table, name: str, faults: Faults) -> FloatArray:
+    """A column of approach directions, (n,): +1, -1 or 0, NaN where a cell is empty or wrong; wrong ones are noted."""
+    values = numbers(table, name, faults, may_be_empty=True)
+    wrong = ~np.isnan(values) & ~np.isin(values, (-1.0, 0.0, 1.0))
+    note(table, name, wrong, faults, "is not a direction", remedy="+1, -1 or 0")
+    return values
+
+
 def positions(table: Table, machine: MachineAxes, faults: Faults) -> FloatArray:
     """Commanded axis positions, (n_axes, n), mm or deg; those outside the travel are noted."""
     found = np.zeros((len(machine.axes), table.frame.height))

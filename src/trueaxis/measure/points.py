@@ -1,6 +1,6 @@
 """points.csv: axis positions, and the tool point at each, at which the deviation is asked for."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -8,13 +8,15 @@ import numpy.typing as npt
 import polars as pl
 
 from trueaxis.faults import Faults
-from trueaxis.measure.columns import check_columns, numbers, positions
+from trueaxis.measure.columns import approaches, check_columns, numbers, positions
 from trueaxis.measure.machine import MachineAxes
 from trueaxis.measure.table import read_table, table_bytes
+from trueaxis.runtime.context import Context
 
 FloatArray = npt.NDArray[np.float64]
 
 TOOL_COLUMNS = ("tool_x", "tool_y", "tool_z")
+CONTEXT_COLUMNS = ("time_s", "temperature_c")
 DEVIATION_COLUMNS = ("dx", "dy", "dz")
 UNCERTAINTY_COLUMNS = ("u_dx", "u_dy", "u_dz")
 
@@ -24,28 +26,45 @@ class Points:
     """Points of the working volume.
 
     frame: the columns of the file, in its order, as numbers; positions: (n_axes, n), commanded, mm or deg; tool:
-    (3, n), the point in the tool frame, mm.
+    (3, n), the point in the tool frame, mm; context: approach directions, 0 where the file gives none, time and
+    temperature, NaN where it gives none, of axes that stand and have not turned back.
     """
 
     frame: pl.DataFrame
     positions: FloatArray
     tool: FloatArray
+    context: Context
 
 
 def read_points(path: Path, machine: MachineAxes) -> Points:
     """Read points of a machine. Raises InputError with every fault of the file."""
     table = read_table(path)
     faults = Faults(str(path))
-    check_columns(table, machine, faults, required=(), optional=TOOL_COLUMNS)
+    names = tuple(f"dir_{axis}" for axis in machine.axes)
+    check_columns(table, machine, faults, required=(), optional=(*TOOL_COLUMNS, *names, *CONTEXT_COLUMNS))
     commanded = positions(table, machine, faults)
     tool = np.zeros((3, table.frame.height))
     for row, name in enumerate(TOOL_COLUMNS):
         if name in table.frame.columns:
             tool[row] = numbers(table, name, faults)
+    present = table.frame.columns
+    context = {name: numbers(table, name, faults, may_be_empty=True) for name in CONTEXT_COLUMNS if name in present}
+    given = {name: approaches(table, name, faults) for name in names if name in present}
     faults.raise_if_any()
     known = {**dict(zip(machine.axes, commanded, strict=True)), **dict(zip(TOOL_COLUMNS, tool, strict=True))}
-    frame = pl.DataFrame({name: pl.Series(known[name]) for name in table.frame.columns})
-    return Points(frame, commanded, tool)
+    known |= context | given
+    frame = pl.DataFrame({name: pl.Series(known[name]) for name in present}).fill_nan(None)
+    return Points(frame, commanded, tool, _context(names, given, context, table.frame.height))
+
+
+def _context(
+    names: tuple[str, ...], given: dict[str, FloatArray], columns: dict[str, FloatArray], count: int
+) -> Context:
+    nothing = np.full(count, np.nan)
+    time, temperature = (columns.get(name, nothing) for name in CONTEXT_COLUMNS)
+    context = Context.at_rest(len(names), count, time, temperature)
+    directions = np.array([np.nan_to_num(given.get(name, np.zeros(count))) for name in names])
+    return replace(context, directions=directions)
 
 
 def dump_predicted(points: Points, deviation: FloatArray, suffix: str, u: FloatArray | None = None) -> bytes:

@@ -9,7 +9,7 @@ import polars as pl
 
 from trueaxis.faults import Faults
 from trueaxis.measure.approach import DirectionArray, approach_directions
-from trueaxis.measure.columns import check_columns, note, numbers, positions, texts, whole_numbers
+from trueaxis.measure.columns import approaches, check_columns, note, numbers, positions, texts, whole_numbers
 from trueaxis.measure.machine import MachineAxes
 from trueaxis.measure.reading_model import home_positions
 from trueaxis.measure.readings import Readings
@@ -34,15 +34,15 @@ def read_readings(path: Path, machine: MachineAxes, runs: Sequence[Run] | None) 
     table = read_table(path)
     faults = Faults(str(path))
     columns = table.frame.columns
-    approaches = tuple(f"dir_{axis}" for axis in machine.axes)
-    check_columns(table, machine, faults, required=_REQUIRED, optional=(*_OPTIONAL, *approaches))
+    named = tuple(f"dir_{axis}" for axis in machine.axes)
+    check_columns(table, machine, faults, required=_REQUIRED, optional=(*_OPTIONAL, *named))
     if table.frame.height == 0:
         faults.add("", "has no rows", "a row per reading, with an empty reading where it is still to be taken")
     commanded = positions(table, machine, faults)
     run_ids, run = _runs(table, runs, faults)
     seq = _seq(table, run, faults)
     optional = {name: numbers(table, name, faults, may_be_empty=True) for name in _OPTIONAL if name in columns}
-    given = {name[4:]: _given_directions(table, name, faults) for name in approaches if name in columns}
+    given = {name[4:]: approaches(table, name, faults) for name in named if name in columns}
     reading = _reading(table, faults)
     faults.raise_if_any()
     directions = _derived_directions(runs or (), machine.axes, (run, seq, commanded))
@@ -93,13 +93,6 @@ def _seq(table: Table, run: IntArray, faults: Faults) -> IntArray:
         again = ~keys.select(pl.struct("run", "seq").is_first_distinct()).to_series().to_numpy() & (run >= 0)
         note(table, "seq", again, faults, "is given already in this run", remedy="a number of its own for each row")
     return seq
-
-
-def _given_directions(table: Table, name: str, faults: Faults) -> FloatArray:
-    values = numbers(table, name, faults, may_be_empty=True)
-    wrong = ~np.isnan(values) & ~np.isin(values, (-1.0, 0.0, 1.0))
-    note(table, name, wrong, faults, "is not a direction", remedy="+1, -1 or 0")
-    return values
 
 
 def _reading(table: Table, faults: Faults) -> FloatArray:

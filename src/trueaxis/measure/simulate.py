@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+import numpy.typing as npt
 
 from trueaxis.faults import Faults
 from trueaxis.measure.machine import MeasuredMachine
@@ -11,6 +12,7 @@ from trueaxis.measure.reading_model import expected_readings
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.readings_reader import LARGEST_READING
 from trueaxis.measure.setup import Run
+from trueaxis.runtime.context import Context
 
 
 def simulate(
@@ -21,19 +23,28 @@ def simulate(
     noise_um: float = 0.0,
     seed: int = 0,
     replace_all: bool = False,
+    context: Context | None = None,
 ) -> Readings:
     """The readings with plan rows (all rows where replace_all) filled in from the exact model.
 
     noise_um: standard deviation of the Gaussian noise added, micrometres; the noise of a row depends on the seed and
-    the row's place in the file alone.
+    the row's place in the file alone. context: of all rows, for a machine with effects.
     """
-    fill = np.ones_like(readings.planned) if replace_all else readings.planned
+    fill = rows_to_fill(readings, replace_all)
     filled = readings.reading.copy()
-    filled[fill] = expected_readings(machine, runs, readings.run[fill], readings.positions[:, fill])
+    if context is None:
+        filled[fill] = expected_readings(machine, runs, readings.run[fill], readings.positions[:, fill])
+    else:  # of whole runs: the plane of a circle is told by all its rows
+        filled[fill] = expected_readings(machine, runs, readings.run, readings.positions, context)[fill]
     if noise_um > 0.0:
         noise = np.random.default_rng(seed).normal(0.0, noise_um * 1e-3, len(filled))
         filled[fill] += noise[fill]
     return replace(readings, reading=filled)
+
+
+def rows_to_fill(readings: Readings, replace_all: bool) -> npt.NDArray[np.bool_]:
+    """(n,), the rows that get a reading: those of the plan, or all."""
+    return np.ones_like(readings.planned) if replace_all else readings.planned
 
 
 def check_simulated(readings: Readings, file: str) -> None:

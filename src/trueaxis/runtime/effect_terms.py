@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Place
-from trueaxis.effects.variables import REFERENCE_TEMPERATURE
+from trueaxis.effects.variables import FARTHEST, REFERENCE_TEMPERATURE
 from trueaxis.runtime.context import Context, FloatArray, ReadingContext
 from trueaxis.runtime.kernels import Kernels
 from trueaxis.spec.machine import Machine
@@ -75,7 +75,7 @@ def _of_axis(name: str, machine: Machine, axis: str, positions: FloatArray, cont
         "s": (positions - low) / (high - low),
         "direction": context.directions,
         "v": context.velocity,
-        "d": context.since_reversal,
+        "d": np.minimum(context.since_reversal, FARTHEST),  # derivatives at infinity may have no value
     }
     found: FloatArray = arrays[name][row]
     return found

@@ -79,6 +79,11 @@ def read_errors(
             curves[name] = curve
     undetermined = _undetermined(tree.get("undetermined", []), faults)
     found = read_effects(tree.get("effects", []), effects, kinds, faults)
+    for one in found:
+        name = one.effect.component or ""
+        if kinds[one.effect.kind].place == "location" and name in values:
+            place = key_path(("parameters", name))
+            faults.add(place, f"is told by the effect {one.effect.label} as well", "keep one")
     faults.raise_if_any()
     return ErrorValues(machine, values, curves, uncertainties, undetermined, found)
 

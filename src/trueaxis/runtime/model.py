@@ -11,7 +11,6 @@ import numpy as np
 from trueaxis.effects.kind import Effect, Kind, Place
 from trueaxis.runtime.context import Context, ReadingContext
 from trueaxis.runtime.curves import FloatArray, TableCurve, evaluate_components, pack_polynomials
-from trueaxis.runtime.effect_locations import location_terms
 from trueaxis.runtime.effect_terms import component_term, reading_term
 from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, read_errors
@@ -101,12 +100,16 @@ class MachineModel:
 
     @cached_property
     def parameter_values(self) -> FloatArray:
-        """(n_parameters,): what the error values say, zero where they are silent."""
-        return np.array([self.errors.parameters.get(name, 0.0) for name in self.parameters])
+        """(n_parameters,): what the error values say, zero where they are silent; a squareness is told as an effect."""
+        found = np.array([self.errors.parameters.get(name, 0.0) for name in self.parameters])
+        for values in self._effects_on("location"):
+            angle = float(values.vector(self.kinds[values.effect.kind])[0])
+            found[self.parameters.index(values.effect.component or "")] += angle
+        return found
 
     @cached_property
     def _curves(self) -> FloatArray | None:
-        if self._effects_on("component") or self._effects_on("location"):
+        if self._effects_on("component"):
             return None
         return pack_polynomials(self.errors.motion_errors, self.components, self.machine.curve_degree)
 
@@ -118,10 +121,6 @@ class MachineModel:
         """
         axes = [self.axes.index(name[2]) for name in self.components]
         found = evaluate_components(self.errors.motion_errors, self.components, axes, positions)
-        for values in self._effects_on("location"):
-            angle = float(values.vector(self.kinds[values.effect.kind])[0])
-            for name, row in location_terms(self.machine, values.effect, angle, positions).items():
-                found[self.components.index(name)] += row
         terms = self._effects_on("component")
         if not terms:
             return found
