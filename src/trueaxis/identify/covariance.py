@@ -10,10 +10,13 @@ import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from trueaxis.effects.kind import Effect
 from trueaxis.faults import Faults
+from trueaxis.identify.effects.deviation import by_effects
 from trueaxis.identify.global_fit.basis import Basis
 from trueaxis.identify.machine import IdentifiedMachine, component_axes
 from trueaxis.input_files import input_bytes
@@ -31,7 +34,8 @@ class Covariance:
 
     components: names; bases: of each (Legendre polynomials less their value at 0: see Basis); locations: names of
     location errors; matrix: (n, n), covariance of the coefficients, component by component, then of the location
-    errors, mm and rad; open: (n, d), combinations that no reading determines, as steps of the same values.
+    errors, then of the parameters of effects, mm and rad; open: (n, d), combinations that no reading determines, as
+    steps of the same values; effects: labels, effect_parameters: names of the parameters of each.
     """
 
     machine: str
@@ -40,17 +44,21 @@ class Covariance:
     locations: tuple[str, ...]
     matrix: FloatArray
     open: FloatArray
+    effects: tuple[str, ...] = ()
+    effect_parameters: tuple[tuple[str, ...], ...] = ()
 
     @property
     def count(self) -> int:
         """How many values there are."""
-        return sum(basis.degree for basis in self.bases) + len(self.locations)
+        of_effects = sum(len(names) for names in self.effect_parameters)
+        return sum(basis.degree for basis in self.bases) + len(self.locations) + of_effects
 
 
 def derivative(machine: IdentifiedMachine, found: Covariance, positions: FloatArray, tool: FloatArray) -> FloatArray:
     """(3, n_values, n): of the deviation of tool points in the workpiece frame by the values, error-free machine.
 
-    positions: (n_axes, n), mm or deg; tool: (3, 1) or (3, n), mm.
+    positions: (n_axes, n), mm or deg; tool: (3, 1) or (3, n), mm. Effects are those of axes that stand and have not
+    moved, as where the machine is evaluated without a context.
     """
     by_error = machine.view_sensitivity("tool_in_workpiece", positions, np.ascontiguousarray(tool))
     by_error = np.broadcast_to(by_error, (*by_error.shape[:2], positions.shape[1]))
@@ -61,6 +69,8 @@ def derivative(machine: IdentifiedMachine, found: Covariance, positions: FloatAr
         parts.append(by_error[:, index, np.newaxis] * basis(positions[axes[index]]))
     start = len(machine.components)
     parts += [by_error[:, start + machine.location_errors.index(name), np.newaxis] for name in found.locations]
+    if found.effects:
+        parts += by_effects(machine, by_error, positions, found.effects)
     return np.concatenate(parts, axis=1) if parts else np.zeros((3, 0, positions.shape[1]))
 
 
@@ -81,7 +91,7 @@ def predicted_u(machine: IdentifiedMachine, found: Covariance, positions: FloatA
 
 def dump_covariance(found: Covariance) -> bytes:
     """The content of a .npz file: plain arrays and a JSON text that names them; the same bytes each time."""
-    head = {
+    head: dict[str, Any] = {
         "schema": SCHEMA,
         "machine": found.machine,
         "components": list(found.components),
@@ -90,6 +100,9 @@ def dump_covariance(found: Covariance) -> bytes:
         "basis": "Legendre polynomials of the position on [low, high], each less its value at position 0",
         "units": "mm and rad; positions mm and deg",
     }
+    if found.effects:
+        pairs = zip(found.effects, found.effect_parameters, strict=True)
+        head["effects"] = [{"effect": label, "parameters": list(names)} for label, names in pairs]
     arrays = {
         "head": np.frombuffer(json.dumps(head).encode(), dtype=np.uint8),
         "low": np.array([basis.low for basis in found.bases]),
@@ -107,7 +120,9 @@ def dump_covariance(found: Covariance) -> bytes:
     return buffer.getvalue()
 
 
-def read_covariance(path: Path, machine: str, components: Sequence[str], location_errors: Sequence[str]) -> Covariance:
+def read_covariance(
+    path: Path, machine: str, components: Sequence[str], location_errors: Sequence[str], effects: Sequence[Effect] = ()
+) -> Covariance:
     """Read a covariance file of this machine. Raises InputError where it is none, or another's."""
     faults = Faults(str(path))
     data = input_bytes(path)
@@ -118,7 +133,10 @@ def read_covariance(path: Path, machine: str, components: Sequence[str], locatio
         names, located = tuple(head["components"]), tuple(head["locations"])
         schema, of = head["schema"], head["machine"]
         bases = tuple(Basis(float(a), float(b), int(k)) for a, b, k in zip(low, high, degree, strict=True))
-        found = Covariance(of, names, bases, located, np.array(matrix, float), np.array(opened, float))
+        labels = tuple(str(one["effect"]) for one in head.get("effects", ()))
+        parameters = tuple(tuple(map(str, one["parameters"])) for one in head.get("effects", ()))
+        numbers = np.array(matrix, float), np.array(opened, float)
+        found = Covariance(of, names, bases, located, *numbers, labels, parameters)
     except Exception as error:  # whatever damage does to an archive
         faults.add("", f"is no covariance file: {type(error).__name__}", "a file written by identify --covariance")
         faults.raise_if_any()
@@ -127,7 +145,11 @@ def read_covariance(path: Path, machine: str, components: Sequence[str], locatio
         faults.add("schema", f"{schema!r} is not a known schema", f"this version reads schema {SCHEMA}")
     if of != machine:
         faults.add("machine", f"{of!r} is another machine", f'the machine is "{machine}"')
-    for kind, given, known in (("component", names, components), ("location error", located, location_errors)):
+    for kind, given, known in (
+        ("component", names, components),
+        ("location error", located, location_errors),
+        ("effect", labels, [effect.label for effect in effects]),
+    ):
         for name in given:
             if name not in known:
                 faults.add(f"{kind}s", f"the machine has no {kind} {name}")

@@ -5,9 +5,11 @@ from dataclasses import dataclass
 
 from trueaxis.faults import Fault, InputError
 from trueaxis.measure.approach import DirectionArray
+from trueaxis.measure.context import context_of
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.readings import IntArray, Readings
 from trueaxis.measure.setup import Run
+from trueaxis.runtime.context import Context
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -16,7 +18,8 @@ class Observations:
 
     source: where they come from, named in faults; run: (n,), index into runs; positions: (n_axes, n), commanded,
     mm or deg; reading: (n,), mm; seq: (n,), number of the row in its run; directions: (n_axes, n), by which way each
-    axis came there (-1, 0, +1); both None where nothing is known of them.
+    axis came there (-1, 0, +1); context: what effects depend on besides positions; all None where nothing is known of
+    them.
     """
 
     source: str
@@ -26,6 +29,7 @@ class Observations:
     reading: FloatArray
     seq: IntArray | None = None
     directions: DirectionArray | None = None
+    context: Context | None = None
 
     def of(self, keep: "IntArray") -> "Observations":
         """Those of some rows."""
@@ -37,6 +41,7 @@ class Observations:
             self.reading[keep],
             None if self.seq is None else self.seq[keep],
             None if self.directions is None else self.directions[:, keep],
+            None if self.context is None else self.context.of(keep),
         )
 
 
@@ -47,6 +52,13 @@ def observations(source: str, runs: Sequence[Run], readings: Readings) -> Observ
         remedy = "take them, or make some with simulate"
         raise InputError([Fault(source, "column reading", "is a plan: there is no reading in it", remedy)])
     everything = Observations(
-        source, tuple(runs), readings.run, readings.positions, readings.reading, readings.seq, readings.directions
+        source,
+        tuple(runs),
+        readings.run,
+        readings.positions,
+        readings.reading,
+        readings.seq,
+        readings.directions,
+        context_of(runs, readings),
     )
     return everything.of(taken)

@@ -4,10 +4,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from trueaxis.effects.kind import Role
 from trueaxis.identify.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 
 Method = Literal["paper", "global"]
+FROM_READINGS = "from the readings"
 Known = Literal["determined", "up to a slope", "partly", "undetermined", "not measured", "given"]
 
 
@@ -58,6 +60,26 @@ class InstrumentReport:
     value: float
     u: float | None
     unit: str
+    origin: str
+
+
+@dataclass(frozen=True, slots=True)
+class EffectParameterReport:
+    """A parameter of an effect: value and standard uncertainty (None: unknown) in `unit`; role: as in its kind."""
+
+    name: str
+    value: float
+    u: float | None
+    unit: str
+    role: Role
+
+
+@dataclass(frozen=True, slots=True)
+class EffectReport:
+    """An effect of the machine and where its values come from."""
+
+    effect: str
+    parameters: tuple[EffectParameterReport, ...]
     origin: str
 
 
@@ -120,7 +142,7 @@ class IdentificationReport:
     noise_groups: where the noise differs; noise_ratio: rms of the residuals over the noise, for the degrees of freedom
     left, 1 where model and noise agree (None where the residuals gave the noise); robust: how readings were weighed
     down, empty if not; doubted: which; orders: how degrees were chosen, None if given;
-    curve_orders: of tables that were made polynomials.
+    curve_orders: of tables that were made polynomials; effects: those of the machine.
     """
 
     machine: str
@@ -148,11 +170,13 @@ class IdentificationReport:
     doubted: tuple[DoubtedReading, ...] = ()
     orders: OrderReport | None = None
     curve_orders: tuple[CurveOrderReport, ...] = ()
+    effects: tuple[EffectReport, ...] = ()
 
     @property
     def nothing_determined(self) -> bool:
         """Whether the data gave no value at all."""
-        return not any(component.known in ("determined", "up to a slope", "partly") for component in self.components)
+        told = any(component.known in ("determined", "up to a slope", "partly") for component in self.components)
+        return not told and not any(one.origin == FROM_READINGS for one in self.effects)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,8 @@ from trueaxis.identify.report import (
     BlockReport,
     ComponentReport,
     CurveOrderReport,
+    EffectParameterReport,
+    EffectReport,
     IdentificationReport,
     InstrumentReport,
     LocationReport,
@@ -41,6 +43,9 @@ def report_text(report: IdentificationReport) -> str:
         lines += [_location(location) for location in report.locations]
     lines += ["", "motion errors over the measured positions:"]
     lines += [_component(component) for component in report.components]
+    if report.effects:
+        lines += ["", "effects (U: expanded uncertainty, k = 2):"]
+        lines += [line for one in report.effects for line in _effect(one)]
     if report.instruments:
         lines += ["", "instruments as they are (--instruments ideal takes them for perfect):"]
         lines += [line for one in report.instruments for line in _instrument(one)]
@@ -108,6 +113,21 @@ def _curve_order(one: CurveOrderReport) -> str:
 def _instrument(one: InstrumentReport) -> list[str]:
     value, unit = _small(one.value, one.unit)
     return _wrapped(f"{one.name}: {value:+.4g} {unit} {_with_u(one.u, one.unit).strip()} {one.origin}", "  ")
+
+
+def _effect(one: EffectReport) -> list[str]:
+    told = "; ".join(_effect_parameter(parameter) for parameter in one.parameters)
+    return _wrapped(f"{one.effect}: {told}; {one.origin}", "  ")
+
+
+def _effect_parameter(one: EffectParameterReport) -> str:
+    """Sizes in micrometres or microradians, periods, times and phases as they are."""
+    factor, unit = 1.0, "" if one.unit == "1" else one.unit
+    for plain, small, by in (("mm", "um", 1e3), ("rad", "urad", MICRO)):
+        if one.role in ("linear", "root") and unit.split("/")[0] == plain:
+            factor, unit = by, small + unit.removeprefix(plain)
+    told = f"{one.name} {factor * one.value:.5g} {unit}".rstrip()
+    return told if one.u is None else f"{told}, U {2.0 * factor * one.u:.2g} {unit}".rstrip()
 
 
 def _block(number: int, block: BlockReport) -> list[str]:

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.identify.global_fit.result import GlobalResult
+from trueaxis.identify.global_fit.describe_effects import effect_shares, effect_unknowns
+from trueaxis.identify.global_fit.result import OPEN, GlobalResult
 from trueaxis.identify.machine import units
 from trueaxis.identify.report import ComponentReport, InstrumentReport, Known, LocationReport
 from trueaxis.identify.words import Share, enumerated, slope_unit, split_apart, together, unit_of
@@ -12,7 +13,6 @@ from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import Undetermined
 
-OPEN = 1e-4  # share of an unknown in the null space, scaled, below which what is open does not matter to it
 PERFECT = "the instruments are taken for perfect"
 RULES = {
     "convention": "least-squares lines of the straightness are level (ISO 230-1)",
@@ -120,12 +120,19 @@ def undetermined(result: GlobalResult) -> tuple[Undetermined, ...]:
     silent = np.zeros(plan.count, dtype=bool)
     for place in range(plan.components.size):
         silent[plan.of_component(place)] = unseen(result, plan.of_component(place))
+    for place in range(plan.of_effects.start, plan.of_effects.stop):
+        silent[place] = unseen(result, slice(place, place + 1))
     seen = [
         vector
         for vector in result.gauge.null.T
         if not silent[np.abs(vector) > OPEN].all() and _machine_names(result, vector)
     ]
     found += [_open(result, vectors) for vectors in _overlapping(result, seen)]
+    found += [
+        Undetermined(f"{name}: no reading holds it, it is left at zero", (label,))
+        for (name, label), still in zip(effect_unknowns(result), silent[plan.of_effects], strict=True)
+        if still
+    ]
     if missing:
         found.append(Undetermined(f"{enumerated(missing)}: no run holds them, they are left at zero", tuple(missing)))
     return tuple(found)
@@ -161,7 +168,7 @@ def _by_instruments(result: GlobalResult, place: int) -> bool:
 
 def _settled(result: GlobalResult, vector: FloatArray) -> Undetermined:
     shares = _location_shares(result, vector)
-    others = _component_shares(result, vector)
+    others = [*_component_shares(result, vector), *effect_shares(result, vector, _lead(result, vector))]
     partners = [part.component for part in _parts(result, vector)]
     names = [share.what for share in shares]
     text = f"{split_apart(names, partners, [*shares, *others])}; {names[0]}: {RULES['convention']}"
@@ -190,16 +197,22 @@ def _names(result: GlobalResult, vector: FloatArray) -> set[str]:
 
 def _machine_names(result: GlobalResult, vector: FloatArray) -> set[str]:
     located = (share.what for share in _location_shares(result, vector))
-    return {*located, *(part.component for part in _parts(result, vector))}
+    own = (share.what for share in effect_shares(result, vector, _lead(result, vector)))
+    return {*located, *(part.component for part in _parts(result, vector)), *own}
 
 
 def _open(result: GlobalResult, vectors: list[FloatArray]) -> Undetermined:
     machine = result.layout.machine
     names = set().union(*(_names(result, vector) for vector in vectors))
-    ordered = tuple(name for name in (*machine.location_errors, *machine.components) if name in names)
+    of_effects = [name for name, _ in effect_unknowns(result)]
+    ordered = tuple(name for name in (*machine.location_errors, *machine.components, *of_effects) if name in names)
     own = [f"the {unknown.name}" for unknown in result.layout.instruments.unknowns if f"the {unknown.name}" in names]
     simplest = min(vectors, key=lambda vector: int(np.count_nonzero(np.abs(vector) > OPEN)))
-    of_machine = [*_location_shares(result, simplest), *_component_shares(result, simplest)]
+    of_machine = [
+        *_location_shares(result, simplest),
+        *_component_shares(result, simplest),
+        *effect_shares(result, simplest, _lead(result, simplest)),
+    ]
     orders = sorted({order for vector in vectors for part in _parts(result, vector) for order in part.orders})
     count = "1 combination" if len(vectors) == 1 else f"{len(vectors)} combinations"
     of_instruments = all(_instrument_shares(result, vector) for vector in vectors)

@@ -1,17 +1,19 @@
 """The first-order design matrix of all readings, in pieces, and its triangular factor."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.identify.effects.signature import RunRows
 from trueaxis.identify.first_order import sensed, sensed_at_home
 from trueaxis.identify.global_fit.layout import Layout
 from trueaxis.identify.machine import IntArray
 from trueaxis.identify.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions
+from trueaxis.runtime.errors import ErrorValues
 
 CHUNK_ENTRIES = 2**21  # of the design matrix at a time: 16 MB
 
@@ -21,8 +23,8 @@ class Design:
     """Derivative of every reading by every scaled unknown, never held in full.
 
     Each row is the basis of each axis times what the instrument senses of each component, less the same at home;
-    behind them what the instruments themselves add. roots: (n,), square roots of the weights of the readings, by
-    which rows are multiplied; None: all 1.
+    behind them effects, at the values where they are linearised, and what the instruments themselves add. roots: (n,),
+    square roots of the weights of the readings, by which rows are multiplied; None: all 1.
     """
 
     layout: Layout
@@ -65,15 +67,32 @@ class Design:
         layout = self.layout
         run, machine = self.observed.runs[index], layout.machine
         positions = self.observed.positions[:, rows]
-        here, home = sensed(machine, run, positions), sensed_at_home(machine, run)
+        moved = layout.effects.set_up(run)
+        here, home = sensed(machine, moved, positions), sensed_at_home(machine, moved)
         piece = self._with_bases(here, positions)
         zeroed = home_positions(run, machine.axes)
         if zeroed is not None:
             piece -= self._with_bases(home, zeroed)
+        if layout.effects.count:
+            piece[:, layout.of_effects] = layout.effects.columns(RunRows(index, rows, here, home))
         if layout.instruments.count:
             piece[:, layout.of_instruments] = layout.instruments.columns(machine, self.observed.runs, index, positions)
         piece[np.abs(piece) < 1e-12] = 0.0  # rounding of what cancels
         return piece
+
+    def at(self, unknowns: FloatArray, given: ErrorValues) -> "Design":
+        """Linearised at other values of the effects, whose terms need not be linear; unknowns: (n,), scaled."""
+        layout = self.layout
+        if not layout.effects.curved:
+            return self
+        values = unknowns * layout.scale
+        moved = layout.effects.at(values[layout.of_effects], layout.values(values, given))
+        return replace(self, layout=replace(layout, effects=moved))
+
+    def within(self, unknowns: FloatArray) -> bool:
+        """Whether a step to the unknowns (n,), scaled, leaves the effects where their terms make sense."""
+        mine = self.layout.of_effects
+        return self.layout.effects.within(unknowns[mine] * self.layout.scale[mine])
 
     def _with_bases(self, sensitivity: FloatArray, positions: FloatArray) -> FloatArray:
         """(n, n_unknowns) from sensitivities (n_components + n_location_errors, n)."""

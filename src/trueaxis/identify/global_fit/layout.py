@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from trueaxis.identify.effects.unknowns import EffectUnknowns
 from trueaxis.identify.global_fit.basis import Basis, axis_basis
 from trueaxis.identify.global_fit.instruments import Instruments
 from trueaxis.identify.machine import IdentifiedMachine, IntArray, component_axes, scales
@@ -20,7 +21,7 @@ DECIMALS = 6
 @dataclass(frozen=True, slots=True, eq=False)
 class Layout:
     """Unknowns: coefficients of the components in their basis, component by component, then the location errors, then
-    those of the instruments.
+    those of effects, then those of the instruments.
 
     bases: one for each axis, None where no reading leaves position 0, of the highest degree of its components;
     components, locations: indices of those that are unknown; axis: of each of `components`; offset: first unknown of
@@ -37,6 +38,7 @@ class Layout:
     knots: tuple[FloatArray, ...]
     scale: FloatArray
     instruments: Instruments = field(default_factory=Instruments)
+    effects: EffectUnknowns = field(default_factory=EffectUnknowns)
 
     @property
     def count(self) -> int:
@@ -46,12 +48,18 @@ class Layout:
     @property
     def of_machine(self) -> int:
         """How many of them, the first ones, are the machine's."""
-        return int(self.offset[-1]) + self.locations.size
+        return int(self.offset[-1]) + self.locations.size + self.effects.count
 
     @property
     def of_locations(self) -> slice:
         """The unknowns that are location errors."""
-        return slice(int(self.offset[-1]), self.of_machine)
+        first = int(self.offset[-1])
+        return slice(first, first + self.locations.size)
+
+    @property
+    def of_effects(self) -> slice:
+        """The unknowns of effects."""
+        return slice(self.of_machine - self.effects.count, self.of_machine)
 
     @property
     def of_instruments(self) -> slice:
@@ -87,7 +95,10 @@ class Layout:
         """Error values from unknowns in mm or rad and what is given."""
         located = dict(zip(self.names()[self.components.size :], unknowns[self.of_locations].tolist(), strict=True))
         curves = {self.names()[place]: self.curve(place, unknowns) for place in range(self.components.size)}
-        return ErrorValues(given.machine, {**given.parameters, **located}, {**curves, **given.motion_errors})
+        found = (*given.effects, *self.effects.values(unknowns[self.of_effects]))
+        return ErrorValues(
+            given.machine, {**given.parameters, **located}, {**curves, **given.motion_errors}, effects=found
+        )
 
 
 def layout(
@@ -96,6 +107,7 @@ def layout(
     given: ErrorValues,
     degree: int | Mapping[str, int],
     instruments: Instruments | None = None,
+    effects: EffectUnknowns | None = None,
 ) -> Layout:
     """The unknowns: of each axis powers up to `degree`, or to the number of its positions away from 0 if smaller.
 
@@ -104,6 +116,7 @@ def layout(
     """
     knots = _knots(machine, observed)
     instruments = instruments or Instruments()
+    effects = effects or EffectUnknowns()
     axes = component_axes(machine)
     most = [int(np.count_nonzero(positions)) for positions in knots]
     wanted = [degree if isinstance(degree, int) else degree.get(name, 0) for name in machine.components]
@@ -128,11 +141,12 @@ def layout(
         [
             np.repeat(scale[components], sizes[components]),
             scale[len(machine.components) + locations],
+            effects.scale,
             [unknown.size for unknown in instruments.unknowns],
         ]
     )
     offset = np.concatenate([[0], np.cumsum(sizes[components])]).astype(np.int64)
-    return Layout(machine, bases, components, axes[components], locations, offset, knots, every, instruments)
+    return Layout(machine, bases, components, axes[components], locations, offset, knots, every, instruments, effects)
 
 
 def _knots(machine: IdentifiedMachine, observed: Observations) -> tuple[FloatArray, ...]:

@@ -1,20 +1,28 @@
 """`identify --method global`: all readings at once, on the exact model."""
 
-from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.faults import Fault, InputError
-from trueaxis.identify.global_fit import describe
+from trueaxis.identify.effects.unknowns import EffectUnknowns
 from trueaxis.identify.global_fit.design import Design
+from trueaxis.identify.global_fit.effects import (
+    Degree,
+    Setting,
+    below_zero,
+    start_of,
+    started,
+    unknown_effects,
+    with_way_given,
+    with_zeros,
+)
 from trueaxis.identify.global_fit.instruments import instruments
-from trueaxis.identify.global_fit.layout import layout
-from trueaxis.identify.global_fit.least_squares import Factors, factors, gauge
-from trueaxis.identify.global_fit.order import choose_orders
-from trueaxis.identify.global_fit.result import AUTO_DEGREE, HIGHEST_AUTO, GlobalOptions, GlobalResult
+from trueaxis.identify.global_fit.least_squares import Factors, Gauge, factors, gauge
+from trueaxis.identify.global_fit.order import Orders, choose_orders
+from trueaxis.identify.global_fit.result import AUTO_DEGREE, HIGHEST_AUTO, OPEN, GlobalOptions, GlobalResult
 from trueaxis.identify.global_fit.robust import variance_factor
-from trueaxis.identify.global_fit.solve import Solution, residuals, solve, solve_robust
+from trueaxis.identify.global_fit.solve import Solution, residuals, solve_robust
 from trueaxis.identify.global_fit.write_up import identification
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise, noise
@@ -32,8 +40,10 @@ def identify_global(
     """Least squares over all readings, weighted by their noise: Gauss-Newton steps on the exact model.
 
     The derivative is that of the error-free machine throughout: it is wrong by the size of the errors (1e-4 or
-    less), so that each step leaves that share of the last one. Memory: a piece of the design matrix and a few
-    matrices of n_unknowns squared. Raises InputError where the readings hold no unknown at all.
+    less), so that each step leaves that share of the last one. Where the term of an effect is not linear in its
+    parameters, it is linearised anew at each step, from the best point of a grid on. Memory: a piece of the design
+    matrix and a few matrices of n_unknowns squared. Raises InputError where the readings hold no unknown at all, or
+    lack a column that an effect depends on.
     """
     options = options or GlobalOptions()
     return identification(fit_global(machine, observed, options))
@@ -47,39 +57,38 @@ def fit_global(machine: IdentifiedMachine, observed: Observations, options: Glob
         given = replace(given, parameters={**zeros, **given.parameters})
     machine = machine.with_values(given)
     weighted = weighting(observed, NoiseModel(options.noise_um, options.noise_by_group, options.repeats))
-    unknown = instruments(machine, observed, options.instruments)
+    unknown = unknown_effects(machine, observed, given, options.start)
+    observed = unknown.observed or observed
+    own = with_way_given(instruments(machine, observed, options.instruments), unknown, observed)
+    setting = Setting(machine, observed, given, own, weighted.roots, options.squareness == "convention")
     degree, orders = options.degree, None
+    effects = started(setting, HIGHEST_AUTO if degree == AUTO_DEGREE else degree, unknown)
     if degree == AUTO_DEGREE:
-        full = Design(layout(machine, observed, given, HIGHEST_AUTO, unknown), observed, weighted.roots)
-        orders = choose_orders(full, residuals(full, given, np.zeros(full.layout.count)), HIGHEST_AUTO)
+        effects, orders = _chosen_orders(setting, effects)
         degree = orders.degrees
-    assert isinstance(degree, int | Mapping)
-    plan = layout(machine, observed, given, degree, unknown)
-    design = Design(plan, observed, weighted.roots)
-    triangle, held = design.triangle()
-    if not held.any():
-        raise InputError([Fault(observed.source, "", "no reading holds an unknown", "runs that move an axis")])
-    found = factors(triangle)
-    moved = gauge(plan, found.null, level=options.squareness == "convention")
-    solution = solve(design, found, moved, given)
-    if options.robust:
-        solution = solve_robust(design, solution, moved, given, options.robust, weighted.sigma, held)
-    spread, variance = _spread(solution, weighted, held, found, options)
+    fit = _fit(setting, degree, effects, options, weighted)
+    zeroed = below_zero(fit.design.layout, fit.solution.unknowns)
+    if zeroed:
+        setting = replace(setting, given=with_zeros(given, zeroed))
+        effects = effects.without(one.effect for one in zeroed)
+        fit = _fit(setting, degree, effects, options, weighted)
+    plan, found, solution = fit.design.layout, fit.factors, fit.solution
+    spread, variance = _spread(solution, weighted, fit.held, found, options)
     covariance = None
     if spread.sigma is not None:
-        size = plan.scale[:, np.newaxis] * moved.projector
+        size = plan.scale[:, np.newaxis] * fit.gauge.projector
         covariance = variance * (size @ found.covariance() @ size.T)
     return GlobalResult(
         layout=plan,
         observed=observed,
-        given=given,
+        given=setting.given,
         options=options,
         factors=found,
-        gauge=moved,
-        held=int(held.sum()),
+        gauge=fit.gauge,
+        held=int(fit.held.sum()),
         unknowns=solution.unknowns * plan.scale,
         covariance=covariance,
-        open=np.abs(moved.null).max(axis=1, initial=0.0) > describe.OPEN,
+        open=np.abs(fit.gauge.null).max(axis=1, initial=0.0) > OPEN,
         residual=solution.residual,
         roots=weighted.roots,
         robust_weight=solution.weight,
@@ -88,7 +97,52 @@ def fit_global(machine: IdentifiedMachine, observed: Observations, options: Glob
         noise=spread,
         groups=weighted.groups,
         orders=orders,
+        zeroed=tuple(one.effect for one in zeroed),
     )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Fit:
+    """A solution, and the design and its factors where it is; held: (n_readings,), readings that hold an unknown."""
+
+    design: Design
+    factors: Factors
+    gauge: Gauge
+    solution: Solution
+    held: BoolArray
+
+
+def _fit(
+    setting: Setting, degree: Degree, effects: EffectUnknowns, options: GlobalOptions, weighted: Weighting
+) -> _Fit:
+    design = setting.design(degree, effects)
+    triangle, held = design.triangle()
+    if not held.any():
+        raise InputError([Fault(setting.observed.source, "", "no reading holds an unknown", "runs that move an axis")])
+    found = factors(triangle)
+    moved = gauge(design.layout, found.null, setting.level)
+    solution = setting.solved(design, found, moved)
+    if options.robust:
+
+        def again(reweighted: Design, start: FloatArray) -> Solution:
+            return setting.solved(reweighted, moved=moved, start=start)
+
+        solution = solve_robust(design, solution, again, options.robust, weighted.sigma, held)
+    if effects.curved:
+        design = design.at(solution.unknowns, setting.given)
+        triangle, held = design.triangle()
+        found = factors(triangle)
+        moved = gauge(design.layout, found.null, setting.level)
+    return _Fit(design, found, moved, solution, held)
+
+
+def _chosen_orders(setting: Setting, effects: EffectUnknowns) -> tuple[EffectUnknowns, Orders]:
+    """Degrees by held-out readings, to first order: beside effects where a fit of the highest degree has them."""
+    full = setting.design(HIGHEST_AUTO, effects)
+    if effects.curved:
+        full = full.at(setting.solved(full).unknowns, setting.given)
+    residual = residuals(full, setting.given, start_of(full))
+    return full.layout.effects, choose_orders(full, residual, HIGHEST_AUTO)
 
 
 def _spread(

@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.effects.kind import Effect
 from trueaxis.identify.global_fit.instruments import KINDS, Kind
 from trueaxis.identify.global_fit.layout import Layout
 from trueaxis.identify.global_fit.least_squares import Factors, Gauge
@@ -16,11 +17,13 @@ from trueaxis.identify.noise import Noise
 from trueaxis.identify.observations import Observations
 from trueaxis.identify.weighting import GroupNoise, Repeats
 from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues
 
 Choice = Literal["convention", "known"]
 AUTO_DEGREE: Literal["auto"] = "auto"
 HIGHEST_AUTO = 7
+OPEN = 1e-4  # share of an unknown in the null space, scaled, below which what is open does not matter to it
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +32,7 @@ class GlobalOptions:
     standard deviation of a reading, micrometres; noise_by_group: of those of an instrument or run; repeats: whether
     it is taken from repeated readings; degree: highest power of all components' polynomials or of each one named
     (others are zero), or "auto": each as high as held-out readings ask for; instruments: what is unknown of them;
-    robust: how readings far off are weighed down.
+    robust: how readings far off are weighed down; start: values of effects to start from, which spares a search.
     """
 
     squareness: Choice = "convention"
@@ -40,6 +43,7 @@ class GlobalOptions:
     repeats: Repeats = ""
     instruments: tuple[Kind, ...] = KINDS
     robust: Robust = ""
+    start: tuple[EffectValues, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,7 +51,7 @@ class GlobalResult:
     """The fit: unknowns (n,) in mm or rad and their covariance (None where the noise is unknown); open: (n,),
     unknowns that no reading and no convention settles; held: how many readings hold an unknown; residual:
     (n_readings,), mm; roots, robust_weight: (n_readings,), square roots of the weights by noise, and what robustness
-    makes of them.
+    makes of them; zeroed: effects that are given as zero, since a square would be negative.
     """
 
     layout: Layout
@@ -68,3 +72,4 @@ class GlobalResult:
     noise: Noise
     groups: tuple[GroupNoise, ...] = ()
     orders: Orders | None = None
+    zeroed: tuple[Effect, ...] = ()

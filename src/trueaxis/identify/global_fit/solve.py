@@ -1,11 +1,12 @@
 """Gauss-Newton on the exact model, plain or reweighted."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.identify.global_fit.design import Design
-from trueaxis.identify.global_fit.least_squares import Factors, Gauge, factors
+from trueaxis.identify.global_fit.least_squares import Factors, Gauge, factors, gauge
 from trueaxis.identify.global_fit.robust import CONVERGED as SETTLED
 from trueaxis.identify.global_fit.robust import MOST_ITERATIONS as MOST_REWEIGHTINGS
 from trueaxis.identify.global_fit.robust import Robust, scale_of, weights
@@ -16,6 +17,9 @@ from trueaxis.runtime.errors import ErrorValues
 
 CONVERGED = 1e-14  # mm, rotations times the lever
 MOST_ITERATIONS = 20
+MOST_CURVED = 60  # where effects make the design matrix change with the values
+MOST_HALVINGS = 12
+NEAR = 1e-6  # mm: steps below it are taken as they are, and where they do not shrink, that is rounding
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,17 +52,55 @@ def solve(
     return Solution(unknowns, residual, iteration, change, np.ones(residual.size))
 
 
+def solve_curved(
+    design: Design, given: ErrorValues, level: bool, start: FloatArray, tolerance: float = CONVERGED
+) -> Solution:
+    """The same where columns change with the values: linearised anew at each step, which is halved until it is none
+    for the worse. level: whether straightness is levelled (see `gauge`); tolerance: of the last change, mm.
+    """
+    change, before, iteration = np.inf, np.inf, 0
+    unknowns, residual = start, residuals(design, given, start)
+    while change > tolerance and iteration < MOST_CURVED and not (before < NEAR and change > 0.5 * before):
+        here = design.at(unknowns, given)
+        triangle, _ = here.triangle()
+        found = factors(triangle)
+        moved = gauge(here.layout, found.null, level)
+        step = found.step(here.transposed(residual))
+        following, after = _careful(here, given, moved, (unknowns, residual), step)
+        before, change = change, float(np.max(np.abs(following - unknowns), initial=0.0))
+        unknowns, residual = following, after
+        iteration += 1
+    return Solution(unknowns, residual, iteration, change, np.ones(residual.size))
+
+
+def _careful(
+    design: Design, given: ErrorValues, moved: Gauge, now: tuple[FloatArray, FloatArray], step: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Unknowns and residuals after the step or a part of it; now: those before."""
+    unknowns, residual = now
+    squares = _squares(design, residual)
+    for halving in range(MOST_HALVINGS):
+        following = moved.projector @ (unknowns + 0.5**halving * step)
+        if not design.within(following):
+            continue
+        after = residuals(design, given, following)
+        near = float(np.max(np.abs(following - unknowns), initial=0.0)) < NEAR
+        if near or _squares(design, after) <= squares:
+            return following, after
+    return now
+
+
 def solve_robust(
     design: Design,
     start: Solution,
-    moved: Gauge,
-    given: ErrorValues,
+    again: Callable[[Design, FloatArray], Solution],
     kind: Robust,
     sigma: float | None,
     held: BoolArray,
 ) -> Solution:
-    """Reweight and solve until no weight changes; sigma: scale of a reading of weight 1 (mm), None: from the medians
-    of the readings that are held: (n_readings,), those that hold an unknown.
+    """Reweight and solve until no weight changes; again: solves with a weighted design, from unknowns; sigma: scale of
+    a reading of weight 1 (mm), None: from the medians of the readings that are held: (n_readings,), those that hold an
+    unknown.
 
     Tukey's function is not convex: Huber's solution is where it starts, and for it the scale is estimated.
     """
@@ -75,8 +117,7 @@ def solve_robust(
             if settled:
                 break
             weighted = Design(design.layout, design.observed, roots * np.sqrt(weight))
-            triangle, _ = weighted.triangle()
-            following = solve(weighted, factors(triangle), moved, given, found.unknowns)
+            following = again(weighted, found.unknowns)
             found = replace(following, weight=weight, scale=scale, iterations=found.iterations + following.iterations)
     return found
 
@@ -87,5 +128,10 @@ def residuals(design: Design, given: ErrorValues, unknowns: FloatArray) -> Float
     model = plan.machine.with_values(plan.values(unknowns * plan.scale, given))
     own = unknowns[plan.of_instruments]
     runs = plan.instruments.set_up(observed.runs, own)
-    expected = expected_readings(model, runs, observed.run, observed.positions)
+    expected = expected_readings(model, runs, observed.run, observed.positions, observed.context)
     return observed.reading - expected - plan.instruments.added(plan.machine, observed, own)
+
+
+def _squares(design: Design, residual: FloatArray) -> float:
+    weighted = residual if design.roots is None else design.roots * residual
+    return float(weighted @ weighted)

@@ -3,9 +3,10 @@
 from dataclasses import replace
 
 import numpy as np
+import scipy.linalg
 
 from trueaxis.identify.covariance import Covariance
-from trueaxis.identify.global_fit import describe
+from trueaxis.identify.global_fit import describe, describe_effects
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
 from trueaxis.identify.global_fit.result import GlobalResult
 from trueaxis.identify.global_fit.robust import DOUBTED, TUNING
@@ -19,6 +20,8 @@ from trueaxis.identify.report import (
     NoiseGroupReport,
     OrderReport,
 )
+from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.effect_values import EffectValues, in_order
 
 
 def identification(result: GlobalResult) -> Identification:
@@ -31,10 +34,11 @@ def identification(result: GlobalResult) -> Identification:
         motion_errors={**fitted.motion_errors, **describe.curves(result), **result.given.motion_errors},
         u=describe.location_u(result),
         undetermined=undetermined,
+        effects=_effects(result),
     )
     block = BlockReport(
         runs=tuple(run.id for run in result.observed.runs),
-        components=plan.names(),
+        components=(*plan.names(), *(one.effect.label for one in plan.effects.members)),
         equations=result.held,
         unknowns=plan.count,
         rank=result.factors.rank,
@@ -70,8 +74,16 @@ def identification(result: GlobalResult) -> Identification:
         robust=_robust(result),
         doubted=_doubted(result),
         orders=_orders(result),
+        effects=describe_effects.effects(result),
     )
     return Identification(values, report, _covariance(result))
+
+
+def _effects(result: GlobalResult) -> tuple[EffectValues, ...]:
+    """Those given and those found, in the order of the spec."""
+    found = (*result.given.effects, *describe_effects.effect_values(result))
+    ground = result.layout.effects.ground
+    return found if ground is None else in_order(found, ground.model.machine.effects)
 
 
 def _covariance(result: GlobalResult) -> Covariance | None:
@@ -80,15 +92,33 @@ def _covariance(result: GlobalResult) -> Covariance | None:
     if result.covariance is None:
         return None
     n = plan.of_machine
-    opened = result.gauge.null[:n]
+    opened = result.gauge.null[:n] * plan.scale[:n, np.newaxis]
+    by_unknown, undefined = _by_unknown(result)
+    combinations = np.hstack([by_unknown @ opened[:, opened.any(axis=0)], undefined])
     return Covariance(
         machine=plan.machine.name,
         components=plan.names()[: plan.components.size],
         bases=tuple(plan.basis_of(place) for place in range(plan.components.size)),
         locations=plan.names()[plan.components.size :],
-        matrix=result.covariance[:n, :n],
-        open=opened[:, opened.any(axis=0)] * plan.scale[:n, np.newaxis],
+        matrix=by_unknown @ result.covariance[:n, :n] @ by_unknown.T,
+        open=combinations,
+        effects=tuple(one.effect.label for one in plan.effects.members),
+        effect_parameters=tuple(
+            tuple(parameter.name for parameter in one.kind.parameters) for one in plan.effects.members
+        ),
     )
+
+
+def _by_unknown(result: GlobalResult) -> tuple[FloatArray, FloatArray]:
+    """(values, unknowns): derivative of the machine's values by its unknowns; (values, d): unit vectors of values that
+    are not defined, such as the phase of nothing.
+    """
+    plan = result.layout
+    blocks = [describe_effects.effect_at(result, place)[1] for place in range(len(plan.effects.members))]
+    found = np.asarray(scipy.linalg.block_diag(np.eye(plan.of_effects.start), *blocks))
+    lacking = np.flatnonzero(np.isnan(found).any(axis=1))
+    found[lacking] = 0.0
+    return found, np.eye(found.shape[0])[:, lacking]
 
 
 def _noise_ratio(result: GlobalResult) -> float | None:

@@ -11,6 +11,7 @@ from trueaxis.identify.noise import Noise, noise
 from trueaxis.identify.notes import dimension_notes, weak_notes
 from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper import describe
+from trueaxis.identify.paper.effects import without_effects
 from trueaxis.identify.paper.equations import equations
 from trueaxis.identify.paper.grid import BoolArray, Cells, grid_and_cells
 from trueaxis.identify.paper.result import PaperOptions, PaperResult
@@ -27,13 +28,16 @@ def identify_paper(
 ) -> Identification:
     """Identify the way of Sects. 3.2-3.6 of the paper.
 
-    machine: its own error values do not matter. Raises InputError where no run can be used, and where a run visits
-    a position of an axis at which what it needs was not measured before.
+    machine: its own error values do not matter. Effects of known values are taken off the readings. Raises InputError
+    where the machine has effects of unknown values, where no run can be used, and where a run visits a position of an
+    axis at which what it needs was not measured before.
     """
     options = options or PaperOptions()
     given = options.known or ErrorValues(machine.name)
     given = replace(given, u={}, undetermined=())
-    machine = machine.with_values(given)
+    observed = without_effects(machine.with_values(given), observed, given)
+    bare = replace(given, effects=())
+    machine = machine.with_values(bare)
     usable, left_out = _usable(observed)
     grid, cells = grid_and_cells(machine, usable)
     given_components = np.array([name in given.motion_errors for name in machine.components], dtype=bool)
@@ -45,7 +49,7 @@ def identify_paper(
         options.squareness, machine, grid, steps.reached, free, _of_free(natural(steps, system)[1], free)
     )
     response = with_rule(steps, system, rule)
-    solution = solve(Exact(machine, given, usable, grid, cells), response, rule)
+    solution = solve(Exact(machine, bare, usable, grid, cells), response, rule)
     found, rms = _noise(steps, cells, solution, options.noise_um)
     u_nodes, u_locations = _uncertainty(response, cells, rule, found, free)
     result = PaperResult(
@@ -120,6 +124,7 @@ def _identification(result: PaperResult) -> Identification:
         motion_errors={**curves, **result.given.motion_errors},
         u=u,
         undetermined=undetermined,
+        effects=result.given.effects,
     )
     report = IdentificationReport(
         machine=machine.name,
