@@ -66,8 +66,8 @@ def whitened(noise: NoiseOf, columns: FloatArray) -> FloatArray:
     found = _stationary(noise, flat)
     if noise.slope > 0.0 and flat.shape[0] > 1:
         direction = _stationary(noise, noise.slope * ramp(flat.shape[0])[:, np.newaxis])[:, 0]
-        size = float(direction @ direction)
-        shrink = (1.0 - 1.0 / np.sqrt(1.0 + size)) / size
+        root = np.sqrt(1.0 + float(direction @ direction))
+        shrink = 1.0 / (root * (root + 1.0))
         found = found - np.outer(shrink * direction, direction @ found)
     return found.reshape(columns.shape)
 
