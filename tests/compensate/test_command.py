@@ -8,9 +8,14 @@ import numpy as np
 import pytest
 
 from tests.compensate.control import execute
+from tests.compensate.extended_model import TEXT
 from trueaxis.commands import compensate
+from trueaxis.derive.model import derive_model
+from trueaxis.emit.render import render
 from trueaxis.faults import InputError
+from trueaxis.files import write_files
 from trueaxis.runtime.model import load_model
+from trueaxis.spec import read_machine
 
 ROOT = Path(__file__).parents[2]
 MACHINE = ROOT / "machines" / "dmu60p.toml"
@@ -151,3 +156,36 @@ def test_help_reads_well(capsys: pytest.CaptureFixture[str]) -> None:
         "default keep",
     ):
         assert words in shown
+
+
+SPEC_OF_EFFECTS = """
+[[effect]]
+kind = "thermal_expansion"
+component = "EXX"
+
+[[effect]]
+kind = "drift"
+component = "EYY"
+"""
+
+
+def test_temperature_and_time_come_from_options(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    machine = tmp_path / "test.toml"
+    machine.write_text(TEXT + SPEC_OF_EFFECTS)
+    files = render(derive_model(read_machine(machine)))
+    write_files({tmp_path / "kernels" / "test" / name: text for name, text in files.items()})
+    values = [
+        {"kind": "thermal_expansion", "component": "EXX", "parameters": {"coefficient": 1e-5}},
+        {"kind": "drift", "component": "EYY", "parameters": {"rate": 1e-6}},
+    ]
+    errors = tmp_path / "errors.json"
+    errors.write_text(json.dumps({"schema": 1, "machine": "test", "effects": values}))
+    program = "G21 G90\nG0 X100. Y50. Z0.\n"
+    options = ["--errors", str(errors), "--kernels", str(tmp_path / "kernels")]
+    assert command(tmp_path, program, *options, machine=machine) == 0
+    assert "effect drift EYY: left alone, depends on time: say --time" in capsys.readouterr().out
+    assert execute((tmp_path / "out.nc").read_bytes())[:, -1] == pytest.approx([100.0, 50.0, 0.0])
+    assert command(tmp_path, program, *options, "--temperature", "30", "--time", "2000", machine=machine) == 0
+    assert execute((tmp_path / "out.nc").read_bytes())[:, -1] == pytest.approx([99.99, 49.998, 0.0])
+    with pytest.raises(InputError, match="time is nan"):
+        command(tmp_path, program, *options, "--time", "nan", machine=machine)

@@ -25,6 +25,10 @@ AHEAD = (
     "a reversal throws the axis ahead (does the control compensate too much lost motion?): the block that makes up for "
     "it goes the old way, and the tool is off the path by the jump until the axis turns"
 )
+BACK_AND_FORTH = (
+    "words chosen along the ball bar go back and forth by a step, which an axis with lost motion does not follow: "
+    "--words nearest is better here"
+)
 NO_FEED = "a feed motion without a known F in mm/min: what depends on velocity is not compensated there"
 
 
@@ -36,6 +40,8 @@ class Tracker:
         self._axes = acting.model.axes
         self._steps = {inch: word_steps(self._axes, settings, inch) for inch in (False, True)}
         self._standing = Standing.at(np.full(len(self._axes), np.nan))
+        if acting.reversing and settings.words != "nearest":
+            notes.add(0, BACK_AND_FORTH)
 
     def stand(self, position: FloatArray) -> None:
         """The axes stand at a position (n_axes,) and have not moved yet."""
