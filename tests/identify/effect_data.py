@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from tests.identify.machines import dmu60p
 from tests.identify.test_global import bar, circle
 from tests.identify.test_paper import DIMENSIONS
 from tests.kernels import kernels_at
-from tests.machines import DMU60P, machine_at
+from tests.machines import DMU60P, FIVE_AXIS, machine_at
 from trueaxis.effects.kind import Effect
 from trueaxis.identify.observations import Observations, observations
 from trueaxis.measure.machine import FloatArray
@@ -46,21 +47,31 @@ Term = Callable[[Row], float]
 
 
 def model_with(*effects: Effect) -> MachineModel:
-    machine = replace(machine_at(DMU60P), effects=effects)
-    module = kernels_at(DMU60P)
+    return _model(DMU60P, effects, ErrorValues("dmu60p", DIMENSIONS))
+
+
+def five_axis(*effects: Effect) -> MachineModel:
+    return _model(FIVE_AXIS, effects, ErrorValues("five_axis"))
+
+
+def _model(path: Path, effects: tuple[Effect, ...], errors: ErrorValues) -> MachineModel:
+    module = kernels_at(path)
     routines = {name: getattr(module, name) for name in module.META["routines"]}
-    return MachineModel(machine, Kernels(module.META, module, routines, "numpy", ""), ErrorValues("dmu60p", DIMENSIONS))
+    kernels = Kernels(module.META, module, routines, "numpy", "")
+    return MachineModel(replace(machine_at(path), effects=effects), kernels, errors)
 
 
-def plan(count: int = 7, samples: int = 24) -> tuple[list[Run], Readings]:
-    """The paper's lines there and back at irregular targets, and circles in both directions at two feeds."""
+def plan(count: int = 7, samples: int = 24, even: bool = False) -> tuple[list[Run], Readings]:
+    """The paper's lines there and back at irregular targets (even: at the same regular ones), and circles in both
+    directions at two feeds.
+    """
     source = np.random.default_rng(4)
     runs, paths, feeds = [], [], []
     for run in paper_runs():
-        share = np.sort(source.uniform(0.05, 0.98, count))
+        share = np.arange(1, count + 1) / count if even else np.sort(source.uniform(0.05, 0.98, count))
         away = line(moving(run), 2)[:, 1:] * share
         runs.append(run)
-        paths.append(np.hstack([away, away[:, ::-1] * 0.995]))
+        paths.append(np.hstack([away, away[:, ::-1] * (1.0 if even else 0.995)]))
         feeds.append(np.nan)
     for ball, plane in ((bar("xy", 600.0), (0, 1)), (bar("xz", 680.0), (0, 2))):
         around = circle(dmu60p(), ball, plane, samples)
@@ -94,10 +105,11 @@ def measured(
     *,
     moved: Mapping[str, tuple[float, float, float]] | None = None,
     seed: int | None = None,
+    even: bool = False,
     change: Callable[[Readings], Readings] = lambda one: one,
 ) -> Observations:
     """Readings with terms on components and on readings, targets moved by run, noise where a seed is given."""
-    runs, rows = plan()
+    runs, rows = plan(even=even)
     truth, values = cubic_errors(), np.zeros(rows.reading.size)
     for index, run in enumerate(runs):
         mine = np.flatnonzero(rows.run == index)
@@ -123,15 +135,16 @@ def measured(
 
 def _row(run: Run, rows: Readings, n: int, velocity: FloatArray) -> Row:
     at = dict(zip(AXES, rows.positions[:, n].tolist(), strict=True))
-    assert rows.time is not None and rows.temperature is not None
+    assert rows.time is not None
+    assert rows.temperature is not None
     # the ideal motion of tool and table: X and Z carry the tool, Y the table
     moved = {"tool": (at["X"], 0.0, at["Z"]), "workpiece": (0.0, at["Y"], 0.0), "bed": (0.0, 0.0, 0.0)}
     away = np.array(moved[run.target.on]) - np.array(moved[run.reference.on])
     theta = 0.0
     if run.length is not None:
-        tool = np.array(moved["tool"]) + [PARAMETERS["q_Tx"], PARAMETERS["q_Ty"], PARAMETERS["q_Tz"]] + run.target.point
-        table = np.array(moved["workpiece"]) + [PARAMETERS["q_wx"], PARAMETERS["q_wy"], PARAMETERS["q_wz"]]
-        x, y, z = tool - table - run.reference.point
+        at_tool, at_table = (np.array([PARAMETERS[f"q_{body}{letter}"] for letter in "xyz"]) for body in "Tw")
+        tool = moved["tool"] + at_tool + run.target.point
+        x, y, z = tool - (moved["workpiece"] + at_table + run.reference.point)
         theta = float(np.arctan2(y, x) if run.id.startswith("xy") else np.arctan2(x, z))
     return Row(
         run,

@@ -15,6 +15,7 @@ from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.instruments import Instruments
 from trueaxis.identify.global_fit.layout import Layout, layout
 from trueaxis.identify.global_fit.least_squares import ROUNDING, Factors, Gauge, factors, gauge
+from trueaxis.identify.global_fit.robust import scale_of, weights
 from trueaxis.identify.global_fit.solve import CONVERGED, Solution, solve, solve_curved
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.null_space import reduced
@@ -120,6 +121,18 @@ def started(setting: Setting, degree: Degree, unknown: Unknown) -> EffectUnknown
         others = tuple(one for one in found.members if one.effect != effect)
         found = _with(setting, degree, replace(found, members=others), effect, kind)
     return found
+
+
+def trimmed(setting: Setting, degree: Degree, unknown: Unknown) -> Setting:
+    """The setting for a robust start: readings that lie far off a fit of what starts at once hardly count.
+
+    Where columns change with the values, a few of them would lead a plain fit astray before it is reweighted.
+    """
+    if not unknown.waiting:
+        return setting
+    z = setting.roots * setting.solved(setting.design(degree, unknown.at_once), tolerance=NEARLY).residual
+    scale = scale_of(z)
+    return replace(setting, roots=setting.roots * np.sqrt(weights(z / scale, "tukey"))) if scale else setting
 
 
 def start_of(design: Design) -> FloatArray:

@@ -13,6 +13,7 @@ from trueaxis.identify.global_fit.effects import (
     below_zero,
     start_of,
     started,
+    trimmed,
     unknown_effects,
     with_way_given,
     with_zeros,
@@ -62,16 +63,18 @@ def fit_global(machine: IdentifiedMachine, observed: Observations, options: Glob
     own = with_way_given(instruments(machine, observed, options.instruments), unknown, observed)
     setting = Setting(machine, observed, given, own, weighted.roots, options.squareness == "convention")
     degree, orders = options.degree, None
-    effects = started(setting, HIGHEST_AUTO if degree == AUTO_DEGREE else degree, unknown)
+    highest = HIGHEST_AUTO if degree == AUTO_DEGREE else degree
+    first = trimmed(setting, highest, unknown) if options.robust else setting
+    effects = started(first, highest, unknown)
     if degree == AUTO_DEGREE:
-        effects, orders = _chosen_orders(setting, effects)
+        effects, orders = _chosen_orders(setting, first, effects)
         degree = orders.degrees
-    fit = _fit(setting, degree, effects, options, weighted)
+    fit = _fit(setting, first, degree, effects, options, weighted)
     zeroed = below_zero(fit.design.layout, fit.solution.unknowns)
     if zeroed:
         setting = replace(setting, given=with_zeros(given, zeroed))
         effects = effects.without(one.effect for one in zeroed)
-        fit = _fit(setting, degree, effects, options, weighted)
+        fit = _fit(setting, replace(first, given=setting.given), degree, effects, options, weighted)
     plan, found, solution = fit.design.layout, fit.factors, fit.solution
     spread, variance = _spread(solution, weighted, fit.held, found, options)
     covariance = None
@@ -113,7 +116,12 @@ class _Fit:
 
 
 def _fit(
-    setting: Setting, degree: Degree, effects: EffectUnknowns, options: GlobalOptions, weighted: Weighting
+    setting: Setting,
+    first: Setting,
+    degree: Degree,
+    effects: EffectUnknowns,
+    options: GlobalOptions,
+    weighted: Weighting,
 ) -> _Fit:
     design = setting.design(degree, effects)
     triangle, held = design.triangle()
@@ -121,7 +129,10 @@ def _fit(
         raise InputError([Fault(setting.observed.source, "", "no reading holds an unknown", "runs that move an axis")])
     found = factors(triangle)
     moved = gauge(design.layout, found.null, setting.level)
-    solution = setting.solved(design, found, moved)
+    if effects.curved and options.robust:
+        solution = first.solved(first.design(degree, effects))
+    else:
+        solution = setting.solved(design, found, moved)
     if options.robust:
 
         def again(reweighted: Design, start: FloatArray) -> Solution:
@@ -136,11 +147,11 @@ def _fit(
     return _Fit(design, found, moved, solution, held)
 
 
-def _chosen_orders(setting: Setting, effects: EffectUnknowns) -> tuple[EffectUnknowns, Orders]:
+def _chosen_orders(setting: Setting, first: Setting, effects: EffectUnknowns) -> tuple[EffectUnknowns, Orders]:
     """Degrees by held-out readings, to first order: beside effects where a fit of the highest degree has them."""
     full = setting.design(HIGHEST_AUTO, effects)
     if effects.curved:
-        full = full.at(setting.solved(full).unknowns, setting.given)
+        full = full.at(first.solved(first.design(HIGHEST_AUTO, effects)).unknowns, setting.given)
     residual = residuals(full, setting.given, start_of(full))
     return full.layout.effects, choose_orders(full, residual, HIGHEST_AUTO)
 

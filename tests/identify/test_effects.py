@@ -1,0 +1,258 @@
+"""Effects as unknowns of the global method, against readings of the independent generator with terms by hand."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.generator.dmu60p import PARAMETERS
+from tests.identify.effect_data import SIGMA, Row, Term, five_axis, measured, model_with, off
+from trueaxis.effects.kind import Effect
+from trueaxis.faults import InputError
+from trueaxis.identify.global_fit.method import identify_global
+from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.observations import observations
+from trueaxis.identify.paper.method import identify_paper
+from trueaxis.identify.paper.result import PaperOptions
+from trueaxis.identify.report import Identification
+from trueaxis.identify.report_text import report_text
+from trueaxis.measure.readings import Readings
+from trueaxis.measure.setup import PointOn, Run
+from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.effect_values import EffectValues
+from trueaxis.runtime.errors import ErrorValues
+
+KNOWN = ErrorValues("dmu60p", PARAMETERS)
+OPTIONS = GlobalOptions("known", KNOWN, degree=3)
+BACKLASH, THERMAL, LAG = Effect("backlash", "EXX"), Effect("thermal_expansion", "EYY"), Effect("servo_lag", "EXX")
+CYCLIC, WARM = Effect("cyclic", "EZZ"), Effect("warm_up", "EXX")
+COSINE, LENGTH, LOBES = Effect("laser_cosine", runs=("X-1",)), Effect("ballbar_length"), Effect("ballbar_lobes")
+
+
+def expansion(row: Row) -> float:
+    return 1.1e-5 * row.at["Y"] * (row.temperature - 20.0)
+
+
+def cyclic(row: Row) -> float:
+    return 2e-3 * float(np.cos(2.0 * np.pi * row.at["Z"] / 13.7 + 1.0))
+
+
+def values_of(found: Identification, effect: Effect) -> Mapping[str, float]:
+    return next(one.parameters for one in found.values.effects if one.effect == effect)
+
+
+LINEAR: dict[str, tuple[Effect, dict[str, Term], list[Term], dict[str, float]]] = {
+    "backlash": (BACKLASH, {"EXX": lambda row: 3e-3 * row.direction["X"]}, [], {"width": 6e-3}),
+    "lateral play": (Effect("backlash", "EAZ"), {"EAZ": lambda row: 4e-6 * row.direction["Z"]}, [], {"width": 8e-6}),
+    "thermal": (THERMAL, {"EYY": expansion}, [], {"coefficient": 1.1e-5}),
+    "lag": (LAG, {"EXX": lambda row: -1e-4 * row.velocity["X"]}, [], {"tau": 1e-4}),
+    "cross": (
+        Effect("cross_axis", "EZX", "Z"),
+        {"EZX": lambda row: 5e-3 * row.at["X"] / 540.0 * (row.at["Z"] / 600.0) ** 2},
+        [],
+        {"k": 5e-3},
+    ),
+    "length": (LENGTH, {}, [lambda row: 3e-3 if row.run.length else 0.0], {"length": 3e-3}),
+    "angle": (COSINE, {}, [lambda row: -0.5 * 4e-3**2 * row.along if row.run.id == "X-1" else 0.0], {"angle": 4e-3}),
+    "lobes": (
+        LOBES,
+        {},
+        [lambda row: 2e-3 * float(np.cos(3.0 * row.theta - 2.0)) if row.run.length else 0.0],
+        {"amplitude": 2e-3, "phase": -2.0},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", LINEAR)
+def test_an_effect_that_is_linear_in_its_amplitudes_comes_back_with_the_curves(case: str) -> None:
+    effect, components, readings, truth = LINEAR[case]
+    found = identify_global(model_with(effect), measured(components, readings), OPTIONS)
+    assert values_of(found, effect) == pytest.approx(truth, rel=1e-9)
+    assert off(found.values) < 1e-11
+    assert found.values.undetermined == ()
+
+
+def test_a_period_is_found_wherever_it_is() -> None:
+    found = identify_global(model_with(CYCLIC), measured({"EZZ": cyclic}), OPTIONS)
+    assert values_of(found, CYCLIC) == pytest.approx({"amplitude": 2e-3, "phase": 1.0, "pitch": 13.7}, rel=1e-6)
+    assert off(found.values) < 1e-10
+
+
+def test_a_time_constant_is_found() -> None:
+    data = measured({"EXX": lambda row: 8e-3 * row.at["X"] / 540.0 * float(np.exp(-row.time / 900.0))})
+    found = identify_global(model_with(WARM), data, OPTIONS)
+    assert values_of(found, WARM) == pytest.approx({"amplitude": 8e-3, "tau": 900.0}, rel=1e-6)
+
+
+def test_the_moment_of_a_jump_lies_between_the_readings_beside_it() -> None:
+    effect = Effect("laser_step", runs=("Z-8",))
+    clean = measured()
+    mine = np.flatnonzero(np.array([clean.runs[index].id == "Z-8" for index in clean.run]))
+    assert clean.context is not None
+    before, after = clean.context.time[mine[5]], clean.context.time[mine[6]]
+    reading = clean.reading.copy()
+    reading[mine[6:]] += 2e-3
+    found = identify_global(model_with(effect), replace(clean, reading=reading), OPTIONS)
+    values = values_of(found, effect)
+    assert values["jump"] == pytest.approx(2e-3, rel=1e-9)
+    assert before < values["t_0"] <= after
+    assert np.isnan(found.values.effects[0].u["t_0"])
+
+
+def test_several_effects_at_once() -> None:
+    effects = (BACKLASH, THERMAL, CYCLIC, COSINE, LENGTH)
+    data = measured(
+        {"EXX": lambda row: 3e-3 * row.direction["X"], "EYY": expansion, "EZZ": cyclic},
+        [LINEAR["angle"][2][0], LINEAR["length"][2][0]],
+    )
+    found = identify_global(model_with(*effects), data, OPTIONS)
+    assert values_of(found, BACKLASH) == pytest.approx({"width": 6e-3}, rel=1e-8)
+    assert values_of(found, THERMAL) == pytest.approx({"coefficient": 1.1e-5}, rel=1e-8)
+    assert values_of(found, CYCLIC) == pytest.approx({"amplitude": 2e-3, "phase": 1.0, "pitch": 13.7}, rel=1e-6)
+    assert values_of(found, COSINE) == pytest.approx({"angle": 4e-3}, rel=1e-7)
+    assert values_of(found, LENGTH) == pytest.approx({"length": 3e-3}, rel=1e-8)
+    assert [one.effect for one in found.values.effects] == list(effects)
+    told = report_text(found.report)
+    assert "backlash EXX: width 6 um, U " in told
+    assert "pitch 13.7 mm" in told
+
+
+def test_the_instrument_gives_way_where_an_effect_is_the_same() -> None:
+    data = measured({}, LINEAR["length"][2])
+    found = identify_global(model_with(LENGTH), data, OPTIONS)
+    names = [one.name for one in found.report.instruments]
+    assert not any(name.startswith("length") for name in names)
+    assert any(name.startswith("centre") for name in names)
+    assert values_of(found, LENGTH)["length"] == pytest.approx(3e-3, rel=1e-9)
+
+
+def test_a_point_that_is_off_is_told_from_the_rotations_that_other_lines_give() -> None:
+    effect = Effect("point_offset", runs=("X-2",))
+    data = measured(moved={"X-2": (0.0, 4.0, -6.0)})
+    found = identify_global(model_with(effect), data, OPTIONS)
+    values = values_of(found, effect)
+    assert (values["y"], values["z"]) == pytest.approx((4.0, -6.0), rel=1e-6)
+    assert off(found.values) < 1e-9
+    (left,) = found.values.undetermined
+    assert left.parameters == (effect.label,)
+    assert left.combination.startswith(f"x of {effect.label}: no reading holds it")
+
+
+def test_what_is_known_stays_fixed() -> None:
+    model = model_with(BACKLASH, THERMAL)
+    data = measured({"EXX": lambda row: 3e-3 * row.direction["X"], "EYY": expansion})
+    known = replace(KNOWN, effects=(EffectValues(THERMAL, {"coefficient": 1.1e-5}),))
+    found = identify_global(model, data, replace(OPTIONS, known=known))
+    assert values_of(found, THERMAL) == {"coefficient": 1.1e-5}
+    assert values_of(found, BACKLASH) == pytest.approx({"width": 6e-3}, rel=1e-9)
+    assert [one.origin for one in found.report.effects] == ["from the readings", "given"]
+
+
+def test_a_start_spares_the_search() -> None:
+    start = EffectValues(CYCLIC, {"amplitude": 1e-3, "phase": 0.5, "pitch": 13.72})
+    found = identify_global(model_with(CYCLIC), measured({"EZZ": cyclic}), replace(OPTIONS, start=(start,)))
+    assert values_of(found, CYCLIC) == pytest.approx({"amplitude": 2e-3, "phase": 1.0, "pitch": 13.7}, rel=1e-6)
+
+
+def test_a_negative_square_is_zero() -> None:
+    data = measured({}, [lambda row: 0.5 * 2e-3**2 * row.along if row.run.id == "X-1" else 0.0])
+    found = identify_global(model_with(COSINE), data, OPTIONS)
+    assert values_of(found, COSINE) == {"angle": 0.0}
+    assert found.report.effects[0].origin.startswith("zero")
+
+
+def test_degrees_weights_and_robustness_go_with_effects() -> None:
+    data = measured({"EXX": lambda row: 3e-3 * row.direction["X"], "EZZ": cyclic}, seed=3)
+    spoilt = data.reading.copy()
+    spoilt[::97] += 0.02
+    options = replace(
+        OPTIONS, degree="auto", robust="huber", noise_by_group={"laser": SIGMA * 1e3, "ballbar": SIGMA * 1e3}
+    )
+    found = identify_global(model_with(BACKLASH, CYCLIC), replace(data, reading=spoilt), options)
+    assert found.report.orders is not None
+    assert len(found.report.doubted) >= spoilt[::97].size
+    for effect, truth in ((BACKLASH, {"width": 6e-3}), (CYCLIC, {"amplitude": 2e-3, "pitch": 13.7})):
+        (one,) = (each for each in found.values.effects if each.effect == effect)
+        for name, value in truth.items():
+            assert abs(one.parameters[name] - value) < 4.0 * one.u[name]
+
+
+@pytest.mark.slow
+def test_the_uncertainty_covers_the_scatter() -> None:
+    components: dict[str, Term] = {"EXX": lambda row: 3e-3 * row.direction["X"], "EZZ": cyclic}
+    clean, model = measured(components), model_with(BACKLASH, CYCLIC)
+    truth = {"width": 6e-3, "amplitude": 2e-3, "phase": 1.0, "pitch": 13.7}
+    off_by: dict[str, list[float]] = {name: [] for name in truth}
+    for seed in range(60):
+        noise = np.random.default_rng(seed).normal(0.0, SIGMA, clean.reading.size)
+        data = replace(clean, reading=clean.reading + noise)
+        found = identify_global(model, data, replace(OPTIONS, noise_um=SIGMA * 1e3))
+        for one in found.values.effects:
+            for name, value in one.parameters.items():
+                off_by[name].append((value - truth[name]) / one.u[name])
+    for name, ratios in off_by.items():
+        assert 0.75 < np.std(ratios) < 1.3, name
+        assert abs(np.mean(ratios)) < 0.45, name
+
+
+@pytest.mark.parametrize(
+    ("effect", "column"), [(THERMAL, "temperature"), (LAG, "feed"), (WARM, "time")], ids=["T", "v", "t"]
+)
+def test_a_column_that_is_missing_is_a_fault_at_once(effect: Effect, column: str) -> None:
+    data = measured(change=lambda rows: replace(rows, **{column: None} | ({"time": None} if column == "feed" else {})))
+    with pytest.raises(InputError) as caught:
+        identify_global(model_with(effect), data, OPTIONS)
+    (fault,) = caught.value.faults
+    assert (
+        fault.place
+        == f"column {'temperature_c' if column == 'temperature' else 'time_s' if column == 'time' else 'feed'}"
+    )
+    assert effect.label in fault.problem
+
+
+def test_the_paper_takes_known_effects_off_and_refuses_others() -> None:
+    data = measured({"EXX": lambda row: 3e-3 * row.direction["X"]}, even=True)
+    model = model_with(BACKLASH)
+    with pytest.raises(InputError, match="--method global"):
+        identify_paper(model, data, PaperOptions("known", KNOWN))
+    effect = EffectValues(BACKLASH, {"width": 6e-3})
+    found = identify_paper(model, data, PaperOptions("known", replace(KNOWN, effects=(effect,))))
+    plain = identify_paper(model_with(), measured(even=True), PaperOptions("known", KNOWN))
+    assert found.values.effects == (effect,)
+    for name, curve in plain.values.motion_errors.items():
+        at = np.linspace(0.0, 500.0, 7)
+        assert found.values.motion_errors[name](at) == pytest.approx(curve(at), abs=1e-8)
+
+
+def test_lost_motion_of_a_rotary_axis_in_degrees_and_radians() -> None:
+    """A table C: two displacement lines on it, there and back; the reading is radius x angle, by hand."""
+    model = five_axis(Effect("backlash", "ECC"))
+    width, point = 4e-5, (0.0, 150.0, 0.0)
+    run = Run(
+        "C1",
+        "laser",
+        PointOn("workpiece", point),
+        PointOn("bed"),
+        "bed",
+        dict.fromkeys(model.axes, 0.0),
+        (1.0, 0.0, 0.0),
+    )
+    turns = np.array([*range(5, 65, 5), *range(60, 0, -5)], dtype=float)
+    positions = np.zeros((5, turns.size))
+    positions[model.axes.index("C")] = turns
+    direction = np.zeros((5, turns.size), dtype=np.int8)
+    direction[model.axes.index("C")] = np.repeat([1, -1], [12, 12])
+    # the table turns by -C (sense), its error by +ECC before it: x' = -y sin(ECC - C) with y = 150
+    turned = np.radians(-turns)
+    error = 0.5 * width * direction[model.axes.index("C")]
+    reading = -150.0 * (np.sin(turned + error) - np.sin(turned))
+    rows = Readings(
+        model.axes, ("C1",), np.zeros(24, dtype=np.int64), np.arange(24), positions, direction, reading, model.axes
+    )
+    given = ErrorValues("five_axis", dict.fromkeys((*model.dimensions, *model.location_errors), 0.0))
+    curves = {name: PolynomialCurve((), ()) for name in model.components if name != "ECC"}
+    known = replace(given, motion_errors=curves)
+    found = identify_global(model, observations("readings.csv", [run], rows), GlobalOptions("known", known, degree=2))
+    assert found.values.effects[0].parameters["width"] == pytest.approx(width, rel=1e-7)
+    assert found.report.effects[0].parameters[0].unit == "rad"
