@@ -1,6 +1,7 @@
 """Which noise each run has: from repeats where there are any, else from what its own course leaves."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -31,6 +32,7 @@ def noise_of_runs(
             found = NoiseOf(instrument, noise_um * 1e-3, 0.0, 0.0, 0.0, GIVEN, "given")
         elif found is None:
             found = estimate_noise(_courses(rows, reading, values, instrument), instrument)
+            found = found and replace(found, origin="nothing is repeated, taken from the course of each run")
         of[instrument] = found or NoiseOf(instrument, SMALLEST, 0.0, 0.0, 0.0, 1.0, "unknown: too few readings")
     return tuple(of[run.instrument] for run in rows.runs)
 
