@@ -44,7 +44,7 @@ def test_the_noise_becomes_the_unit_matrix(
     white: float, correlated: float, correlation: float, slope: float, size: int
 ) -> None:
     noise = NoiseOf("laser", white, correlated, correlation, slope, 1e6, "")
-    root = np.linalg.cholesky(dense_covariance(noise, size))
+    root = np.asarray(np.linalg.cholesky(dense_covariance(noise, size)), dtype=np.float64)
     found = whitened(noise, root)
     assert found @ found.T == pytest.approx(np.eye(size), abs=1e-8)
 
@@ -70,14 +70,13 @@ def test_runs_are_independent_of_each_other() -> None:
 
 
 def test_ramps_are_the_share_that_slopes_have_in_the_noise() -> None:
-    white, runs = of_three_runs()
+    white, _ = of_three_runs()
     ramps = white.ramps()
-    with_slope, without = NOISES["everything"], NOISES["correlated"]
+    with_slope = NOISES["everything"]
     covariance = dense_covariance(with_slope, 20)
     way = with_slope.slope * np.linspace(-0.5, 0.5, 20)
     assert ramps[:20] @ ramps[:20] == pytest.approx(way @ np.linalg.solve(covariance, way), rel=1e-9)
     assert not ramps[20:53].any()
-    assert without.slope == 0.0
 
 
 def test_least_squares_on_whitened_readings_are_generalised_least_squares() -> None:
