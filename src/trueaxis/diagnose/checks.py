@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial import legendre
 from scipy.stats import f as f_distribution
+from scipy.stats import norm
 
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection, orthonormal
@@ -17,6 +18,9 @@ FALSE_ALARMS = 0.005  # share of clean data sets in which one check or other may
 DEGREE = 6
 LOBES = 10
 BINS = 6
+NOISY = 4.0  # times the variance of the other runs, from which a run stands out
+MEDIAN_SQUARE = 0.454936  # of a standard normal variable
+LESS_EFFICIENT = 2.72  # variance of an estimate by the median of squares, over that by their mean
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,7 +53,30 @@ def run_checks(
         rms = float(np.sqrt(max(statistic - k, 0.0) / rows.size))
         p_value = float(np.exp(min(log_p, 0.0)))
         found.append(Check(one.name, one.meaning, p_value, p_value < FALSE_ALARMS, rms))
+    found.append(_noisy_runs(rows, residual))
     return tuple(found)
+
+
+def _noisy_runs(rows: Rows, residual: FloatArray) -> Check:
+    """A run with far more noise than the others of its instrument: something was going on meanwhile.
+
+    By medians, which neither outliers nor heavy tails move; that of squares varies more than their mean.
+    """
+    power, count = np.ones(len(rows.runs)), np.full(len(rows.runs), 2)
+    for index in rows.present:
+        mine = residual[rows.of_run(index)]
+        power[index], count[index] = float(np.median(mine**2)) / MEDIAN_SQUARE, mine.size
+    usual = np.ones(len(rows.runs))
+    for name in {run.instrument for run in rows.runs}:
+        same = np.array([run.instrument == name for run in rows.runs])
+        usual[same] = max(float(np.median(power[same])), 1e-300)
+    ratio = power / usual
+    z = (ratio - 1.0) / np.sqrt(2.0 * LESS_EFFICIENT / count)
+    worst = int(np.argmax(z))
+    p_value = min(1.0, float(norm.sf(z[worst])) * len(rows.runs))
+    rms = float(np.sqrt(max(float(power[worst]) - usual[worst], 0.0) * count[worst] / rows.size))
+    fired = p_value < FALSE_ALARMS and float(ratio[worst]) > NOISY
+    return Check("runs, noise", "one run is much noisier than the others", p_value, fired, rms)
 
 
 def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:
@@ -117,7 +144,7 @@ def _of_lines(rows: Rows, axis: int, name: str, mine: FloatArray) -> Iterator[St
 
 def _bins(scaled: FloatArray, count: int) -> FloatArray:
     edge = np.clip(((scaled + 1.0) / 2.0 * count).astype(int), 0, count - 1)
-    return np.eye(count)[edge]
+    return np.asarray(np.eye(count)[edge])
 
 
 def _of_circles(rows: Rows, theta: FloatArray, mine: FloatArray) -> Iterator[Structure]:

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.whiten import Whitening
 

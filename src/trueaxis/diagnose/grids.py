@@ -39,11 +39,11 @@ def _values(parameter: Parameter, effect: Effect, rows: Rows) -> list[float]:
     if parameter.grid == "reversal":
         return _geometric(span / 2000.0, span / 20.0, WAYS)
     count = int((PERIODS - FEWEST_PERIODS) * STEPS_PER_PERIOD) + 1
-    return (span / np.linspace(FEWEST_PERIODS, PERIODS, count)).tolist()
+    return [float(span / periods) for periods in np.linspace(FEWEST_PERIODS, PERIODS, count)]
 
 
 def _geometric(low: float, high: float, count: int) -> list[float]:
-    return np.geomspace(low, high, count).tolist()
+    return [float(value) for value in np.geomspace(low, high, count)]
 
 
 def _moments(effect: Effect, rows: Rows) -> list[float]:

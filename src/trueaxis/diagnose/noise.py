@@ -1,8 +1,9 @@
 """The noise of the readings, from replicates: what differs between readings of the same target.
 
-Differences of repeats hold no model misfit. What a cause could put into them (an offset or
-a drift of a run) is projected out before; from circles at two feeds what servo lag makes of them, too. The rest is fitted by restricted maximum likelihood as white plus first-order autocorrelated noise; of all that the repeats allow, the
-noise that is strongest at low frequencies is taken, since a cause that is none costs more than one not found.
+Differences of repeats hold no model misfit. What a cause could put into them (an offset, a drift of a run) is
+projected out before; from circles at two feeds what servo lag makes of them, too. The rest is fitted by restricted
+maximum likelihood as white plus first-order autocorrelated noise; of all that the repeats allow, the noise that is strongest at
+low frequencies is taken, since a cause that is none costs more than one not found.
 """
 
 from collections.abc import Iterator, Sequence
@@ -132,7 +133,8 @@ def _slope(mine: Sequence[Contrast], noise: NoiseOf) -> tuple[float, float]:
         variances.append(float(inverse[1, 1]))
     if len(squares) < FEWEST_RUNS:
         return 0.0, 0.0
-    return float(np.sqrt(max(np.mean(squares) - np.mean(variances), 0.0))), float(len(squares))
+    excess = float(np.mean(squares)) - float(np.mean(variances))
+    return float(np.sqrt(max(excess, 0.0))), float(len(squares))
 
 
 def _by(number: IntArray) -> Iterator[IntArray]:
@@ -147,11 +149,10 @@ def _sets(members: list[IntArray], target: IntArray) -> list[list[IntArray]]:
     found: list[tuple[set[int], list[IntArray]]] = []
     for member in members:
         mine = set(target[member].tolist())
-        for theirs, passes in found:
+        for place, (theirs, passes) in enumerate(found):
             shared = theirs & mine
             if len(shared) >= max(FEWEST, 0.8 * max(len(mine), len(theirs))):
-                passes.append(member)
-                theirs &= mine
+                found[place] = (shared, [*passes, member])
                 break
         else:
             found.append((mine, [member]))
@@ -188,7 +189,7 @@ def _independent(columns: FloatArray) -> FloatArray:
     for index in range(columns.shape[1]):
         if np.linalg.matrix_rank(scaled[:, [*keep, index]], tol=1e-6) > len(keep):
             keep.append(index)
-    return scaled[:, keep]
+    return np.asarray(scaled[:, keep])
 
 
 def _helmert(count: int) -> FloatArray:

@@ -1,26 +1,27 @@
 """The diagnosis from readings to verdict: audit, noise, screening, base, search, refit, checks, gain."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.stats import f as f_distribution
 
-from trueaxis.diagnose.audit import Audit, audit
+from trueaxis.diagnose.amplitudes import amplitudes_of
+from trueaxis.diagnose.audit import audit
 from trueaxis.diagnose.base import Base, base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.gain import fitted_left, gain_of, held_out
-from trueaxis.diagnose.noise import contrasts
 from trueaxis.diagnose.noise_of_runs import noise_of_runs
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.refit import Fitted, refit
 from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.screening import outliers
-from trueaxis.diagnose.search import Ground, Search, search
+from trueaxis.diagnose.search import Ground, Search, search, with_rivals
 from trueaxis.diagnose.signatures import Readings, readings_of
+from trueaxis.diagnose.verdict import explained_share, names_stand, verdict_of
 from trueaxis.diagnose.whiten import whitening
 from trueaxis.diagnose.write_up import Outcome, diagnosis_of
 from trueaxis.measure.data import MeasuredData
@@ -34,7 +35,7 @@ WORTH = 0.02  # ... if refitting also lowers the held-out RMS by this share
 
 @dataclass(frozen=True, slots=True)
 class DiagnoseOptions:
-    """noise_um: standard deviation of a reading, um, if it is known; None: from repeats. progress: is told each stage."""
+    """noise_um: of a reading, where it is known, else from repeats. progress: told each stage."""
 
     noise_um: float | None = None
     progress: Callable[[str], None] = lambda _: None
@@ -63,34 +64,44 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             noise = again
             ground, found, causes = _searched(readings, base, values, noise, options)
     options.progress("checks")
-    checks = run_checks(
-        rows, readings.reading.theta, ground.whitening, found.projection, found.residual, ground.freedom
-    )
-    audited = audit(ground, found.first)
+    theta = readings.reading.theta
+    checks = run_checks(rows, theta, ground.whitening, found.projection, found.residual, ground.freedom)
+    groups = tuple(amplitudes_of(ground, causes, index) for index in range(len(causes)))
+    stand = names_stand(explained_share(found), checks, [p for _, p in groups])
+    if stand:
+        options.progress("rivals")
+        found = with_rivals(ground, found)
+    elif causes:
+        causes, groups = (), ()
+        left = ground.base.rest(ground.values)
+        checks = run_checks(rows, theta, ground.whitening, ground.base, left, ground.freedom)
+    options.progress("gain")
     held, split = held_out(rows)
     everything = fitted_left(base, ground.whitening, values, causes, np.ones_like(held))
     of_held = fitted_left(base, ground.whitening, values, causes, ~held)
-    gain = gain_of(
-        everything, of_held, held, split, float(np.sqrt(np.mean([one.sigma**2 for one in ground.whitening.noise])))
+    floor = float(np.sqrt(np.mean([one.sigma**2 for one in ground.whitening.noise])))
+    gain = gain_of(everything, of_held, held, split, floor)
+    stale_p = _stale(ground, base)
+    recalibrate = stale_p < STALE and gain.held_out.refitted < (1.0 - WORTH) * gain.held_out.given
+    return diagnosis_of(
+        Outcome(
+            ground=ground,
+            base=base,
+            values=values,
+            search=found,
+            causes=causes,
+            groups=groups,
+            verdict=verdict_of(found, stand, checks, recalibrate),
+            audit=audit(ground, found.first),
+            checks=checks,
+            outliers=off,
+            noise=noise,
+            held=held,
+            left=everything,
+            gain=gain,
+            stale_p=stale_p,
+        )
     )
-    stale = _stale(ground, base)
-    outcome = Outcome(
-        ground=ground,
-        base=base,
-        search=found,
-        causes=causes,
-        audit=audited,
-        checks=checks,
-        outliers=off,
-        gain=gain,
-        left=everything,
-        expected=rows.reading - values,
-        held=held,
-        stale_p=stale,
-        noise=noise,
-        recalibrate=stale < STALE and gain.held_out.refitted < (1.0 - WORTH) * gain.held_out.given,
-    )
-    return diagnosis_of(outcome)
 
 
 def _expected(model: MachineModel, rows: Rows) -> FloatArray:
@@ -123,7 +134,7 @@ def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf]) -> bool:
 
 
 def _stale(ground: Ground, base: Base) -> float:
-    """The p value of the hypothesis that the values given are right: what the base explains beyond the instruments' unknowns."""
+    """The p value of the values given being right: what the base explains beyond the unknowns of the instruments."""
     nuisance = Projection(orthonormal(ground.whitening(base.columns[:, base.of_instruments])))
     left = nuisance.rest(ground.values)
     within = ground.base.basis.T @ left

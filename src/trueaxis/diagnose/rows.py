@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 
@@ -57,7 +58,7 @@ class Rows:
 
     def only(self, keep: BoolArray) -> "Rows":
         """Those of some rows, (n,)."""
-        cut = {}
+        cut: dict[str, Any] = {}
         for one in fields(self):
             value = getattr(self, one.name)
             if isinstance(value, np.ndarray):

@@ -65,25 +65,28 @@ class Ground:
 
 
 def search(ground: Ground) -> Search:
-    """Forward, with all causes looked at again given the others, until no candidate reaches the threshold."""
+    """Forward, with all causes looked at anew given the others, until no candidate reaches the threshold."""
     causes: list[Found] = []
     first: tuple[Scanned, ...] = ()
-    while len(causes) <= MOST_CAUSES:
+    while len(causes) < MOST_CAUSES:
         projection = _with(ground, causes)
         residual = projection.rest(ground.values)
         taken = {one.scan.effect for one in causes}
         scans = scan_all(ground, projection, residual, [one for one in ground.effects if one not in taken])
         first = first or scans
-        if len(causes) == MOST_CAUSES:
-            break
         best = _best(ground, projection, residual, scans)
         if best is None or best.scan.evidence < ground.threshold or _imperfection(best.scan, causes):
             break
         causes = _settled(ground, [*causes, best])
-    causes = [_with_rivals(ground, causes, index, first) for index in range(len(causes))]
     causes.sort(key=lambda one: -one.scan.statistic)
     projection = _with(ground, causes)
     return Search(tuple(causes), first, projection, projection.rest(ground.values), ground.threshold)
+
+
+def with_rivals(ground: Ground, found: Search) -> Search:
+    """The same causes, each with what explains the readings about as well in its place."""
+    causes = tuple(_with_rivals(ground, found.causes, index, found.first) for index in range(len(found.causes)))
+    return replace(found, causes=causes)
 
 
 def scan_all(

@@ -15,8 +15,8 @@ from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.identify.first_order import sensed
-from trueaxis.measure.reading_context import reading_context_of
 from trueaxis.measure.machine import View
+from trueaxis.measure.reading_context import reading_context_of
 from trueaxis.measure.reading_model import measuring_frame, sensed_directions
 from trueaxis.measure.setup import PointOn, Run
 from trueaxis.runtime.context import Context, ReadingContext

@@ -1,11 +1,10 @@
 """From what was computed to the record that report and diagnosis.json are made of; the verdict is reached here."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnose.amplitudes import amplitudes_of
 from trueaxis.diagnose.audit import Audit, unit_at
 from trueaxis.diagnose.base import Base
 from trueaxis.diagnose.circles import circles_of
@@ -14,6 +13,7 @@ from trueaxis.diagnose.gain import Left, fitted_left
 from trueaxis.diagnose.next_runs import next_runs, separating_run
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import (
+    AmplitudeOf,
     BoolArray,
     Cause,
     Check,
@@ -30,42 +30,37 @@ from trueaxis.diagnose.result import (
 from trueaxis.diagnose.scan import Scanned
 from trueaxis.diagnose.search import Found, Ground, Search
 
-HOMOGENEOUS = 1e-4  # p below which the amplitudes of a cause are not one
-NEARLY_ALL = 0.97  # share of what was to be explained from which a remainder does not take the name back
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
-    """All that the procedure has computed."""
+    """All that the procedure has computed. values: (n,) mm, readings less what is expected; causes, groups: those that
+    are named, with their amplitudes by group and the p value of their being one; held: (n,), rows held back.
+    """
 
     ground: Ground
     base: Base
+    values: FloatArray
     search: Search
     causes: tuple[Fitted, ...]
+    groups: tuple[tuple[tuple[AmplitudeOf, ...], float], ...]
+    verdict: Verdict
     audit: Audit
     checks: tuple[Check, ...]
     outliers: tuple[Outlier, ...]
-    gain: Gain
-    left: Left
-    expected: FloatArray
-    held: BoolArray
-    stale_p: float
     noise: tuple[NoiseOf, ...]
-    recalibrate: bool
+    held: BoolArray
+    left: Left
+    gain: Gain
+    stale_p: float
 
 
 def diagnosis_of(outcome: Outcome) -> Diagnosis:
-    """The record; no name is given where structure is left that the causes do not account for."""
-    fired = any(check.fired for check in outcome.checks)
-    causes = tuple(_cause(outcome, index, fired) for index in range(len(outcome.causes)))
-    verdict = _verdict(outcome, causes, fired)
-    if verdict == "unexplained_structure":
-        outcome = _without_causes(outcome)
-        causes = ()
+    """The record."""
+    causes = tuple(_cause(outcome, index) for index in range(len(outcome.causes)))
     ground = outcome.ground
     return Diagnosis(
         machine=ground.readings.model.name,
-        verdict=verdict,
+        verdict=outcome.verdict,
         noise=tuple({one.instrument: one for one in outcome.noise}.values()),
         causes=causes,
         limits=outcome.audit.limits,
@@ -80,41 +75,17 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         recalibration_p=outcome.stale_p,
         next_runs=next_runs(ground, outcome.audit, causes),
         absences=_absences(outcome),
-        warnings=_warnings(outcome, causes, verdict),
+        warnings=_warnings(outcome, causes),
         residuals=_residuals(outcome),
     )
 
 
-def explained_share(outcome: Outcome) -> float:
-    """Share of the excess of whitened squares over noise that the causes account for."""
-    ground = outcome.ground
-    rest = ground.base.rest(ground.values)
-    freedom = rest.size - ground.base.rank
-    before = float(rest @ rest) - freedom
-    after = float(outcome.search.residual @ outcome.search.residual) - (freedom - len(outcome.causes))
-    explained = sum(one.scan.statistic - one.scan.freedom for one in outcome.search.causes)
-    return explained / max(explained + max(after, 0.0), 1e-300) if before > 0.0 else 1.0
-
-
-def _verdict(outcome: Outcome, causes: Sequence[Cause], fired: bool) -> Verdict:
-    if not causes:
-        if fired:
-            return "unexplained_structure"
-        return "recalibrate" if outcome.recalibrate else "no_discrepancy"
-    homogeneous = all(one.homogeneous_p > HOMOGENEOUS for one in causes)
-    if not homogeneous or (fired and explained_share(outcome) < NEARLY_ALL):
-        return "unexplained_structure"
-    return "ambiguous" if any(one.rivals for one in causes) else "explained"
-
-
-def _cause(outcome: Outcome, index: int, fired: bool) -> Cause:
+def _cause(outcome: Outcome, index: int) -> Cause:
     ground, fitted = outcome.ground, outcome.causes[index]
     found = _found(outcome, fitted)
-    groups, homogeneous_p = amplitudes_of(ground, outcome.causes, index)
+    groups, homogeneous_p = outcome.groups[index]
     others = tuple(one for place, one in enumerate(outcome.causes) if place != index)
-    train = ~outcome.held
-    with_it = outcome.gain.held_out.extended
-    left = fitted_left(outcome.base, ground.whitening, _values(outcome), others, train)
+    left = fitted_left(outcome.base, ground.whitening, outcome.values, others, ~outcome.held)
     without = float(np.sqrt(np.mean(left.extended[outcome.held] ** 2)))
     rivals = tuple(_evidence(one) for one in found.rivals)
     return Cause(
@@ -128,30 +99,17 @@ def _cause(outcome: Outcome, index: int, fired: bool) -> Cause:
         p_value=found.scan.p_value,
         evidence=found.scan.evidence,
         rms=float(np.sqrt(np.mean(fitted.signal**2))),
-        held_out_gain=1.0 - with_it / without if without > 0.0 else 0.0,
+        held_out_gain=1.0 - outcome.gain.held_out.extended / without if without > 0.0 else 0.0,
         rivals=rivals,
         amplitudes=groups,
         homogeneous_p=homogeneous_p,
-        remainder=fired,
+        remainder=any(check.fired for check in outcome.checks),
         separating=separating_run(ground, fitted.effect, [one.effect for one in rivals]),
     )
 
 
 def _found(outcome: Outcome, fitted: Fitted) -> Found:
     return next(one for one in outcome.search.causes if one.scan.effect == fitted.effect)
-
-
-def _values(outcome: Outcome) -> FloatArray:
-    rows = outcome.ground.readings.rows
-    return np.asarray(rows.reading - outcome.expected)
-
-
-def _without_causes(outcome: Outcome) -> Outcome:
-    gain, left = outcome.gain, outcome.left
-    rms, held = (replace(stage, extended=stage.refitted) for stage in (gain.rms, gain.held_out))
-    return replace(
-        outcome, causes=(), gain=replace(gain, rms=rms, held_out=held), left=replace(left, extended=left.refitted)
-    )
 
 
 def _evidence(one: Scanned) -> Evidence:
@@ -167,12 +125,12 @@ def _absences(outcome: Outcome) -> tuple[str, ...]:
     return tuple(f"without {what}: {', '.join(dict.fromkeys(kinds))} cannot be seen" for what, kinds in costs.items())
 
 
-def _warnings(outcome: Outcome, causes: Sequence[Cause], verdict: Verdict) -> tuple[str, ...]:
+def _warnings(outcome: Outcome, causes: Sequence[Cause]) -> tuple[str, ...]:
     found = []
     for one in {each.instrument: each for each in outcome.noise}.values():
         if one.origin != "repeats":
             found.append(f"noise of the {one.instrument}: {one.origin}; repeat runs to know it")
-    if verdict == "unexplained_structure":
+    if outcome.verdict == "unexplained_structure":
         found.append("structure is left that no known cause explains: no name is given")
     found += [
         f"{one.effect.label}: beside it structure is left ({outcome.gain.rms.extended * 1e3:.2f} um in all)"
@@ -192,6 +150,8 @@ def _warnings(outcome: Outcome, causes: Sequence[Cause], verdict: Verdict) -> tu
 def _residuals(outcome: Outcome) -> Residuals:
     readings = outcome.ground.readings
     rows, left = readings.rows, outcome.left
+    named = bool(outcome.causes) or not outcome.search.causes
+    ground_left = outcome.search.residual if named else outcome.ground.base.rest(outcome.ground.values)
     return Residuals(
         runs=tuple(run.id for run in rows.runs),
         instruments=tuple(run.instrument for run in rows.runs),
@@ -210,5 +170,5 @@ def _residuals(outcome: Outcome) -> Residuals:
         given=left.given,
         refitted=left.refitted,
         extended=left.extended,
-        whitened=outcome.search.residual,
+        whitened=ground_left,
     )
