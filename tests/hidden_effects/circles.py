@@ -10,7 +10,7 @@ from tests.hidden_effects.rows import Rows, unit
 from tests.hidden_effects.state import RunPlan
 
 PLANES = ("XY", "YZ", "ZX")
-BALL_RADIUS, BALL_HEIGHT = 100.0, 300.0  # mm, of the ball on a turning table
+BALL_RADIUS, BALL_HEIGHT = 100.0, 100.0  # mm, of the ball on a turning table
 BARS = {"radial": (1.0, 0.0, 0.0), "tangential": (0.0, 1.0, 0.0), "axial": (0.0, 0.0, 1.0)}
 
 

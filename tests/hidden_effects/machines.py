@@ -1,4 +1,8 @@
-"""The machines that effects are hidden in. A located error EC of the body that X moves is called EC0X here."""
+"""The machines that effects are hidden in. A located error EC of the body that X moves is called EC0X here.
+
+Tool frames lie amid the working volume: levers of the rotations about the carriages have both signs, so that lines at
+several offsets tell a rotation from a translation.
+"""
 
 from tests.hidden_effects.machine import Joint, Machine
 
@@ -13,7 +17,7 @@ TABLE_MILL = Machine(
     ),
     workpiece=4,
     tool=9,
-    dimensions={"q_wx": 270.0, "q_wy": -350.0, "q_wz": 20.0, "q_Tx": 2.0, "q_Ty": -3.0, "q_Tz": 180.0},
+    dimensions={"q_wx": 270.0, "q_wy": -350.0, "q_wz": 20.0, "q_Tx": 2.0, "q_Ty": -3.0, "q_Tz": -250.0},
 )
 
 GANTRY = Machine(
@@ -27,7 +31,7 @@ GANTRY = Machine(
     ),
     workpiece=2,
     tool=6,
-    dimensions={"q_wx": 100.0, "q_wy": 50.0, "q_wz": -700.0, "q_Tx": 0.0, "q_Ty": 10.0, "q_Tz": -150.0},
+    dimensions={"q_wx": 100.0, "q_wy": 50.0, "q_wz": -100.0, "q_Tx": 0.0, "q_Ty": 10.0, "q_Tz": 300.0},
 )
 
 FIVE_AXES = Machine(
@@ -51,7 +55,7 @@ FIVE_AXES = Machine(
     workpiece=4,
     tool=9,
     dimensions={"q_Cx": 270.0, "q_Cy": -350.0, "q_Cz": 0.0, "q_wx": 0.0, "q_wy": 0.0, "q_wz": 30.0}
-    | {"q_Tx": 2.0, "q_Ty": -3.0, "q_Tz": 180.0},
+    | {"q_Tx": 2.0, "q_Ty": -3.0, "q_Tz": -250.0},
 )
 
 MACHINES = {machine.name: machine for machine in (TABLE_MILL, GANTRY, FIVE_AXES)}

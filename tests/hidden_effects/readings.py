@@ -55,6 +55,31 @@ def component_values(machine: Machine, state: State, truth: Truth) -> dict[str, 
     return found
 
 
+def sensitivity(machine: Machine, plan: Plan, component: str) -> Array:
+    """Change of the readings per unit of a component error at the reading (not at home), (n,), by a finite step."""
+    found, step = np.empty(len(plan.state.time)), 1e-4
+    for index, run in enumerate(plan.runs):
+        rows = np.flatnonzero(plan.state.run == index)
+        positions = _rows(plan.state.positions, rows)
+        measured = _sensed if run.length is None else _bar
+        moved, still = (
+            measured(machine, run, positions, _points(run), {component: np.full(len(rows), value)}, {})
+            for value in (step, -step)
+        )
+        found[rows] = (moved - still) / (2 * step)
+    return found
+
+
+def bar_directions(machine: Machine, plan: Plan) -> Array:
+    """Unit vectors of the ideal bars, (3, n); 0 for lines."""
+    found = np.zeros((3, len(plan.state.time)))
+    for index, run in enumerate(plan.runs):
+        if run.length is not None:
+            rows = np.flatnonzero(plan.state.run == index)
+            found[:, rows] = _vector(machine, run, _rows(plan.state.positions, rows), _points(run), {}, {}) / run.length
+    return found
+
+
 def ideal_along(machine: Machine, plan: Plan) -> Array:
     """Ideal displacement sensed since home, (n,), mm; 0 for bars."""
     found = np.zeros(len(plan.state.time))

@@ -1,0 +1,1 @@
+"""How often a diagnosis of data with hidden effects is right: trials, grades, tallies."""

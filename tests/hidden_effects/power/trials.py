@@ -1,0 +1,205 @@
+"""The trials of each scenario: which effects are hidden, how large, in which data, and what would be right."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tests.hidden_effects import noise, outside
+from tests.hidden_effects.case import STANDARD, Case
+from tests.hidden_effects.design import Design
+from tests.hidden_effects.hidden import OF_SETUP, Hidden
+from tests.hidden_effects.power.bench import Bound
+from tests.hidden_effects.power.grade import Name
+from tests.hidden_effects.power.matched import matched_size
+
+TIMES = (0.3, 1.0, 3.0, 10.0)
+OUTSIDE_TIMES = 5.0
+LARGEST = {"point_offset": 20.0, "laser_cosine": 0.02, "servo_lag": 0.01}  # sizes that somebody would notice otherwise
+LARGEST_LINEAR, LARGEST_ANGULAR = 0.1, 3e-4  # mm, rad
+RATES = ("thermal_expansion", "thermal_offset", "drift", "laser_scale")
+NOISES = tuple(kind for kind in noise.KINDS if kind != "none")
+
+Bounds = Callable[[Case], Sequence[Bound]]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """row: the line of the table that it counts in; truth: names that would be right."""
+
+    scenario: str
+    row: str
+    case: Case
+    truth: tuple[Name, ...] = ()
+
+
+def clean(count: int, bounds: Bounds) -> Iterator[Trial]:
+    """Nothing is hidden: whatever is named is false."""
+    for seed in range(count):
+        kind = NOISES[seed % len(NOISES)]
+        machine = "gantry" if seed % 4 == 3 else "table_mill"
+        yield Trial("clean", f"noise {kind}", Case(10_000 + seed, machine, noise=kind))
+
+
+def single(count: int, bounds: Bounds) -> Iterator[Trial]:
+    """One effect that the audit calls observable, at multiples of its isolation limit."""
+    for machine in ("table_mill", "gantry", "turntable_mill"):
+        setting = Case(1, machine)
+        yield from _scaled("single", setting, _by_kind(bounds(setting), "observable"), _share(count, machine))
+
+
+def reduced(count: int, bounds: Bounds) -> Iterator[Trial]:
+    """The same with lasers alone and with a ball bar alone."""
+    for row, design in (("lasers only", Design(ball_bar=False)), ("ball bar only", Design(laser=False))):
+        setting = Case(1, design=design)
+        for trial in _scaled("reduced", setting, _by_kind(bounds(setting), "observable"), max(1, count // 4)):
+            yield replace(trial, row=f"{row}, {trial.row.split(', ')[-1]}")
+
+
+def confounded(count: int, bounds: Bounds) -> Iterator[Trial]:
+    """One effect that the audit calls confounded, at ten times its detection limit: a set, never one name."""
+    setting = Case(1)
+    for kind, found in _by_kind(bounds(setting), "confounded").items():
+        for n in range(count):
+            bound = found[n % len(found)]
+            effect = _effect(bound, 10.0 * bound.detection / _limit(bound), 50_000 + n)
+            if effect is not None:
+                yield Trial("confounded", kind, _case(setting, 50_000 + n, effect), (bound.name,))
+
+
+def separated(count: int, bounds: Bounds) -> Iterator[Trial]:
+    """Pairs that only a further run tells apart: without it a set, with it one name."""
+    scale = Design()
+    pairs = {
+        "laser_scale": (scale, replace(scale, gauge=True), Name("laser_scale")),
+        "ballbar_length": (scale, replace(scale, gauge=True), Name("ballbar_length")),
+        "drift": (replace(scale, temperature="linear"), scale, Name("drift", "ECY")),
+        "laser_cosine": (replace(scale, lines=3), replace(scale, lines=6), Name("laser_cosine", runs=_line("X1"))),
+    }
+    for kind, (without, with_it, name) in pairs.items():
+        last = next((b for b in bounds(Case(1, design=with_it)) if b.name == name), None)
+        if last is None or not np.isfinite(last.isolation):
+            continue
+        for n in range(count):
+            effect = _effect(last, 10.0, 60_000 + n)
+            if effect is not None:
+                for row, design in (("without the run", without), ("with the run", with_it)):
+                    case = _case(Case(1, design=design), 60_000 + n, effect)
+                    yield Trial("separated", f"{kind}, {row}", case, (name,))
+
+
+def pairs(count: int, bounds: Bounds) -> Iterator[Trial]:
+    """Two observable effects of different kinds at once."""
+    setting = Case(1)
+    found = _by_kind(bounds(setting), "observable")
+    for times in (3.0, 10.0):
+        for n in range(count):
+            source = np.random.default_rng([70_000, n])
+            kinds = source.choice(sorted(found), 2, replace=False)
+            both = [found[kind][source.integers(len(found[kind]))] for kind in kinds]
+            effects = [_effect(bound, times, 70_000 + n) for bound in both]
+            if None not in effects:
+                case = replace(setting, seed=70_000 + n, effects=tuple(e for e in effects if e is not None))
+                yield Trial("pairs", f"{times:g} times the limit", case, tuple(bound.name for bound in both))
+
+
+def outsiders(count: int, bounds: Bounds) -> Iterator[Trial]:
+    """Effects of no kind of the library, as plain as one of the library at five times its detection limit."""
+    setting = Case(1)
+    for kind in outside.KINDS:
+        for n in range(count):
+            source = np.random.default_rng([80_000, n])
+            component = str(source.choice(["EXX", "EYY", "EZZ", "EYX", "EXZ", "EZY"]))
+            effect = Hidden(kind, component if kind in outside.OF_COMPONENTS else "", shape=n)
+            size = matched_size(setting, effect, OUTSIDE_TIMES) * source.choice((-1.0, 1.0))
+            if abs(size) < LARGEST_LINEAR:
+                yield Trial("outside", kind, _case(setting, 80_000 + n, replace(effect, size=float(size))))
+
+
+def tampered(count: int, bounds: Bounds) -> Iterator[Trial]:
+    """Sound data named rightly, the same data spoilt: the name must go."""
+    setting = Case(1)
+    wanted = {"swap_directions": Name("backlash", "EZZ"), "shuffle_time": Name("drift", "ECY")}
+    for how, name in wanted.items():
+        bound = next((one for one in bounds(setting) if one.name == name), None)
+        effects = [_effect(bound, 10.0, 90_000 + n) if bound is not None else None for n in range(count)]
+        for n, effect in enumerate(effects):
+            if effect is not None:
+                sound = _case(setting, 90_000 + n, effect)
+                yield Trial("tampered", f"{name.kind}, sound", sound, (name,))
+                yield Trial("tampered", f"{name.kind}, {how}", replace(sound, tamper=how), (name,))
+
+
+def values(count: int, bounds: Bounds) -> Iterator[Trial]:
+    """Nothing is hidden, and the values given are right or stale."""
+    for given in ("exact", "stale"):
+        for n in range(count):
+            yield Trial("values", given, Case(95_000 + n, given=given))
+
+
+SCENARIOS: Mapping[str, Callable[[int, Bounds], Iterator[Trial]]] = {
+    "clean": clean,
+    "single": single,
+    "reduced": reduced,
+    "pairs": pairs,
+    "confounded": confounded,
+    "separated": separated,
+    "outside": outsiders,
+    "tampered": tampered,
+    "values": values,
+}
+
+
+def _scaled(scenario: str, setting: Case, kinds: Mapping[str, Sequence[Bound]], count: int) -> Iterator[Trial]:
+    for kind, found in kinds.items():
+        for times in TIMES:
+            for n in range(count):
+                bound = found[n % len(found)]
+                seed = 20_000 + 1000 * sorted(kinds).index(kind) + n
+                effect = _effect(bound, times, seed)
+                if effect is not None:
+                    yield Trial(scenario, f"{kind}, {times:g}", _case(setting, seed, effect), (bound.name,))
+
+
+def _by_kind(bounds: Sequence[Bound], state: str) -> dict[str, list[Bound]]:
+    found: dict[str, list[Bound]] = {}
+    for bound in bounds:
+        if bound.state == state and np.isfinite(bound.detection):
+            found.setdefault(bound.name.kind, []).append(bound)
+    return {kind: list(np.random.default_rng(3).permutation(np.array(b, object))) for kind, b in found.items()}
+
+
+def _effect(bound: Bound, times: float, seed: int) -> Hidden | None:
+    """At so many times the limit; None where that would be a size that nobody has."""
+    source = np.random.default_rng([seed, 11])
+    root = bound.name.kind == "laser_cosine"  # the readings go with the square of the angle
+    size = _limit(bound) * (np.sqrt(times) if root else times)
+    if size > _largest(bound):
+        return None
+    size *= 1.0 if root else source.choice((-1.0, 1.0))
+    name = bound.name
+    shift = bound.size.upper() if name.kind in OF_SETUP else ""
+    return Hidden(name.kind, name.component, name.axis, name.runs, name.end, float(size), shift, seed)
+
+
+def _limit(bound: Bound) -> float:
+    return bound.isolation if bound.state == "observable" else bound.detection
+
+
+def _largest(bound: Bound) -> float:
+    if bound.name.kind in RATES:
+        return np.inf
+    angular = bound.name.component[1:2] in ("A", "B", "C")
+    return LARGEST.get(bound.name.kind, LARGEST_ANGULAR if angular else LARGEST_LINEAR)
+
+
+def _case(setting: Case, seed: int, effect: Hidden) -> Case:
+    return replace(setting, seed=seed, effects=(effect,))
+
+
+def _share(count: int, machine: str) -> int:
+    return count if machine == "table_mill" else max(1, count // 4)
+
+
+def _line(name: str) -> tuple[str, ...]:
+    return tuple(f"{name}-{repeat + 1}" for repeat in range(STANDARD.repeats))
