@@ -83,7 +83,7 @@ def plan(count: int = 7, samples: int = 24, even: bool = False) -> tuple[list[Ru
     sizes = [path.shape[1] for path in paths]
     positions = np.hstack(paths)
     directions = np.hstack([_directions(run, path) for run, path in zip(runs, paths, strict=True)])
-    time = 7.0 * np.arange(positions.shape[1])
+    time = 7.0 * np.arange(positions.shape[1], dtype=np.float64)
     return runs, Readings(
         axes=AXES,
         run_ids=tuple(run.id for run in runs),
@@ -111,6 +111,9 @@ def measured(
     """Readings with terms on components and on readings, targets moved by run, noise where a seed is given."""
     runs, rows = plan(even=even)
     truth, values = cubic_errors(), np.zeros(rows.reading.size)
+    assert rows.time is not None
+    assert rows.temperature is not None
+    assert rows.feed is not None
     for index, run in enumerate(runs):
         mine = np.flatnonzero(rows.run == index)
         velocity = (
@@ -126,7 +129,7 @@ def measured(
                 float(rows.time[mine[0]]),
                 float(rows.temperature[mine[0]]),
                 moved or {},
-            )  # type: ignore[index]
+            )
             values[n] += sum(term(row) for term in readings)
     if seed is not None:
         values = values + np.random.default_rng(seed).normal(0.0, SIGMA, values.size)

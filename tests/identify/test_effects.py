@@ -200,7 +200,12 @@ def test_the_uncertainty_covers_the_scatter() -> None:
     ("effect", "column"), [(THERMAL, "temperature"), (LAG, "feed"), (WARM, "time")], ids=["T", "v", "t"]
 )
 def test_a_column_that_is_missing_is_a_fault_at_once(effect: Effect, column: str) -> None:
-    data = measured(change=lambda rows: replace(rows, **{column: None} | ({"time": None} if column == "feed" else {})))
+    changes = {
+        "temperature": lambda rows: replace(rows, temperature=None),
+        "feed": lambda rows: replace(rows, feed=None, time=None),
+        "time": lambda rows: replace(rows, time=None),
+    }
+    data = measured(change=changes[column])
     with pytest.raises(InputError) as caught:
         identify_global(model_with(effect), data, OPTIONS)
     (fault,) = caught.value.faults
