@@ -84,9 +84,18 @@ def _array(values: Any) -> Array:
     return np.asarray(values, float)
 
 
-def _five_lobes(effect: Hidden, plan: Plan, along: Array, theta: Array) -> Array:
-    phase = effect.draw().uniform(0, 2 * np.pi)
-    return np.where(plan.of_run("ballbar"), effect.size * np.cos(5 * theta + phase), 0.0)
+def _dragged_lobes(effect: Hidden, plan: Plan, along: Array, theta: Array) -> Array:
+    """A socket that drags: five lobes of the bar whose sign is that of the sense of rotation.
+
+    Lobes that are the same both ways would be one with smooth errors of the axes, since cos 5 theta is a polynomial
+    of cos theta.
+    """
+    way = np.zeros_like(theta)
+    for index, run in enumerate(plan.runs):
+        if run.plane:
+            rows = plan.state.run == index
+            way[rows] = np.sign(np.mean(np.diff(np.unwrap(theta[rows]))))
+    return _array(effect.size * way * np.cos(5 * theta + effect.draw().uniform(0, 2 * np.pi)))
 
 
 def _chatter(effect: Hidden, plan: Plan, along: Array, theta: Array) -> Array:
@@ -108,7 +117,7 @@ _COMPONENT: Mapping[str, Callable[[Hidden, Machine, State], Array]] = {
     "relaxation": _relaxation,
 }
 _READING: Mapping[str, Callable[[Hidden, Plan, Array, Array], Array]] = {
-    "five_lobes": _five_lobes,
+    "dragged_lobes": _dragged_lobes,
     "chatter": _chatter,
 }
 OF_COMPONENTS, OF_READINGS = tuple(_COMPONENT), tuple(_READING)
