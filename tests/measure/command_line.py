@@ -14,10 +14,14 @@ PLAN = ROOT / "machines" / "dmu60p_runs"
 
 
 def run(command: ModuleType, *arguments: object) -> int:
+    return command_line(command, MACHINE, KERNELS, *arguments)
+
+
+def command_line(command: ModuleType, machine: Path, kernels: Path, *arguments: object) -> int:
     parser = argparse.ArgumentParser()
     command.add_parser(parser.add_subparsers())
     name = command.__name__.rsplit(".", 1)[-1]
-    args = parser.parse_args([name, str(MACHINE), *map(str, arguments), "--kernels", str(KERNELS)])
+    args = parser.parse_args([name, str(machine), *map(str, arguments), "--kernels", str(kernels)])
     return int(args.run(args))
 
 
