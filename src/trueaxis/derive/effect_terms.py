@@ -5,7 +5,8 @@ import sympy as sp
 from trueaxis.derive import symbols
 from trueaxis.derive.functions import Absolute, Root, Sign, Step
 from trueaxis.derive.routine import Argument, Routine, build
-from trueaxis.effects.expression import Binary, Call, Expression, Name, Negative, Number, Pi, Power, parse
+from trueaxis.effects.evaluate import evaluate
+from trueaxis.effects.expression import Binary, Call, Expression, Name, Negative, Number, Pi, Power, names, parse
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.placement import context_of
 from trueaxis.effects.variables import VARIABLES
@@ -45,10 +46,10 @@ def symbolic(expression: Expression) -> sp.Expr:
             result = -symbolic(operand)
         case Power(base=inner, exponent=exponent):
             base = symbolic(inner)
-            result = (sp.Float(base, _DIGITS) if base.is_number else base) ** exponent
+            result = (base.evalf(_DIGITS) if base.is_number else base) ** exponent
         case Call(function=function, argument=inner):
-            argument = symbolic(inner)
-            result = _FUNCTIONS[function](sp.Float(argument, _DIGITS) if argument.is_number else argument)
+            constant = not names(inner)
+            result = sp.Float(evaluate(expression, {}), _DIGITS) if constant else _FUNCTIONS[function](symbolic(inner))
         case Binary(operator=operator, left=left, right=right):
             result = _combined(operator, symbolic(left), symbolic(right))
     return result

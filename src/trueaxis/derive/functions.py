@@ -19,7 +19,7 @@ class Absolute(sp.Function):  # type: ignore[misc]
         return Sign(self.args[0])
 
     def _latex(self, printer: Any, exp: str = "") -> str:
-        return _raised(rf"\left|{printer.doprint(self.args[0])}\right|", exp)
+        return _raised(rf"\left|{printer._print(self.args[0])}\right|", exp)
 
 
 class Sign(sp.Function):  # type: ignore[misc]
@@ -32,7 +32,7 @@ class Sign(sp.Function):  # type: ignore[misc]
         return sp.S.Zero
 
     def _latex(self, printer: Any, exp: str = "") -> str:
-        return _raised(rf"\mathrm{{sgn}}\left({printer.doprint(self.args[0])}\right)", exp)
+        return _raised(rf"\mathrm{{sgn}}\left({printer._print(self.args[0])}\right)", exp)
 
 
 class Step(sp.Function):  # type: ignore[misc]
@@ -45,7 +45,7 @@ class Step(sp.Function):  # type: ignore[misc]
         return sp.S.Zero
 
     def _latex(self, printer: Any, exp: str = "") -> str:
-        return _raised(rf"H\left({printer.doprint(self.args[0])}\right)", exp)
+        return _raised(rf"H\left({printer._print(self.args[0])}\right)", exp)
 
 
 class Root(sp.Function):  # type: ignore[misc]
@@ -58,7 +58,7 @@ class Root(sp.Function):  # type: ignore[misc]
         return 1 / (2 * self)
 
     def _latex(self, printer: Any, exp: str = "") -> str:
-        return _raised(rf"\sqrt{{{printer.doprint(self.args[0])}}}", exp)
+        return _raised(rf"\sqrt{{{printer._print(self.args[0])}}}", exp)
 
 
 def _raised(text: str, exponent: str) -> str:

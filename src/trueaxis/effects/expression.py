@@ -90,7 +90,10 @@ def parse(text: str) -> Expression:
 
 def names(expression: Expression) -> tuple[Name, ...]:
     """Every name of an expression once, in the order in which they stand in it."""
-    return tuple({name.name: name for name in reversed(tuple(_names(expression)))}.values())[::-1]
+    found: dict[str, Name] = {}
+    for name in _names(expression):
+        found.setdefault(name.name, name)
+    return tuple(found.values())
 
 
 def _names(expression: Expression) -> Iterator[Name]:

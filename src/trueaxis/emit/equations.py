@@ -12,6 +12,7 @@ from trueaxis.derive.model import DerivedModel, motion_name, system_name
 from trueaxis.derive.motion import MotionEquation
 from trueaxis.derive.systems import IdentificationSystem
 from trueaxis.derive.views import view
+from trueaxis.emit.effect_section import effect_symbols, effect_texts
 from trueaxis.emit.latex import Latex, broken
 from trueaxis.emit.meta import ABI, spec_name
 from trueaxis.emit.templates import environment
@@ -101,6 +102,8 @@ def equations_page(model: DerivedModel) -> str:
             squareness=[("".join(s.axes), latex(s.product)) for s in model.squareness],
             squareness_reference=references.get("squareness", ""),
             correction=[(latex.symbol(target.name), latex(value)) for target, value in _body(model, "correction")],
+            effects=effect_texts(machine),
+            effect_symbols=effect_symbols(machine),
         )
     )
 
