@@ -1,0 +1,83 @@
+"""Projection and rank against SciPy's null spaces and explicit least squares."""
+
+import numpy as np
+import pytest
+from scipy.linalg import null_space, orth, subspace_angles
+
+from tests.diagnose.prepared import SMALL, WHITE, field
+from trueaxis.diagnose.projection import Projection, orthonormal
+
+
+def dependent(seed: int = 0) -> np.ndarray:
+    """(50, 9) of rank 6, columns of sizes from 1e-9 to 1e9."""
+    source = np.random.default_rng(seed)
+    columns = source.normal(size=(50, 6)) @ source.normal(size=(6, 9))
+    return np.asarray(columns * np.logspace(-9, 9, 9))
+
+
+def test_basis_is_orthonormal_and_spans_the_columns() -> None:
+    columns = dependent()
+    basis = orthonormal(columns)
+    assert basis.shape == (50, 6)
+    assert basis.T @ basis == pytest.approx(np.eye(6), abs=1e-12)
+    scaled = columns / np.linalg.norm(columns, axis=0)
+    assert np.max(subspace_angles(basis, orth(scaled, rcond=1e-9))) < 1e-6
+
+
+def test_what_is_left_is_the_part_in_the_null_space() -> None:
+    columns = dependent()
+    values = np.random.default_rng(1).normal(size=(50, 3))
+    outside = null_space(columns.T / np.linalg.norm(columns, axis=0)[:, np.newaxis], rcond=1e-9)
+    found = Projection(orthonormal(columns)).rest(values)
+    assert outside.shape[1] == 44
+    assert found == pytest.approx(outside @ (outside.T @ values), abs=1e-9)
+
+
+def test_columns_that_are_nothing_and_no_columns_at_all() -> None:
+    assert orthonormal(np.zeros((5, 2))).shape == (5, 0)
+    assert orthonormal(np.zeros((5, 0))).shape == (5, 0)
+    values = np.arange(5.0)
+    assert Projection(np.zeros((5, 0))).rest(values) == pytest.approx(values)
+
+
+def test_extended_by_what_is_new_alone() -> None:
+    columns = dependent()
+    source = np.random.default_rng(2)
+    projection = Projection(orthonormal(columns))
+    new = source.normal(size=(50, 2))
+    old = columns[:, :2]
+    found = projection.extended(np.hstack([new, old, new @ np.ones((2, 1))]))
+    both = Projection(orthonormal(np.hstack([columns, new])))
+    assert projection.extended(old) is projection
+    assert found.rank == both.rank == 8
+    values = source.normal(size=50)
+    assert found.rest(values) == pytest.approx(both.rest(values), abs=1e-9)
+
+
+def test_rank_of_a_whole_base_is_that_of_scipy() -> None:
+    whole = field()
+    white = whole.whitening(whole.columns)
+    size = np.linalg.norm(white, axis=0)
+    kept = white[:, size > 0.0] / size[size > 0.0]
+    assert kept.shape[1] > whole.base.rank  # some combinations cannot be told apart
+    assert whole.base.rank == orth(kept, rcond=1e-9).shape[1]
+    assert whole.base.rank < whole.readings.rows.size
+    assert np.abs(whole.base.rest(kept)).max() < 1e-7
+
+
+def test_offsets_of_runs_slopes_of_components_and_centres_are_in_the_base() -> None:
+    """What a zero, a scale of an axis, or a ball that is elsewhere puts into the readings leaves nothing."""
+    whole = field(SMALL, WHITE)
+    rows, theta = whole.readings.rows, whole.readings.reading.theta
+    offsets = np.zeros(rows.size)
+    centres = np.zeros(rows.size)
+    for index in rows.present:
+        mine = rows.of_run(index)
+        if rows.runs[index].instrument == "laser":
+            offsets[mine] = 1e-3 * index
+        elif rows.runs[index].id.startswith("XY"):
+            centres[mine] = 5e-3 * np.cos(theta[mine] - 0.3)
+    scale = whole.readings.sensitivity[whole.readings.model.components.index("EXX")] * rows.positions[0] * 1e-5
+    for planted in (offsets, centres, scale):
+        white = whole.whitening(planted)
+        assert np.linalg.norm(whole.base.rest(white)) < 1e-6 * np.linalg.norm(white)
