@@ -7,6 +7,7 @@ import io
 import os
 import tempfile
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from tests.hidden_effects.case import Case, generate
@@ -18,6 +19,8 @@ from trueaxis.effects.kind import Effect
 from trueaxis.measure.data import read_data
 from trueaxis.runtime.model import load_model
 
+ROOT = Path(__file__).resolve().parents[3]
+DERIVING = ("spec", "derive", "emit", "effects")
 KERNELS = Path(tempfile.gettempdir()) / f"trueaxis-hidden-effects-{os.getuid()}"
 
 
@@ -65,8 +68,7 @@ def bounds_of(case: Case) -> tuple[Bound, ...]:
 
 def kernels_of(spec: Path) -> Path:
     """Folder of the kernels of a spec, derived once and kept; the code that derives is part of what they depend on."""
-    sources = sorted((Path(__file__).parents[3] / "src").rglob("*.py"))
-    stamp = hashlib.sha256(spec.read_bytes() + b"".join(f"{s}{s.stat().st_mtime_ns}".encode() for s in sources))
+    stamp = hashlib.sha256(spec.read_bytes() + _deriving_code())
     folder = KERNELS / stamp.hexdigest()[:20]
     KERNELS.mkdir(parents=True, exist_ok=True)
     with (KERNELS / "lock").open("w") as lock:
@@ -77,6 +79,13 @@ def kernels_of(spec: Path) -> Path:
                     raise RuntimeError(f"{spec} could not be derived")
             (folder / "done").touch()
     return folder
+
+
+@cache
+def _deriving_code() -> bytes:
+    """What kernels depend on besides the spec, read once per process."""
+    sources = [path for part in DERIVING for path in (ROOT / "src" / "trueaxis" / part).rglob("*.py")]
+    return b"".join(path.read_bytes() for path in (*sorted(sources), *sorted((ROOT / "templates").iterdir())))
 
 
 def _name(effect: Effect) -> Name:
