@@ -68,7 +68,7 @@ def _repeats(rows: Rows, mine: IntArray) -> list[list[IntArray]]:
 def fitted_left(
     base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted], train: BoolArray
 ) -> Left:
-    """Residuals of all rows, fitted on those of `train`; offsets of runs are taken from the readings themselves.
+    """Residuals of all rows, fitted on those of `train`; runs wholly held back have their own offset.
 
     Whitened columns keep rows of one run together, so the weights of a run of which a part is held back are those of
     white noise of its size.
@@ -102,10 +102,10 @@ def _left(
     rest = values - columns @ coefficient
     if train.all():
         return rest
-    held = ~train
     for column in own.T:
-        mine = held & (column != 0.0)
-        if mine.any():
+        mine = column != 0.0
+        # a run of which a part is fitted has its offset from there: what drifts within the run must show
+        if mine.any() and not (mine & train).any():
             rest[mine] -= np.mean(rest[mine])
     return rest
 
