@@ -18,6 +18,8 @@ FALSE_ALARMS = 0.005  # share of clean data sets in which one check or other may
 DEGREE = 6
 LOBES = 10
 BINS = 6
+TELLING = 0.2  # share of a reading's variance that the model leaves, below which its residual is no measure of noise
+FEWEST = 12  # such readings of a run, for its noise to be compared
 NOISY = 4.0  # times the variance of the other runs, from which a run stands out
 MEDIAN_SQUARE = 0.454936  # of a standard normal variable
 LESS_EFFICIENT = 2.72  # variance of an estimate by the median of squares, over that by their mean
@@ -35,8 +37,12 @@ class Structure:
 def run_checks(
     rows: Rows, theta: FloatArray, whitening: Whitening, projection: Projection, residual: FloatArray, freedom: Freedom
 ) -> tuple[Check, ...]:
-    """All checks. residual: (n,), whitened, model projected out; p values multiplied by the number of checks."""
+    """All checks. residual: (n,), whitened, model projected out; p values multiplied by the number of checks.
+
+    rms of a check: about what the structure comes to, mm, its share of the noise taken away.
+    """
     classes = list(structures(rows, theta))
+    sigma = np.repeat([one.sigma for one in whitening.noise], np.diff(whitening.starts))
     found = []
     for one in classes:
         white = whitening(one.columns)
@@ -50,31 +56,40 @@ def run_checks(
         inside = basis.T @ residual
         statistic = float(inside @ inside)
         log_p = float(f_distribution.logsf(statistic / k, k, freedom.of(basis))) + np.log(len(classes))
-        rms = float(np.sqrt(max(statistic - k, 0.0) / rows.size))
+        beyond = max(statistic - k, 0.0) / statistic if statistic > 0.0 else 0.0
+        rms = float(np.sqrt(beyond * np.mean((sigma * (basis @ inside)) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
         found.append(Check(one.name, one.meaning, p_value, p_value < FALSE_ALARMS, rms))
-    found.append(_noisy_runs(rows, residual))
+    found.append(_noisy_runs(rows, projection, residual, sigma))
     return tuple(found)
 
 
-def _noisy_runs(rows: Rows, residual: FloatArray) -> Check:
+def _noisy_runs(rows: Rows, projection: Projection, residual: FloatArray, sigma: FloatArray) -> Check:
     """A run with far more noise than the others of its instrument: something was going on meanwhile.
 
-    By medians, which neither outliers nor heavy tails move; that of squares varies more than their mean.
+    By medians, which neither outliers nor heavy tails move; that of squares varies more than their mean. Readings that
+    the model has nearly used up say nothing of their noise, nor do runs with few others.
     """
-    power, count = np.ones(len(rows.runs)), np.full(len(rows.runs), 2)
+    left = 1.0 - np.sum(projection.basis**2, axis=1)
+    telling = left > TELLING
+    power, count = np.full(len(rows.runs), np.nan), np.zeros(len(rows.runs))
     for index in rows.present:
-        mine = residual[rows.of_run(index)]
-        power[index], count[index] = float(np.median(mine**2)) / MEDIAN_SQUARE, mine.size
-    usual = np.ones(len(rows.runs))
+        mine = rows.of_run(index)
+        there = telling[mine]
+        if np.count_nonzero(there) >= FEWEST:
+            squares = residual[mine][there] ** 2 / left[mine][there]
+            power[index], count[index] = float(np.median(squares)) / MEDIAN_SQUARE, squares.size
+    ratio, usual = np.ones(len(rows.runs)), np.ones(len(rows.runs))
     for name in {run.instrument for run in rows.runs}:
-        same = np.array([run.instrument == name for run in rows.runs])
-        usual[same] = max(float(np.median(power[same])), 1e-300)
-    ratio = power / usual
-    z = (ratio - 1.0) / np.sqrt(2.0 * LESS_EFFICIENT / count)
+        same = np.array([run.instrument == name for run in rows.runs]) & np.isfinite(power)
+        if same.any():
+            usual[same] = max(float(np.median(power[same])), 1e-300)
+            ratio[same] = power[same] / usual[same]
+    z = (ratio - 1.0) / np.sqrt(2.0 * LESS_EFFICIENT / np.maximum(count, 1.0))
     worst = int(np.argmax(z))
     p_value = min(1.0, float(norm.sf(z[worst])) * len(rows.runs))
-    rms = float(np.sqrt(max(float(power[worst]) - usual[worst], 0.0) * count[worst] / rows.size))
+    excess = max(ratio[worst] - 1.0, 0.0) * usual[worst] * count[worst] / rows.size
+    rms = float(np.sqrt(excess)) * float(np.mean(sigma[rows.of_run(worst)])) if excess > 0.0 else 0.0
     fired = p_value < FALSE_ALARMS and float(ratio[worst]) > NOISY
     return Check("runs, noise", "one run is much noisier than the others", p_value, fired, rms)
 
