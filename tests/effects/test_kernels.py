@@ -1,5 +1,7 @@
 """The emitted terms, NumPy and C: values against other arithmetics, derivatives against differences."""
 
+import shutil
+import subprocess
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from pathlib import Path
@@ -247,3 +249,19 @@ def test_parameters_may_have_the_names_of_other_things(backend: str, tmp_path: P
     found = kernel(np.array([[0.5]]), np.arange(1.0, len(HOSTILE) + 1))
     assert found[0, 0] == sum((k + 2) * (k + 1) for k in range(len(HOSTILE))) / 2
     np.testing.assert_array_equal(found[1:, 0], [(k + 2) / 2 for k in range(len(HOSTILE))])
+
+
+@pytest.mark.skipif(not shutil.which("gcc"), reason="gcc is not installed")
+@pytest.mark.parametrize("text", ["k*s", "k*step(s)", "k*sign(s)*abs(q)", "k"])
+def test_c_of_effects_compiles_without_a_warning(text: str, tmp_path: Path) -> None:
+    # Own kinds beside the library's, and alone: helpers that nothing calls would be a warning.
+    machine = machine_with([own(text, ("k",))])
+    for routines in (effect_routines(machine), effect_routines(machine)[-1:]):
+        (tmp_path / "kernels.c").write_text(c_source(machine, routines))
+        (tmp_path / "kernels.h").write_text(c_header(machine, routines))
+        strict = ("-std=c17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wmissing-prototypes", "-Wunused-function")
+        done = subprocess.run(
+            ["gcc", *strict, "-Werror", "-O1", "-c", "kernels.c", "-o", "kernels.o"],
+            cwd=tmp_path, capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert done.stderr == ""
