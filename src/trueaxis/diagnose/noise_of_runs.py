@@ -14,6 +14,7 @@ from trueaxis.runtime.context import ReadingContext
 COURSE = 12  # degree or harmonics of a run's own course, where nothing is repeated
 GIVEN = 1e6  # degrees of freedom of a noise that is given
 SMALLEST = 1e-9  # mm
+FEWEST_SINGLE = 4  # degrees of freedom of repeats of single targets
 
 
 def noise_of_runs(
@@ -30,11 +31,30 @@ def noise_of_runs(
         found = estimate_noise(every, instrument)
         if noise_um is not None:
             found = NoiseOf(instrument, noise_um * 1e-3, 0.0, 0.0, 0.0, GIVEN, "given")
-        elif found is None:
+        if found is None and instrument == "probe":
+            found = _single_targets(rows, values, instrument)
+        if found is None:
             found = estimate_noise(_courses(rows, reading, values, instrument), instrument)
             found = found and replace(found, origin="nothing is repeated, taken from the course of each run")
         of[instrument] = found or NoiseOf(instrument, SMALLEST, 0.0, 0.0, 0.0, 1.0, "unknown: too few readings")
     return tuple(of[run.instrument] for run in rows.runs)
+
+
+def _single_targets(rows: Rows, values: FloatArray, instrument: str) -> NoiseOf | None:
+    """White noise by the scatter of repeats of single targets: a probe that stands has no course to be smooth.
+
+    None where too few are repeated.
+    """
+    mine = np.flatnonzero(np.array([run.instrument == instrument for run in rows.runs])[rows.run])
+    _, group = np.unique(np.stack([rows.run[mine], rows.target[mine]]), axis=1, return_inverse=True)
+    group = group.reshape(-1)
+    count = np.bincount(group)
+    rest = values[mine] - (np.bincount(group, weights=values[mine]) / count)[group]
+    freedom = mine.size - count.size
+    if freedom < FEWEST_SINGLE:
+        return None
+    sigma = max(float(np.sqrt(rest @ rest / freedom)), SMALLEST)
+    return NoiseOf(instrument, sigma, 0.0, 0.0, 0.0, freedom, f"repeats of {int((count > 1).sum())} single targets")
 
 
 def _courses(rows: Rows, reading: ReadingContext, values: FloatArray, instrument: str) -> Sequence[Contrast]:
