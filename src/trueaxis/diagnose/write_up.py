@@ -5,12 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.diagnose.absences import absences
 from trueaxis.diagnose.audit import Audit, unit_at
 from trueaxis.diagnose.base import Base
 from trueaxis.diagnose.circles import circles_of
 from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fitted_left
-from trueaxis.diagnose.next_runs import next_runs, separating_run
+from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
+from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import (
     AmplitudeOf,
@@ -56,8 +58,10 @@ class Outcome:
 
 def diagnosis_of(outcome: Outcome) -> Diagnosis:
     """The record."""
-    causes = tuple(_cause(outcome, index) for index in range(len(outcome.causes)))
     ground = outcome.ground
+    prospect = prospect_of(ground)
+    ahead = tuple(ahead_of(prospect, _found(outcome, one), float(one.values[0])) for one in outcome.causes)
+    causes = tuple(_cause(outcome, index, one) for index, one in enumerate(ahead))
     return Diagnosis(
         machine=ground.readings.model.name,
         verdict=outcome.verdict,
@@ -73,14 +77,14 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         gain=outcome.gain,
         circles=circles_of(ground.readings, outcome.left),
         recalibration_p=outcome.stale_p,
-        next_runs=next_runs(ground, outcome.audit, causes),
-        absences=_absences(outcome),
+        next_runs=next_runs(prospect, outcome.audit, ahead, outcome.checks, outcome.noise),
+        absences=absences(ground.readings, outcome.audit, outcome.noise),
         warnings=_warnings(outcome, causes),
         residuals=_residuals(outcome),
     )
 
 
-def _cause(outcome: Outcome, index: int) -> Cause:
+def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
     ground, fitted = outcome.ground, outcome.causes[index]
     found = _found(outcome, fitted)
     groups, homogeneous_p = outcome.groups[index]
@@ -104,7 +108,7 @@ def _cause(outcome: Outcome, index: int) -> Cause:
         amplitudes=groups,
         homogeneous_p=homogeneous_p,
         remainder=any(check.fired for check in outcome.checks),
-        separating=separating_run(ground, fitted.effect, [one.effect for one in rivals]),
+        separating=separating_run(ground.readings.model.machine.kinds, ahead),
     )
 
 
@@ -114,15 +118,6 @@ def _found(outcome: Outcome, fitted: Fitted) -> Found:
 
 def _evidence(one: Scanned) -> Evidence:
     return Evidence(one.effect, max(one.evidence, 0.0), one.p_value, one.tries, one.freedom)
-
-
-def _absences(outcome: Outcome) -> tuple[str, ...]:
-    """Each column that is missing, with the kinds that cannot be seen without it."""
-    costs: dict[str, list[str]] = {}
-    for limit in outcome.audit.limits:
-        if limit.reason.startswith("no "):
-            costs.setdefault(limit.reason[3:], []).append(limit.effect.kind)
-    return tuple(f"without {what}: {', '.join(dict.fromkeys(kinds))} cannot be seen" for what, kinds in costs.items())
 
 
 def _warnings(outcome: Outcome, causes: Sequence[Cause]) -> tuple[str, ...]:

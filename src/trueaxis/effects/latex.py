@@ -6,7 +6,7 @@ and latex2mathml all draw.
 
 import re
 
-from trueaxis.effects.expression import Binary, Call, Expression, Name, Negative, Number, Pi, Power, parse
+from trueaxis.effects.expression import Binary, Call, Expression, Function, Name, Negative, Number, Pi, Power, parse
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.variables import OF_AXIS, VARIABLES
 
@@ -119,22 +119,20 @@ class _Writer:
     def _atom(self, tree: Expression) -> str:
         match tree:
             case Number(value=value):
-                return _number(value)
+                text = _number(value)
             case Pi():
-                return r"\pi"
+                text = r"\pi"
             case Name(name=name):
-                return self._name(name)
-            case Call(function="sqrt", argument=argument):
-                return rf"\sqrt{{{self.sum(argument)}}}"
-            case Call(function="abs", argument=argument):
-                return rf"\left|{self.sum(argument)}\right|"
+                text = self._name(name)
             case Call(function=function, argument=argument):
-                return rf"{_FUNCTIONS[function]}\left({self.sum(argument)}\right)"
+                text = _called(function, self.sum(argument))
             case Power(base=base, exponent=exponent):
                 plain = isinstance(base, Name | Pi) or (isinstance(base, Number) and _number(base.value).isdigit())
                 inner = self._atom(base) if plain else self._enclosed(base)
-                return f"{inner}^{{{exponent}}}"
-        return self._enclosed(tree)
+                text = f"{inner}^{{{exponent}}}"
+            case _:
+                text = self._enclosed(tree)
+        return text
 
     def _enclosed(self, tree: Expression) -> str:
         return rf"\left({self.sum(tree)}\right)"
@@ -147,6 +145,16 @@ class _Writer:
             return VARIABLES[name].latex
         axis = self._axes[name[len(own) :]]
         return axis if own == "q" else f"{VARIABLES[own].latex}_{{{axis}}}"
+
+
+def _called(function: Function, argument: str) -> str:
+    match function:
+        case "sqrt":
+            return rf"\sqrt{{{argument}}}"
+        case "abs":
+            return rf"\left|{argument}\right|"
+        case _:
+            return rf"{_FUNCTIONS[function]}\left({argument}\right)"
 
 
 def _is_sum(tree: Expression) -> bool:

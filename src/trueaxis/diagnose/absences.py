@@ -1,0 +1,93 @@
+"""What the data lack, and what that costs: columns, instruments, directions, feeds, repeats."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from trueaxis.diagnose.audit import Audit
+from trueaxis.diagnose.report.words import enumerated
+from trueaxis.diagnose.result import NoiseOf
+from trueaxis.diagnose.rounds_at_hand import rounds_at_hand
+from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.signatures import Readings
+from trueaxis.effects.expression import names, parse
+from trueaxis.effects.kind import Kind
+
+_COLUMNS = (("time_s", ("t",)), ("temperature_c", ("T",)), ("feed", ("v", "v_b")))
+_WITHOUT = (("ballbar", "a ball bar"), ("laser", "a laser"))
+
+
+def absences(readings: Readings, audit: Audit, noise: Sequence[NoiseOf]) -> tuple[str, ...]:
+    """One sentence for each absence; empty where nothing is lacking."""
+    rows = readings.rows
+    return (
+        *_columns(readings, audit),
+        *_instruments(rows, audit),
+        *_directions(readings),
+        *_feeds(readings),
+        *_repeats(noise),
+    )
+
+
+def _columns(readings: Readings, audit: Audit) -> Iterator[str]:
+    """Columns without which candidates have no signature."""
+    lacking = {one.effect.kind for one in audit.limits if one.reason.startswith("no ")}
+    context = readings.context
+    values = {"time_s": context.time, "temperature_c": context.temperature, "feed": context.velocity.sum(axis=0)}
+    kinds = readings.model.machine.kinds
+    for column, variables in _COLUMNS:
+        unknown = ~np.isfinite(values[column])
+        hit = [name for name in kinds if name in lacking and _uses(kinds[name], variables)]
+        if unknown.any() and hit:
+            if unknown.all():
+                where = f"without {column}"
+            else:
+                where = f"with {column} empty in {int(unknown.sum())} of {unknown.size} readings"
+            yield f"{where}: {enumerated(hit)} cannot be seen"
+
+
+def _uses(kind: Kind, variables: Sequence[str]) -> bool:
+    return bool(kind.expression) and any(one.name in variables for one in names(parse(kind.expression)))
+
+
+def _instruments(rows: Rows, audit: Audit) -> Iterator[str]:
+    """Kinds of which not one candidate leaves a trace that recalibration could not take away."""
+    seen = {one.effect.kind for one in audit.limits if one.state != "unobservable"}
+    lost = {one.effect.kind for one in audit.limits if not one.reason.startswith("no ")} - seen
+    unseen = [name for name in dict.fromkeys(one.effect.kind for one in audit.limits) if name in lost]
+    if not unseen:
+        return
+    used = {rows.runs[index].instrument for index in rows.present}
+    missing = [text for instrument, text in _WITHOUT if instrument not in used]
+    where = f"without {enumerated(missing, 'or')}" if missing else "in these runs"
+    yield f"{where}: {enumerated(unseen)} cannot be told from a recalibration"
+
+
+def _directions(readings: Readings) -> Iterator[str]:
+    rows = readings.rows
+    for row, axis in enumerate(rows.axes):
+        ways = set()
+        for index in rows.present:
+            mine = rows.of_run(index)
+            if rows.runs[index].instrument != "ballbar" and np.ptp(rows.positions[row, mine]) > 0.0:
+                ways |= set(np.unique(rows.directions[row, mine]).tolist())
+        if ways and len(ways - {0.0}) < 2:
+            yield f"lines of {axis} from one side only: they show nothing of its backlash"
+    rounds = rounds_at_hand(readings.model, rows)
+    for plane in dict.fromkeys(one.plane for one in rounds):
+        if len({one.sense for one in rounds if one.plane == plane}) < 2:
+            yield f"circles in {plane} in one direction only: play and servo lag look like errors of the geometry"
+
+
+def _feeds(readings: Readings) -> Iterator[str]:
+    rounds = rounds_at_hand(readings.model, readings.rows)
+    for plane in dict.fromkeys(one.plane for one in rounds):
+        feeds = {round(one.feed) for one in rounds if one.plane == plane and np.isfinite(one.feed)}
+        if len(feeds) == 1:
+            yield f"circles in {plane} at one feed only: servo lag is told from play by its form alone"
+
+
+def _repeats(noise: Sequence[NoiseOf]) -> Iterator[str]:
+    for one in {each.instrument: each for each in noise}.values():
+        if not one.origin.startswith(("repeats", "given")):
+            yield f"no repeats by the {one.instrument}: its noise is an estimate ({one.origin})"

@@ -1,0 +1,223 @@
+"""What further runs would add to what the readings at hand tell of candidates, computed before they are taken.
+
+With the whitened base B = Q S V' of the readings at hand the signature of a candidate has Q's in it and leaves M s. A
+further run brings rows B1, s1. Its own unknowns (zero, ball, whatever no reading so far holds) are the part of B1 in
+the null space of B: P projects them out. What is left, the innovation d = P (s1 - B1 V S^-1 Q's), has the covariance
+1 + C C' with C = P B1 V S^-1, since the base's unknowns are known from the readings at hand no better than that. So
+
+    s' M s (with the run) = s' M s (without) + d' (1 + C C')^-1 d,
+
+exact, at the cost of the run's rows alone.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.linalg import cholesky, solve_triangular
+
+from trueaxis.diagnose.base import RANK, base_of
+from trueaxis.diagnose.menu import FurtherRun, menu
+from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
+from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.search import Ground
+from trueaxis.diagnose.signatures import Readings, readings_of, signature_of
+from trueaxis.diagnose.whiten import whitened
+from trueaxis.effects.kind import Effect
+from trueaxis.measure.context import context_of
+from trueaxis.runtime.context import Context
+
+PROBE_MM = 5e-4  # standard deviation of a probe on a step gauge, where the readings do not tell it
+USUAL_MM = 3e-4  # the same of laser and ball bar
+TIMES = (1, 3)  # how often a run is taken
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A candidate at one point of its grid."""
+
+    effect: Effect
+    point: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Innovation:
+    """One run of the menu. rows: its rows among all; noise: as it is whitened; known: (m, rank), C; own: what projects
+    the run's own unknowns out; roots: (m, m), inverse Cholesky factors of 1 + t C C', for each t of TIMES.
+    """
+
+    rows: slice
+    noise: NoiseOf
+    known: FloatArray
+    own: Projection
+    roots: tuple[FloatArray, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Prospect:
+    """The menu, and what it takes to say what each of its runs would tell. readings: at hand, then all of the menu."""
+
+    ground: Ground
+    further: tuple[FurtherRun, ...]
+    readings: Readings
+    basis: Projection
+    innovations: tuple[Innovation, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outlook:
+    """A candidate: left: (n, k) whitened, what the base leaves of it in the readings at hand; whole: its squared size
+    with the base; added: for each further run and each of TIMES the whitened innovation (m, k).
+    """
+
+    left: FloatArray
+    whole: float
+    added: tuple[tuple[FloatArray, ...], ...]
+
+
+def prospect_of(ground: Ground) -> Prospect:
+    """Factors the base once, with all runs of the menu in its layout; linear in the number of readings."""
+    readings = ground.readings
+    further = menu(readings.model, readings.rows)
+    everything = _with_further(readings.rows, further)
+    size = readings.rows.size
+    columns = np.hstack([base_of(readings.model, everything).columns, _bars(everything, further, size)])
+    noise = {
+        readings.rows.runs[run].instrument: one
+        for run, one in zip(readings.rows.present, ground.whitening.noise, strict=True)
+    }
+    parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
+    noises = [noise.get(one.run.instrument) or _usual(one.run.instrument) for one in further]
+    white = np.vstack(
+        [ground.whitening(columns[:size]), *(whitened(n, columns[p]) for n, p in zip(noises, parts, strict=True))]
+    )
+    scale = np.linalg.norm(white[:size], axis=0)
+    unseen = scale == 0.0
+    scale[unseen] = np.maximum(np.linalg.norm(white[:, unseen], axis=0), 1e-300)
+    white /= scale
+    q, r = np.linalg.qr(white[:size])
+    left, singular, right = np.linalg.svd(r)
+    rank = int(np.count_nonzero(singular > RANK * singular[0]))
+    innovations = []
+    for part, one in zip(parts, noises, strict=True):
+        turned = white[part] @ right.T
+        own = Projection(orthonormal(_significant(turned[:, rank:])))
+        known = own.rest(turned[:, :rank] / singular[:rank])
+        roots = tuple(_inverse_root(np.eye(known.shape[0]) + times * (known @ known.T)) for times in TIMES)
+        innovations.append(Innovation(part, one, known, own, roots))
+    return Prospect(
+        ground, further, readings_of(readings.model, everything), Projection(q @ left[:, :rank]), tuple(innovations)
+    )
+
+
+def outlook_of(prospect: Prospect, candidate: Placed) -> Outlook:
+    """What a candidate does to the readings at hand and to the menu's."""
+    signature = signature_of(prospect.readings, candidate.effect, (candidate.point,))
+    size = prospect.ground.values.size
+    columns = np.zeros((prospect.readings.rows.size, signature.columns.shape[2]))
+    columns[signature.support] = signature.columns[:, 0]
+    here = prospect.ground.whitening(columns[:size])
+    inside = prospect.basis.basis.T @ here
+    added = []
+    for one in prospect.innovations:
+        innovation = one.own.rest(whitened(one.noise, columns[one.rows])) - one.known @ inside
+        added.append(tuple(np.sqrt(times) * (root @ innovation) for times, root in zip(TIMES, one.roots, strict=True)))
+    return Outlook(prospect.basis.rest(here), float(np.sum(here**2)), tuple(added))
+
+
+def _with_further(rows: Rows, further: Sequence[FurtherRun]) -> Rows:
+    """The rows at hand, then those of every run of the menu, each with a set-up of its own."""
+    counts = [one.positions.shape[1] for one in further]
+    size = sum(counts)
+    run = np.repeat(np.arange(len(further), dtype=np.int64), counts)
+    seq = np.concatenate([np.arange(count, dtype=np.int64) for count in counts])
+    feed = np.concatenate([np.full(count, one.feed) for count, one in zip(counts, further, strict=True)])
+    last = 0.0 if rows.time is None else float(np.nanmax(rows.time))
+    time = last + np.concatenate(
+        [one.after + np.linspace(0.0, one.lasts, count) for count, one in zip(counts, further, strict=True)]
+    )
+    mean = 0.0 if rows.temperature is None else float(np.nanmean(rows.temperature))
+    new = Rows(
+        runs=tuple(one.run for one in further),
+        axes=rows.axes,
+        row=np.zeros(size, dtype=np.int64),
+        run=run,
+        seq=seq,
+        positions=np.hstack([one.positions for one in further]),
+        directions=np.hstack([one.directions for one in further]),
+        reading=np.zeros(size),
+        time=None if rows.time is None else time,
+        temperature=None if rows.temperature is None else mean + np.concatenate([one.warmer for one in further]),
+        feed=None if rows.feed is None else feed,
+        setup=run,
+        target=np.arange(size, dtype=np.int64),
+        passing=np.zeros(size, dtype=np.int64),
+        context=rows.context,
+    )
+    new = replace(new, context=context_of(new.runs, new))
+    return _joined(rows, new)
+
+
+def _joined(rows: Rows, new: Rows) -> Rows:
+    def numbered(of: str, start: int) -> IntArray:
+        return np.concatenate([getattr(rows, of), getattr(new, of) + start])
+
+    def both(of: str) -> FloatArray | None:
+        mine, other = getattr(rows, of), getattr(new, of)
+        return None if mine is None or other is None else np.concatenate([mine, other])
+
+    return Rows(
+        runs=(*rows.runs, *new.runs),
+        axes=rows.axes,
+        row=numbered("row", 0),
+        run=numbered("run", len(rows.runs)),
+        seq=numbered("seq", 0),
+        positions=np.hstack([rows.positions, new.positions]),
+        directions=np.hstack([rows.directions, new.directions]),
+        reading=np.concatenate([rows.reading, new.reading]),
+        time=both("time"),
+        temperature=both("temperature"),
+        feed=both("feed"),
+        setup=numbered("setup", int(rows.setup.max(initial=0)) + 1),
+        target=numbered("target", int(rows.target.max(initial=0)) + 1),
+        passing=numbered("passing", 0),
+        context=_contexts(rows.context, new.context),
+    )
+
+
+def _contexts(one: Context, other: Context) -> Context:
+    home = None if one.home is None or other.home is None else _contexts(one.home, other.home)
+    return Context(
+        np.hstack([one.directions, other.directions]),
+        np.hstack([one.velocity, other.velocity]),
+        np.hstack([one.since_reversal, other.since_reversal]),
+        np.concatenate([one.time, other.time]),
+        np.concatenate([one.temperature, other.temperature]),
+        home,
+    )
+
+
+def _bars(everything: Rows, further: Sequence[FurtherRun], size: int) -> FloatArray:
+    """(n, k): the length of every other bar is unknown."""
+    found = np.zeros((everything.size, sum(one.other_bar for one in further)))
+    first = int(everything.run[size]) if everything.size > size else 0
+    for place, number in enumerate(number for number, one in enumerate(further) if one.other_bar):
+        found[everything.of_run(first + number), place] = 1.0
+    return found
+
+
+def _usual(instrument: str) -> NoiseOf:
+    sigma = PROBE_MM if instrument == "probe" else USUAL_MM
+    return NoiseOf(instrument, sigma, 0.0, 0.0, 0.0, 1.0, "usual")
+
+
+def _significant(columns: FloatArray) -> FloatArray:
+    """Those that are more than rounding."""
+    size = np.linalg.norm(columns, axis=0)
+    return columns[:, size > RANK * max(float(size.max(initial=0.0)), 1.0)]
+
+
+def _inverse_root(covariance: FloatArray) -> FloatArray:
+    lower = cholesky(covariance, lower=True)
+    return np.asarray(solve_triangular(lower, np.eye(lower.shape[0]), lower=True))
