@@ -42,12 +42,15 @@ def tried(trial: Trial) -> Result:
         return Result(trial, Said(f"{FAILED}: {error!r}"))
 
 
-def run(trials: Sequence[Trial], workers: int) -> list[Result]:
-    """In the order of the trials, whatever the number of workers."""
+def run(trials: Sequence[Trial], workers: int, log: Path | None = None) -> list[Result]:
+    """In the order of the trials, whatever the number of workers; log: gets a line of JSON per trial as it is done."""
     results = []
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
         for number, result in enumerate(pool.imap(tried, trials, chunksize=1), start=1):
             results.append(result)
+            if log is not None:
+                with log.open("a") as file:
+                    file.write(json.dumps(asdict(result) | {"grade": result.grade}, default=str) + "\n")
             if sys.stderr.isatty() or number % 50 == 0:
                 print(f"{number} of {len(trials)}", file=sys.stderr, flush=True)
     return results
@@ -65,13 +68,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     trials = [
         trial for name in args.only for trial in SCENARIOS[name](args.clean if name == "clean" else args.cases, bounds)
     ]
-    results = run(trials, args.workers)
+    if args.log is not None:
+        args.log.unlink(missing_ok=True)
+    results = run(trials, args.workers, args.log)
     words = [f"--cases {args.cases}", f"--clean {args.clean}"]
     words += [f"--only {' '.join(args.only)}"] if args.only != list(SCENARIOS) else []
     text = page(results, f"python -m tests.hidden_effects.campaign {' '.join(words)}")
     print(text)
-    if args.log is not None:
-        args.log.write_text("".join(json.dumps(asdict(r) | {"grade": r.grade}, default=str) + "\n" for r in results))
     if args.write is not None:
         args.write.write_text(text)
     return 0
