@@ -61,7 +61,7 @@ def generate(case: Case) -> Data:
     reading = reading + _noise(case, machine, plan, _source(case, 7))
     if case.noise in RESOLUTION:
         reading = np.round(reading / RESOLUTION[case.noise]) * RESOLUTION[case.noise]
-    thermometer = np.round(plan.state.temperature + 0.02 * _source(case, 8).standard_normal(len(reading)), 2)
+    thermometer = _thermometer(case.design.temperature, plan, _source(case, 8))
     data = Data(machine, plan, np.round(reading, 8), thermometer, then, case.design, left_out)
     return tampered(case.tamper, data, _source(case, 9))
 
@@ -83,6 +83,13 @@ def clean_readings(machine: Machine, plan: Plan, truth: Truth) -> Array:
 
 def _source(case: Case, stream: int) -> np.random.Generator:
     return np.random.default_rng([case.seed, stream])
+
+
+def _thermometer(course: str, plan: Plan, source: np.random.Generator) -> Array:
+    """degC; a course that is to be one with the time must not be told from it by the thermometer's noise."""
+    if course == "linear":
+        return plan.state.temperature
+    return np.asarray(np.round(plan.state.temperature + 0.02 * source.standard_normal(len(plan.state.time)), 2), float)
 
 
 def _noise(case: Case, machine: Machine, plan: Plan, source: np.random.Generator) -> Array:

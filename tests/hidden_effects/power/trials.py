@@ -17,6 +17,7 @@ TIMES = (0.3, 1.0, 3.0, 10.0)
 OUTSIDE_TIMES = 5.0
 LARGEST = {"point_offset": 20.0, "laser_cosine": 0.02, "servo_lag": 0.01}  # sizes that somebody would notice otherwise
 LARGEST_LINEAR, LARGEST_ANGULAR = 0.1, 3e-4  # mm, rad
+ROOTS = ("laser_cosine",)  # the readings go with the square of the parameter
 RATES = ("thermal_expansion", "thermal_offset", "drift", "laser_scale")
 NOISES = tuple(kind for kind in noise.KINDS if kind != "none")
 
@@ -57,9 +58,12 @@ def reduced(count: int, bounds: Bounds) -> Iterator[Trial]:
 
 
 def confounded(count: int, bounds: Bounds) -> Iterator[Trial]:
-    """One effect that the audit calls confounded, at ten times its detection limit: a set, never one name."""
+    """An effect that the audit can detect and not isolate at ten times its detection limit: a set, never one name."""
     setting = Case(1)
-    for kind, found in _by_kind(bounds(setting), "confounded").items():
+    for kind, of_kind in _by_kind(bounds(setting), "confounded").items():
+        found = [bound for bound in of_kind if _amplitude(bound, bound.isolation / bound.detection) > 10.0]
+        if not found:
+            continue
         for n in range(count):
             bound = found[n % len(found)]
             effect = _effect(bound, 10.0 * bound.detection / _limit(bound), 50_000 + n)
@@ -172,7 +176,7 @@ def _by_kind(bounds: Sequence[Bound], state: str) -> dict[str, list[Bound]]:
 def _effect(bound: Bound, times: float, seed: int) -> Hidden | None:
     """At so many times the limit; None where that would be a size that nobody has."""
     source = np.random.default_rng([seed, 11])
-    root = bound.name.kind == "laser_cosine"  # the readings go with the square of the angle
+    root = bound.name.kind in ROOTS
     size = _limit(bound) * (np.sqrt(times) if root else times)
     if size > _largest(bound):
         return None
@@ -180,6 +184,11 @@ def _effect(bound: Bound, times: float, seed: int) -> Hidden | None:
     name = bound.name
     shift = bound.size.upper() if name.kind in OF_SETUP else ""
     return Hidden(name.kind, name.component, name.axis, name.runs, name.end, float(size), shift, seed)
+
+
+def _amplitude(bound: Bound, times: float) -> float:
+    """So many times the parameter, as times the signature."""
+    return times**2 if bound.name.kind in ROOTS else times
 
 
 def _limit(bound: Bound) -> float:
