@@ -1,0 +1,55 @@
+"""What is lacking is said, with its cost; nothing is said of data that lack nothing."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from tests.diagnose.prepared import SIGMA, SMALL, field_of, prepared
+from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
+from trueaxis.diagnose.absences import absences
+from trueaxis.diagnose.audit import audit
+from trueaxis.diagnose.result import NoiseOf
+from trueaxis.diagnose.search import scan_all
+
+NOISE = NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 100.0, "repeats")
+
+
+def said(design: Design, *, one_way: bool = False, noise: NoiseOf = NOISE) -> tuple[str, ...]:
+    case = prepared(Case(seed=1, design=design, noise="none", given="exact"))
+    rows = case.rows
+    if one_way:
+        rows = rows.only((rows.directions >= 0.0).all(axis=0) & np.isnan(rows.feed if rows.feed is not None else 0.0))
+    one = field_of(case.model, rows, [NOISE for _ in rows.present])
+    ground = one.ground(np.zeros(rows.size))
+    scans = scan_all(ground, ground.base, np.zeros(rows.size), ground.effects)
+    return absences(one.readings, audit(ground, scans), [noise])
+
+
+def test_nothing_of_columns_directions_feeds_or_repeats_lacks_in_a_whole_campaign() -> None:
+    for text in said(SMALL):
+        assert text.startswith("in these runs: "), text
+
+
+def test_columns() -> None:
+    found = said(replace(SMALL, temperature=""))
+    assert "without temperature_c: thermal_expansion and thermal_offset cannot be seen" in found
+    without_time = next(text for text in said(replace(SMALL, times=False)) if text.startswith("without time_s"))
+    assert "warm_up, drift and laser_step" in without_time
+    assert "thermal" not in without_time
+
+
+def test_instruments() -> None:
+    lasers = next(text for text in said(replace(SMALL, ball_bar=False)) if text.startswith("without a ball bar"))
+    assert "servo_lag" in lasers
+    assert "backlash" not in lasers
+    bars = next(text for text in said(replace(SMALL, laser=False)) if text.startswith("without a laser"))
+    assert "ballbar_length" in bars
+    assert "servo_lag" not in bars
+
+
+def test_one_direction_one_feed_and_no_repeats() -> None:
+    assert sum("from one side only" in text for text in said(SMALL, one_way=True)) == 3
+    assert sum("at one feed only" in text for text in said(replace(SMALL, feeds=(1000.0,)))) == 3
+    unsure = replace(NOISE, origin="nothing is repeated")
+    assert any(text.startswith("no repeats by the laser") for text in said(SMALL, noise=unsure))
