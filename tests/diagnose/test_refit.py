@@ -126,3 +126,17 @@ def test_a_parameter_that_no_reading_tells_has_no_uncertainty() -> None:
     (one,) = refit(ground, found_of(ground, [effect]))
     assert np.isfinite(one.values).all()
     assert np.isnan(one.u[0]) or one.u[0] > 1e2 * np.nanmin(one.u)
+
+
+def test_a_time_constant_that_is_hardly_told_does_not_make_the_fit_worse() -> None:
+    """Undamped steps overflow here: the amplitude is just found, its time constant is not."""
+    where = field(replace(SMALL, lines=4, repeats=3), CORRELATED)
+    effect = Effect("warm_up", "EYY")
+    for seed in range(12):
+        ground = planted(where, ((effect, [8e-3, 4000.0]),), CORRELATED, seed)
+        (start,) = found_of(ground, [effect])
+        (one,) = refit(ground, [start])
+        before = float(np.sum(ground.base.rest(ground.values) ** 2)) - start.scan.statistic
+        after = float(np.sum(ground.base.rest(ground.values - ground.whitening(one.signal)) ** 2))
+        assert np.isfinite(one.values).all()
+        assert after <= before * (1.0 + 1e-9)

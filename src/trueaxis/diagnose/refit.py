@@ -1,4 +1,4 @@
-"""All causes fitted together: Gauss-Newton on every parameter, with the derivatives that the kernels give."""
+"""All causes fitted together: Gauss-Newton with shortened steps, with the derivatives that the kernels give."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,6 +11,7 @@ from trueaxis.diagnose.signatures import Readings, parameter_signature
 from trueaxis.effects.kind import Effect, Kind
 
 STEPS = 12
+HALVINGS = 12
 CONVERGED = 1e-6  # of a standard uncertainty
 
 
@@ -42,7 +43,7 @@ def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
         left = ground.base.rest(ground.whitening(jacobian))
         residual = ground.base.rest(ground.values - ground.whitening(signals.sum(axis=1)))
         step, covariance = _solved(left, residual)
-        values = [one + step[ends[k] : ends[k + 1]] for k, one in enumerate(values)]
+        values = _improved(ground, effects, values, np.split(step, ends[1:-1]))
         spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
         if (np.abs(step) <= CONVERGED * spread + 1e-300).all():
             break
@@ -53,6 +54,25 @@ def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
         Fitted(effect, kind, values[k], spread[ends[k] : ends[k + 1]], signals[:, k])
         for k, (effect, kind) in enumerate(zip(effects, kinds, strict=True))
     )
+
+
+def _improved(
+    ground: Ground, effects: Sequence[Effect], values: Sequence[FloatArray], steps: Sequence[FloatArray]
+) -> list[FloatArray]:
+    """The values after the step, halved until it does no harm: a time constant hardly told would run away."""
+    before = _squares(ground, effects, values)
+    for halved in range(HALVINGS):
+        tried = [one + 0.5**halved * step for one, step in zip(values, steps, strict=True)]
+        with np.errstate(all="ignore"):  # what overflows is NaN, and no improvement
+            if _squares(ground, effects, tried) <= before:
+                return tried
+    return list(values)
+
+
+def _squares(ground: Ground, effects: Sequence[Effect], values: Sequence[FloatArray]) -> float:
+    signals, _ = _linearised(ground.readings, effects, values)
+    rest = ground.base.rest(ground.values - ground.whitening(signals.sum(axis=1)))
+    return float(rest @ rest)
 
 
 def _solved(columns: FloatArray, residual: FloatArray) -> tuple[FloatArray, FloatArray]:
