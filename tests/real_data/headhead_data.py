@@ -13,6 +13,7 @@ the readings would be part of the regressors, and axes that do not move at all (
 the sphere) a perfect fit.
 """
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -66,3 +67,43 @@ def probe_data(sense_of_b: int = 1) -> Observations:
         np.ascontiguousarray(reading.T).ravel(),
         np.repeat(np.arange(1, n + 1), 3),
     )
+
+
+SETUP = """\
+[[run]]
+id = "{run.id}"
+instrument = "probe"
+direction = {direction}
+frame = "workpiece"
+target = {{ on = "tool", point = [0.0, 0.0, 0.0] }}
+reference = {{ on = "workpiece", point = [0.0, 0.0, 0.0] }}
+home = {{ {home} }}
+"""
+
+
+def write(folder: Path, sense_of_b: int = 1) -> tuple[Path, Path]:
+    """Write the readings as a data folder, and error values of the nominal machine beside it; where both are.
+
+    No times were recorded: time_s counts the poses, an assumption of equal time steps.
+    """
+    observed = probe_data(sense_of_b)
+    data = folder / "readings"
+    data.mkdir(parents=True)
+    tables = ["schema = 1", 'machine = "headhead_mill"']
+    for run in observed.runs:
+        assert run.home is not None
+        home = ", ".join(f"{axis} = {value!r}" for axis, value in run.home.items())
+        tables.append(SETUP.format(run=run, direction=list(run.direction or ()), home=home))
+    (data / "setup.toml").write_text("\n".join(tables))
+    pl.DataFrame(
+        {
+            "run": [observed.runs[index].id for index in observed.run],
+            "seq": observed.seq,
+            "time_s": np.repeat(np.arange(len(observed.reading) // 3, dtype=np.float64), 3),
+            **dict(zip(AXES, observed.positions, strict=True)),
+            "reading": observed.reading,
+        }
+    ).write_csv(data / "readings.csv")
+    errors = folder / "nominal.json"
+    errors.write_text(json.dumps({"schema": 1, "machine": "headhead_mill", "parameters": DIMENSIONS}))
+    return data, errors

@@ -1,0 +1,108 @@
+"""What the diagnosis says of the poses of the real head-head mill: python -m tests.real_data.headhead_diagnosis"""
+
+import sys
+import tempfile
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from tests.kernels import kernels_of
+from tests.real_data.headhead import SPEC, rms_3d
+from tests.real_data.headhead_data import DIMENSIONS, FILE, probe_data, write
+from trueaxis.cli import main as trueaxis
+from trueaxis.diagnose.base import base_of
+from trueaxis.diagnose.procedure import diagnose
+from trueaxis.diagnose.result import Diagnosis
+from trueaxis.diagnose.rows import Rows, rows_of
+from trueaxis.faults import Faults
+from trueaxis.measure.data import MeasuredData, read_data
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.kernels import Kernels
+from trueaxis.runtime.model import MachineModel
+from trueaxis.spec.read import parse_machine
+
+LOBES = """
+[[effect_kind]]
+name = "lobes"
+expression = "a*cos(k*q*pi/180) + b*sin(k*q*pi/180)"
+components = ["EXB", "EYB", "EZB", "EAB", "EBB", "ECB", "EXC", "EYC", "EZC", "EAC", "EBC", "ECC"]
+parameters.a = { unit = "u", meaning = "cosine" }
+parameters.b = { unit = "u", meaning = "sine" }
+parameters.k = { unit = "1", meaning = "lobes in a turn", grid = [1.0, 2.0] }
+sentence = "an eccentric bearing, encoder or gear of the rotary axis"
+"""
+
+
+def given(kinds: str = "") -> tuple[MachineModel, MeasuredData]:
+    """The nominal machine and the readings, through the files that a user would have. kinds: TOML of kinds."""
+    model = _model(SPEC.read_text() + kinds)
+    with tempfile.TemporaryDirectory() as name:
+        data, _ = write(Path(name))
+        return model, read_data(data, model.machine)
+
+
+@cache
+def _model(spec: str) -> MachineModel:
+    module = kernels_of(spec)
+    kernels = Kernels(
+        module.META, module, {name: getattr(module, name) for name in module.META["routines"]}, "numpy", ""
+    )
+    return MachineModel(parse_machine(spec, Faults(SPEC.name)), kernels, ErrorValues("headhead_mill", DIMENSIONS))
+
+
+def diagnosis(kinds: str = "") -> Diagnosis:
+    """Diagnosed in process."""
+    return diagnose(*given(kinds))
+
+
+def base_left_out(degree: int) -> tuple[int, float]:
+    """Rank of the base of a degree, and 3-D rms (mm) of poses that it predicts from the others.
+
+    The poses at B0 C0 go together: each of them alone is told by the others.
+    """
+    model, data = given()
+    rows = rows_of(data)
+    columns = base_of(model, rows, degree).columns
+    columns = columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+    left = np.zeros(rows.size)
+    for out in _poses(rows):
+        kept = np.setdiff1d(np.arange(rows.size), out)
+        # an error-free machine reads 0
+        found = np.linalg.lstsq(columns[kept], rows.reading[kept], rcond=1e-8)[0]
+        left[out] = rows.reading[out] - columns[out] @ found
+    return int(np.linalg.matrix_rank(columns, tol=1e-9)), rms_3d(left)
+
+
+def _poses(rows: Rows) -> list[np.ndarray[tuple[int], np.dtype[np.int64]]]:
+    _, group = np.unique(rows.positions[3:], axis=1, return_inverse=True)
+    return [np.flatnonzero(group.reshape(-1) == one) for one in range(group.max() + 1)]
+
+
+def command() -> int:
+    """`trueaxis diagnose` on the machine as it is checked in."""
+    with tempfile.TemporaryDirectory() as name:
+        data, errors = write(Path(name))
+        out, kernels = Path(name) / "out", SPEC.parents[1] / "generated"
+        options = ["--errors", str(errors), "--data", str(data), "--kernels", str(kernels), "--out", str(out)]
+        return trueaxis(["diagnose", str(SPEC), *options])
+
+
+def main() -> int:
+    """Print what the command says, and what the base is worth; 1 where there are no data."""
+    if not FILE.exists():
+        print(f"there are no data: {FILE} is missing", file=sys.stderr)
+        return 1
+    command()
+    kept = rows_of(given()[1]).size
+    print(f"readings: {probe_data().reading.size}, of which {kept} are used; base by degree: rank, poses left out")
+    for degree in (12, 3, 2, 1):
+        rank, left = base_left_out(degree)
+        print(f"  {degree:2d}   {rank:2d}   {left:.3f} mm")
+    limits = [limit for limit in diagnosis(LOBES).limits if limit.effect.kind == "lobes"]
+    print(f"lobes of B and C: {', '.join(sorted({f'{one.state}: {one.reason}' for one in limits}))}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

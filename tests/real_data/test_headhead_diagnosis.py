@@ -1,0 +1,55 @@
+"""What a diagnosis may and may not say of 32 poses: the figures of docs/real-data.md."""
+
+import numpy as np
+import pytest
+
+from tests.real_data.headhead_data import FILE, poses
+from tests.real_data.headhead_diagnosis import LOBES, base_left_out, command, diagnosis, given
+from trueaxis.diagnose.rows import rows_of
+
+pytestmark = pytest.mark.skipif(not FILE.exists(), reason="../shared/data/headhead_5axis is not here")
+
+
+def test_nothing_is_named_and_the_values_are_stale() -> None:
+    found = diagnosis()
+    assert found.verdict == "recalibrate"
+    assert found.causes == ()
+    assert found.recalibration_p < 1e-6
+    assert max(one.evidence for one in found.scan) < 0.5 * found.threshold
+
+
+def test_noise_is_the_scatter_of_the_repeated_pose() -> None:
+    """Poses 14, 23 and 32: B came up and C down to 0; poses 1 to 5 are left out, as B had not moved."""
+    angles, centres = poses()
+    repeats = [place for place in np.flatnonzero((angles == 0.0).all(axis=0)) if place > 4]
+    assert len(repeats) == 3
+    expected = np.sqrt(centres[:, repeats].var(axis=1, ddof=1).mean())
+    (noise,) = diagnosis().noise
+    assert noise.sigma == pytest.approx(expected, rel=1e-6)
+    assert 1e3 * noise.sigma == pytest.approx(8.5, abs=0.05)
+    assert noise.freedom == 6
+
+
+def test_readings_before_an_axis_has_moved_are_left_out() -> None:
+    _, data = given()
+    rows = rows_of(data)
+    assert rows.size == 81
+    assert set(rows.seq.tolist()) == set(range(6, 33))
+
+
+@pytest.mark.parametrize(("degree", "rank", "left"), [(12, 75, 0.506), (3, 67, 0.120), (2, 55, 0.142), (1, 33, 0.125)])
+def test_the_saturated_base_fits_all_and_predicts_nothing(degree: int, rank: int, left: float) -> None:
+    found = base_left_out(degree)
+    assert found[0] == rank
+    assert found[1] == pytest.approx(left, abs=2e-3 if degree < 12 else 2e-2)
+
+
+def test_lobes_of_rotary_axes_cannot_be_seen() -> None:
+    limits = [one for one in diagnosis(LOBES).limits if one.effect.kind == "lobes"]
+    assert len(limits) == 12
+    assert {one.state for one in limits} == {"unobservable"}
+
+
+def test_the_command_says_the_same(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command() == 0
+    assert capsys.readouterr().out.startswith("recalibrate")
