@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import legendre
-from scipy.stats import f as f_distribution
 from scipy.stats import norm
 
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.result import Check, FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.tails import log_f_tail
 from trueaxis.diagnose.whiten import Whitening
 
 FALSE_ALARMS = 0.005  # share of clean data sets in which one check or other may fire
@@ -55,11 +55,11 @@ def run_checks(
             continue
         inside = basis.T @ residual
         statistic = float(inside @ inside)
-        log_p = float(f_distribution.logsf(statistic / k, k, freedom.of(basis))) + np.log(len(classes))
+        log_p = log_f_tail(statistic / k, k, freedom.of(basis)) + np.log(len(classes))
         beyond = max(statistic - k, 0.0) / statistic if statistic > 0.0 else 0.0
         rms = float(np.sqrt(beyond * np.mean((sigma * (basis @ inside)) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
-        found.append(Check(one.name, one.meaning, p_value, p_value < FALSE_ALARMS, rms))
+        found.append(Check(one.name, one.meaning, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
     found.append(_noisy_runs(rows, projection, residual, sigma))
     return tuple(found)
 

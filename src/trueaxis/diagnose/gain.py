@@ -97,7 +97,8 @@ def _left(
     kept = size > 0.0
     coefficient = np.zeros(columns.shape[1])
     if kept.any():
-        solved = np.linalg.lstsq(weighted[:, kept] / size[kept], values[train] * weights[train], rcond=RANK)[0]
+        q, r = np.linalg.qr(weighted[:, kept] / size[kept])
+        solved = np.linalg.lstsq(r, q.T @ (values[train] * weights[train]), rcond=RANK)[0]
         coefficient[kept] = solved / size[kept]
     rest = values - columns @ coefficient
     if train.all():

@@ -13,6 +13,7 @@ PERIODS = 120  # per range of the axis: the shortest pitch searched
 FEWEST_PERIODS = 2.0
 STEPS_PER_PERIOD = 2  # of frequency, per 1/range; what lies between is looked at where the evidence is best
 TIMES = 6  # time constants, from a twentieth of the time covered to twice it
+MOMENTS = 40  # of a run, at most about so many
 WAYS = 6  # decay lengths, from a two-thousandth of the range of the axis to a twentieth
 
 
@@ -53,4 +54,5 @@ def _moments(effect: Effect, rows: Rows) -> list[float]:
         return [np.nan]
     times: FloatArray = rows.time[rows.of_run(index)]
     between = 0.5 * (times[1:] + times[:-1])
-    return between[1:-1].tolist() if between.size > 2 else [np.nan]
+    every = max(1, between.size // MOMENTS)
+    return [float(moment) for moment in between[1:-1:every]] if between.size > 2 else [np.nan]

@@ -2,8 +2,8 @@
 
 Differences of repeats hold no model misfit. What a cause could put into them (an offset, a drift of a run) is
 projected out before; from circles at two feeds what servo lag makes of them, too. The rest is fitted by restricted
-maximum likelihood as white plus first-order autocorrelated noise; of all that the repeats allow, the noise that is strongest at
-low frequencies is taken, since a cause that is none costs more than one not found.
+maximum likelihood as white plus first-order autocorrelated noise; of all that the repeats allow, the noise that is
+strongest at low frequencies is taken, since a cause that is none costs more than one not found.
 """
 
 from collections.abc import Iterator, Sequence
@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import solve_banded
+from scipy.stats import chi2
 
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnose.rows import Rows
@@ -23,6 +24,9 @@ _SHARES = (0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.98)
 _CORRELATIONS = (0.3, 0.5, 0.65, 0.8, 0.9, 0.95, 0.98)
 _SHAPES = ((0.0, 0.0), *((share, correlation) for correlation in _CORRELATIONS for share in _SHARES))
 FEWEST_RUNS = 4  # for a slope's variance
+KEPT = 2.0 / 3.0  # of the slopes, the smallest: what warms or creeps may tilt the runs of one axis, all the more
+TRIMMED = float(chi2.cdf(chi2.ppf(KEPT, 1), 3)) / KEPT  # mean of so many of the smallest squares, over that of all
+TOLD = 0.4  # of the degrees of freedom, that are left by it
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -133,8 +137,9 @@ def _slope(mine: Sequence[Contrast], noise: NoiseOf) -> tuple[float, float]:
         variances.append(float(inverse[1, 1]))
     if len(squares) < FEWEST_RUNS:
         return 0.0, 0.0
-    excess = float(np.mean(squares)) - float(np.mean(variances))
-    return float(np.sqrt(max(excess, 0.0))), float(len(squares))
+    order = np.argsort(np.array(squares) / np.array(variances))[: max(int(KEPT * len(squares)), 1)]
+    excess = float(np.mean(np.array(squares)[order])) / TRIMMED - float(np.mean(variances))
+    return float(np.sqrt(max(excess, 0.0))), TOLD * len(squares)
 
 
 def _by(number: IntArray) -> Iterator[IntArray]:

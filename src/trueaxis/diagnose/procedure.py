@@ -13,15 +13,17 @@ from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.gain import fitted_left, gain_of, held_out
+from trueaxis.diagnose.imperfection import imperfections
 from trueaxis.diagnose.noise_of_runs import noise_of_runs
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.refit import Fitted, refit
-from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
+from trueaxis.diagnose.result import AmplitudeOf, Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.screening import outliers
-from trueaxis.diagnose.search import Ground, Search, search, with_rivals
+from trueaxis.diagnose.search import Found, Ground, Search, search, with_rivals, without
 from trueaxis.diagnose.signatures import Readings, readings_of
-from trueaxis.diagnose.verdict import explained_share, names_stand, verdict_of
+from trueaxis.diagnose.temperature import smoothed
+from trueaxis.diagnose.verdict import HOMOGENEOUS, explained_share, names_stand, verdict_of
 from trueaxis.diagnose.whiten import whitening
 from trueaxis.diagnose.write_up import Outcome, diagnosis_of
 from trueaxis.measure.data import MeasuredData
@@ -48,7 +50,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     """
     options = options or DiagnoseOptions()
     options.progress("reading")
-    rows = rows_of(data)
+    rows = rows_of(smoothed(data))
     values = rows.reading - _expected(model, rows)
     keep, off = outliers(rows, values)
     rows, values = rows.only(keep), values[keep]
@@ -62,12 +64,18 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         again = noise_of_runs(rows, readings.reading, values - signals, options.noise_um)
         if _changed(noise, again):
             noise = again
-            ground, found, causes = _searched(readings, base, values, noise, options)
+        chance = imperfections(readings, causes)
+        ground, found, causes = _searched(readings, base, values, noise, options, chance, found.causes)
     options.progress("checks")
     theta = readings.reading.theta
+    groups = _amplitudes(ground, causes)
+    while len(causes) > 1 and min(p for _, p in groups) < HOMOGENEOUS:
+        # a further cause that is not one everywhere is none, and says nothing against the others
+        found = without(ground, found, max(k for k, (_, p) in enumerate(groups) if p < HOMOGENEOUS))
+        causes = refit(ground, found.causes)
+        groups = _amplitudes(ground, causes)
     checks = run_checks(rows, theta, ground.whitening, found.projection, found.residual, ground.freedom)
-    groups = tuple(amplitudes_of(ground, causes, index) for index in range(len(causes)))
-    stand = names_stand(explained_share(found), checks, [p for _, p in groups])
+    stand = names_stand(explained_share(ground, found, causes, checks), checks, [p for _, p in groups])
     if stand:
         options.progress("rivals")
         found = with_rivals(ground, found)
@@ -104,16 +112,28 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     )
 
 
+def _amplitudes(ground: Ground, causes: Sequence[Fitted]) -> tuple[tuple[tuple[AmplitudeOf, ...], float], ...]:
+    return tuple(amplitudes_of(ground, causes, index) for index in range(len(causes)))
+
+
 def _expected(model: MachineModel, rows: Rows) -> FloatArray:
     return expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
 
 
 def _searched(
-    readings: Readings, base: Base, values: FloatArray, noise: Sequence[NoiseOf], options: DiagnoseOptions
+    readings: Readings,
+    base: Base,
+    values: FloatArray,
+    noise: Sequence[NoiseOf],
+    options: DiagnoseOptions,
+    chance: FloatArray | None = None,
+    start: Sequence[Found] = (),
 ) -> tuple[Ground, Search, tuple[Fitted, ...]]:
     rows = readings.rows
     white = whitening(rows.run, [noise[index] for index in rows.present])
     projection = Projection(orthonormal(white(base.columns)))
+    if chance is not None:
+        projection = projection.softened(white(chance))
     ground = Ground(
         readings=readings,
         effects=candidates(readings.model, rows),
@@ -123,7 +143,7 @@ def _searched(
         freedom=freedom_of(white),
         progress=options.progress,
     )
-    found = search(ground)
+    found = search(ground, start)
     return ground, found, refit(ground, found.causes)
 
 

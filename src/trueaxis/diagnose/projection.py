@@ -1,6 +1,7 @@
 """The whitened base as an orthonormal basis, and what it leaves of readings and signatures."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -8,31 +9,78 @@ from trueaxis.diagnose.base import RANK
 from trueaxis.diagnose.result import FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+def _nothing() -> FloatArray:
+    return np.zeros((0, 0))
+
+
+@dataclass(frozen=True, eq=False)
 class Projection:
-    """basis: (n, rank), orthonormal columns that span the base."""
+    """What is no news: columns that are free, columns that may be there in part, and causes that are named.
+
+    basis: (n, rank), orthonormal columns that span the base. soft: (n, k), orthonormal directions in which readings
+    also vary by chance, their standard deviation d against the noise told by shrink: (k,), 1 - 1/sqrt(1 + d^2): the
+    noise has the covariance 1 + soft d^2 soft' there. causes: (n, j), orthonormal after both.
+    """
 
     basis: FloatArray
+    soft: FloatArray = field(default_factory=_nothing)
+    shrink: FloatArray = field(default_factory=lambda: np.zeros(0))
+    causes: FloatArray = field(default_factory=_nothing)
 
     @property
     def rank(self) -> int:
-        """Number of combinations that the readings determine."""
-        return int(self.basis.shape[1])
+        """Number of combinations that are free."""
+        return int(self.basis.shape[1]) + int(self.causes.shape[1] if self.causes.size else 0)
 
     def rest(self, columns: FloatArray) -> FloatArray:
-        """What the base leaves of columns (n,) or (n, k)."""
+        """What is left of columns (n,) or (n, k), independent and of variance 1 where it is noise alone."""
         left = columns - self.basis @ (self.basis.T @ columns)
-        return np.asarray(left - self.basis @ (self.basis.T @ left))
+        left = self._rooted(left - self.basis @ (self.basis.T @ left))
+        return np.asarray(left - self.causes @ (self.causes.T @ left)) if self.causes.size else left
+
+    @cached_property
+    def inner(self) -> FloatArray:
+        """(n, rank + k): B such that rest(a)' rest(b) = a'b - (B'a)'(B'b) for any columns a and b."""
+        parts = [self.basis]
+        if self.soft.size:
+            parts.append(self.soft * np.sqrt(1.0 - (1.0 - self.shrink) ** 2))
+        if self.causes.size:
+            parts.append(self._rooted(self.causes))
+        return np.hstack(parts)
+
+    def told(self, values: FloatArray) -> FloatArray:
+        """(n,): the vector whose product with a column is that of what is left of both."""
+        return np.asarray(values - self.inner @ (self.inner.T @ values))
 
     def extended(self, columns: FloatArray) -> "Projection":
-        """The projection that takes further columns (n, k) away, too."""
+        """The projection that takes further columns (n, k) away, too: causes that are named."""
         more = self.rest(columns)
         size = np.linalg.norm(columns, axis=0)
         left = np.linalg.norm(more, axis=0)
         kept = more[:, left > RANK * size]
         if kept.shape[1] == 0:
             return self
-        return Projection(np.hstack([self.basis, orthonormal(kept / np.linalg.norm(kept, axis=0))]))
+        fresh = orthonormal(kept / np.linalg.norm(kept, axis=0))
+        return replace(self, causes=np.hstack([self.causes, fresh]) if self.causes.size else fresh)
+
+    def softened(self, columns: FloatArray) -> "Projection":
+        """With further chance in the readings: columns (n, k), whitened, each times its standard deviation."""
+        left = columns - self.basis @ (self.basis.T @ columns)
+        q, r = np.linalg.qr(left)
+        turned, deviation, _ = np.linalg.svd(r)
+        kept = deviation > SLIGHT
+        shrink = 1.0 - 1.0 / np.sqrt(1.0 + deviation[kept] ** 2)
+        return Projection(self.basis, q @ turned[:, : deviation.size][:, kept], shrink)
+
+    def _rooted(self, columns: FloatArray) -> FloatArray:
+        if not self.soft.size:
+            return columns
+        inside = self.soft.T @ columns
+        scaled = self.shrink * inside if inside.ndim == 1 else self.shrink[:, np.newaxis] * inside
+        return np.asarray(columns - self.soft @ scaled)
+
+
+SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
 
 
 def orthonormal(columns: FloatArray) -> FloatArray:

@@ -117,13 +117,17 @@ class Cause:
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A test for structure of a class that needs no cause; p_value already multiplied by the number of checks."""
+    """A test for structure of a class that needs no cause; p_value already multiplied by the number of checks.
+
+    rms: of the structure over the readings, mm; excess: its whitened squares beyond those of noise.
+    """
 
     name: str
     meaning: str
     p_value: float
     fired: bool
     rms: float
+    excess: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

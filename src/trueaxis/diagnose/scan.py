@@ -10,10 +10,12 @@ from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.signatures import Signature
+from trueaxis.diagnose.tails import log_f_tail
 from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
 
-WORTH_A_LOOK = 9.0  # of a statistic, below which nobody asks how sure the noise is
+WORTH_A_LOOK = 14.0  # of a statistic, below which nobody asks how sure the noise is
+FAR = 100.0  # a statistic from which the number of tries does not matter
 UNOBSERVABLE = 1e-9  # share of the squared signature that the base leaves
 
 
@@ -46,14 +48,14 @@ class Scanned:
 def scanned(
     signature: Signature, whitening: Whitening, projection: Projection, residual: FloatArray, freedom: Freedom
 ) -> Scanned:
-    """Scan one candidate. residual: (n,), whitened, base projected out; freedom: of the noise estimate.
+    """Scan one candidate. residual: (n,), whitened, as the projection tells it; freedom: of the noise estimate.
 
     The cost grows with readings times rank of the base times points of the grid.
     """
     size, points, k = signature.columns.shape
     support = signature.support
     white = whitening.part(support, signature.columns.reshape(size, -1))
-    inside = projection.basis[support].T @ white
+    inside = projection.inner[support].T @ white
     full = white.reshape(size, points, k)
     held = inside.reshape(-1, points, k)
     total = _gram(full)
@@ -64,14 +66,14 @@ def scanned(
     share = np.divide(left, whole, out=np.zeros(points), where=whole > 0.0)
     statistic, amplitudes = _explained(gram, right, whole, one_sided=_one_sided(signature))
     best = int(np.argmax(statistic))
-    tries = _tries(full, share)
+    tries = _tries(full, held, gram, float(statistic[best]))
     within = freedom.of_readings
     if statistic[best] > WORTH_A_LOOK:
         whole = np.zeros((residual.size, k))
         whole[support] = full[:, best]
         within = freedom.of(orthonormal(projection.rest(whole)))
     p_value = float(f_distribution.sf(statistic[best] / k, k, within))
-    evidence = -float(_log10_sf(statistic[best] / k, k, within)) - float(np.log10(tries))
+    evidence = -log_f_tail(statistic[best] / k, k, within) / float(np.log(10.0)) - float(np.log10(tries))
     return Scanned(
         effect=signature.effect,
         point=signature.points[best],
@@ -119,23 +121,21 @@ def _explained(
     return statistic, amplitudes
 
 
-def _tries(full: FloatArray, share: FloatArray) -> float:
-    """Effective number of independent places along the grid: one more for each quarter turn of the signature."""
-    points = full.shape[1]
-    if points == 1:
+def _tries(full: FloatArray, held: FloatArray, gram: FloatArray, statistic: float) -> float:
+    """Effective number of independent places along the grid, for a statistic of this size.
+
+    By the length L of the curve that the signature, base projected out, draws on the unit sphere: a largest statistic
+    u is 1 + L sqrt(u / 2 pi) times as likely as one at a given place (Hotelling's tube to first order).
+    """
+    if full.shape[1] == 1:
         return 1.0
-    first = full[:, :, 0]
-    size = np.linalg.norm(first, axis=0)
-    unit = np.divide(first, size, out=np.zeros_like(first), where=size > 0.0)
-    cosine = np.abs(np.einsum("np,np->p", unit[:, 1:], unit[:, :-1]))
-    if full.shape[2] > 1:
-        second = full[:, :, 1]
-        other = np.linalg.norm(second, axis=0)
-        turned = np.divide(second, other, out=np.zeros_like(second), where=other > 0.0)
-        cosine = np.hypot(cosine, np.einsum("np,np->p", unit[:, 1:], turned[:, :-1]))
-    angle = np.arccos(np.clip(cosine, 0.0, 1.0))
-    return 1.0 + float(np.sum(angle[share[1:] > 1e-6])) / (0.5 * np.pi)
-
-
-def _log10_sf(value: float, k: int, freedom: float) -> float:
-    return float(f_distribution.logsf(value, k, freedom) / np.log(10.0))
+    k = full.shape[2]
+    cross = np.empty((full.shape[1] - 1, k, k))
+    for i in range(k):
+        for j in range(k):
+            cross[:, i, j] = np.einsum("np,np->p", full[:, :-1, i], full[:, 1:, j])
+            cross[:, i, j] -= np.einsum("np,np->p", held[:, :-1, i], held[:, 1:, j])
+    inverse = np.linalg.pinv(gram, rcond=UNOBSERVABLE, hermitian=True)
+    shared = np.einsum("pij,pjk,plk,pli->p", inverse[:-1], cross, inverse[1:], cross)
+    angle = np.arccos(np.sqrt(np.clip(shared / k, 0.0, 1.0)))
+    return 1.0 + float(np.sum(angle)) * float(np.sqrt(min(statistic, FAR) / (2.0 * np.pi)))

@@ -16,8 +16,8 @@ from trueaxis.effects.kind import Effect
 FALSE_ALARMS = 0.005  # share of clean data sets in which one candidate or other may reach the threshold
 RIVAL = 2.0  # decades of evidence within which a candidate remains in the running
 ALIKE = 0.02  # share of what the best explains by which a rival may fall short: no real effect has the exact form
-IMPERFECT = 0.03  # share of what a cause explains below which another at the same place is taken for its own form
 MOST_CAUSES = 4
+FURTHER = 4.0  # decades more that a further cause needs: what the first one leaves is not noise alone
 ZOOM = 7  # points per zoom of a grid, twice
 WORTH_ZOOMING = 0.6  # share of the best statistic from which a candidate's grid is looked at more closely
 
@@ -64,23 +64,34 @@ class Ground:
         return float(np.log10(max(len(self.effects), 1) / FALSE_ALARMS))
 
 
-def search(ground: Ground) -> Search:
+def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
     """Forward, with all causes looked at anew given the others, until no candidate reaches the threshold."""
-    causes: list[Found] = []
     first: tuple[Scanned, ...] = ()
+    causes = list(start)
+    if causes:
+        first = scan_all(ground, ground.base, ground.base.told(ground.values), ground.effects)
+        causes = _settled(ground, causes)
     while len(causes) < MOST_CAUSES:
         projection = _with(ground, causes)
-        residual = projection.rest(ground.values)
+        residual = projection.told(ground.values)
         taken = {one.scan.effect for one in causes}
         scans = scan_all(ground, projection, residual, [one for one in ground.effects if one not in taken])
         first = first or scans
         best = _best(ground, projection, residual, scans)
-        if best is None or best.scan.evidence < ground.threshold or _imperfection(best.scan, causes):
+        if best is None or best.scan.evidence < ground.threshold + FURTHER * bool(causes):
             break
         causes = _settled(ground, [*causes, best])
     causes.sort(key=lambda one: -one.scan.statistic)
     projection = _with(ground, causes)
     return Search(tuple(causes), first, projection, projection.rest(ground.values), ground.threshold)
+
+
+def without(ground: Ground, found: Search, index: int) -> Search:
+    """The search without one of its causes, the others looked at again."""
+    causes = _settled(ground, [one for place, one in enumerate(found.causes) if place != index])
+    causes.sort(key=lambda one: -one.scan.statistic)
+    projection = _with(ground, causes)
+    return replace(found, causes=tuple(causes), projection=projection, residual=projection.rest(ground.values))
 
 
 def with_rivals(ground: Ground, found: Search) -> Search:
@@ -166,37 +177,22 @@ def _best(ground: Ground, projection: Projection, residual: FloatArray, scans: S
     return max(found, key=lambda one: one.scan.evidence)
 
 
-def _imperfection(scan: Scanned, causes: Sequence[Found]) -> bool:
-    """Whether it is but the form of a cause at the same place that is not quite that of its kind."""
-    return any(
-        scan.effect.component is not None
-        and scan.effect.component == one.scan.effect.component
-        and scan.statistic < IMPERFECT * one.scan.statistic
-        for one in causes
-    )
-
-
 def _settled(ground: Ground, causes: list[Found]) -> list[Found]:
-    """Each cause looked at again given the others; one that no longer reaches the threshold goes."""
-    if len(causes) == 1:
-        return causes
-    for _ in range(2):
+    """Each cause looked at again given the others, until all reach what they have to; the weakest goes first."""
+    while causes:
         for index in range(len(causes)):
-            others = causes[:index] + causes[index + 1 :]
-            projection = _with(ground, others)
-            residual = projection.rest(ground.values)
-            again = scan_all(ground, projection, residual, [causes[index].scan.effect])[0]
-            causes[index] = zoomed(ground, projection, residual, again)
-        weakest = min(range(len(causes)), key=lambda index: causes[index].scan.evidence)
-        if causes[weakest].scan.evidence >= ground.threshold:
-            return causes
+            projection = _with(ground, causes[:index] + causes[index + 1 :])
+            told = projection.told(ground.values)
+            again = scan_all(ground, projection, told, [causes[index].scan.effect])[0]
+            causes[index] = zoomed(ground, projection, told, again)
+        strongest = max(range(len(causes)), key=lambda index: causes[index].scan.statistic)
+        excess = [
+            one.scan.evidence - ground.threshold - FURTHER * (index != strongest) for index, one in enumerate(causes)
+        ]
+        weakest = min(range(len(causes)), key=excess.__getitem__)
+        if excess[weakest] >= 0.0:
+            break
         causes = causes[:weakest] + causes[weakest + 1 :]
-        if len(causes) == 1:
-            projection = ground.base
-            residual = projection.rest(ground.values)
-            return [
-                zoomed(ground, projection, residual, scan_all(ground, projection, residual, [causes[0].scan.effect])[0])
-            ]
     return causes
 
 
@@ -204,7 +200,7 @@ def _with_rivals(ground: Ground, causes: Sequence[Found], index: int, first: tup
     """The cause with what explains the readings about as well in its place, the others staying."""
     mine, others = causes[index], [*causes[:index], *causes[index + 1 :]]
     projection = _with(ground, others)
-    residual = projection.rest(ground.values)
+    residual = projection.told(ground.values)
     taken = {one.scan.effect for one in causes}
     if others:
         scans = scan_all(ground, projection, residual, [one for one in ground.effects if one not in taken])

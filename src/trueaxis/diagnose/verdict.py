@@ -2,18 +2,30 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
+from trueaxis.diagnose.projection import Projection
+from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import Check, Verdict
-from trueaxis.diagnose.search import Search
+from trueaxis.diagnose.search import Ground, Search
 
 HOMOGENEOUS = 1e-4  # p value below which the amplitudes of a cause are not one
-NEARLY_ALL = 0.97  # share of what was to be explained from which a remainder does not take the name back
+NEARLY_ALL = 0.9  # share of what was to be explained from which a remainder does not take the name back
 
 
-def explained_share(found: Search) -> float:
-    """Share of the whitened squares beyond those of noise that the causes account for."""
+def explained_share(ground: Ground, found: Search, causes: Sequence[Fitted], checks: Sequence[Check]) -> float:
+    """Share that the causes have of the whitened squares beyond those of noise.
+
+    What is left is that of the checks that fired or, if more, of all residuals.
+    """
+    if not causes:
+        return 0.0
+    hard = Projection(ground.base.basis)
+    before = hard.rest(ground.values)
+    after = hard.rest(ground.values - ground.whitening(np.sum([one.signal for one in causes], axis=0)))
+    explained = float(before @ before) - float(after @ after)
     freedom = found.residual.size - found.projection.rank
-    left = max(float(found.residual @ found.residual) - freedom, 0.0)
-    explained = sum(one.scan.statistic - one.scan.freedom for one in found.causes)
+    left = max([float(found.residual @ found.residual) - freedom, 0.0, *(one.excess for one in checks if one.fired)])
     return explained / (explained + left) if explained > 0.0 else 0.0
 
 
