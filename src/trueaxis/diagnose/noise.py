@@ -8,10 +8,11 @@ strongest at low frequencies is taken, since a cause that is none costs more tha
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 from scipy.linalg import solve_banded
-from scipy.stats import chi2
+from scipy.stats import beta, chi2
 
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnose.rows import Rows
@@ -25,7 +26,6 @@ _CORRELATIONS = (0.3, 0.5, 0.65, 0.8, 0.9, 0.95, 0.98)
 _SHAPES = ((0.0, 0.0), *((share, correlation) for correlation in _CORRELATIONS for share in _SHARES))
 FEWEST_RUNS = 4  # for a slope's variance
 KEPT = 2.0 / 3.0  # of the slopes, the smallest: what warms or creeps may tilt the runs of one axis, all the more
-TRIMMED = float(chi2.cdf(chi2.ppf(KEPT, 1), 3)) / KEPT  # mean of so many of the smallest squares, over that of all
 TOLD = 0.4  # of the degrees of freedom, that are left by it
 
 
@@ -137,9 +137,19 @@ def _slope(mine: Sequence[Contrast], noise: NoiseOf) -> tuple[float, float]:
         variances.append(float(inverse[1, 1]))
     if len(squares) < FEWEST_RUNS:
         return 0.0, 0.0
-    order = np.argsort(np.array(squares) / np.array(variances))[: max(int(KEPT * len(squares)), 1)]
-    excess = float(np.mean(np.array(squares)[order])) / TRIMMED - float(np.mean(variances))
+    kept = max(int(KEPT * len(squares)), 1)
+    order = np.argsort(np.array(squares) / np.array(variances))[:kept]
+    excess = float(np.mean(np.array(squares)[order])) / _smallest(kept, len(squares)) - float(np.mean(variances))
     return float(np.sqrt(max(excess, 0.0))), TOLD * len(squares)
+
+
+@cache
+def _smallest(kept: int, count: int) -> float:
+    """Expected mean of the smallest `kept` of `count` squares of standard normal variables (order statistics)."""
+    share = np.linspace(0.0, 1.0, 4001)[1:-1]
+    order = np.arange(1, kept + 1)[:, np.newaxis]
+    density = beta.pdf(share, order, count + 1 - order)
+    return float(np.mean(np.trapezoid(chi2.ppf(share, 1) * density, share)))
 
 
 def _by(number: IntArray) -> Iterator[IntArray]:

@@ -10,7 +10,7 @@ from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.signatures import Signature
-from trueaxis.diagnose.tails import log_f_tail
+from trueaxis.diagnose.tails import log_chi2_tail, log_f_tail
 from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
 
@@ -24,7 +24,8 @@ class Scanned:
     """One candidate: the best point of its grid.
 
     statistic: whitened sum of squares that it explains there (chi^2 of `freedom` under noise alone); tries: effective
-    number of independent places that were tried; amplitudes: (freedom,); evidence: -log10(p tries).
+    number of independent places that were tried; amplitudes: (freedom,); evidence: -log10(p tries); preference: the
+    same as if the noise were known, by which candidates are compared: they share its uncertainty.
     share: of its squared whitened signature that the base leaves, the most over the grid; strength: the same sum
     itself per unit of amplitude squared; middle: (n_support, k), the whitened signature in the middle of the grid.
     """
@@ -38,6 +39,7 @@ class Scanned:
     tries: float
     p_value: float
     evidence: float
+    preference: float
     share: float
     strength: float
     middle: FloatArray
@@ -84,6 +86,7 @@ def scanned(
         tries=tries,
         p_value=min(1.0, p_value * tries),
         evidence=evidence if statistic[best] > 0.0 else 0.0,
+        preference=-log_chi2_tail(float(statistic[best]), k) / float(np.log(10.0)) - float(np.log10(tries)),
         share=float(share.max()),
         strength=float(np.median(left / k)),
         middle=full[:, points // 2].copy(),

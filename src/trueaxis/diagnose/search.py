@@ -141,7 +141,13 @@ def _between(points: Sequence[Mapping[str, float]], place: int, name: str) -> tu
 
 def _with_tries(scan: Scanned, tries: float) -> Scanned:
     lower = float(np.log10(tries / scan.tries))
-    return replace(scan, tries=tries, evidence=scan.evidence - lower, p_value=min(1.0, scan.p_value * 10.0**lower))
+    return replace(
+        scan,
+        tries=tries,
+        evidence=scan.evidence - lower,
+        preference=scan.preference - lower,
+        p_value=min(1.0, scan.p_value * 10.0**lower),
+    )
 
 
 def _with(ground: Ground, causes: Sequence[Found]) -> Projection:
@@ -164,17 +170,17 @@ def full_columns(ground: Ground, signature: Signature) -> FloatArray:
 
 
 def _best(ground: Ground, projection: Projection, residual: FloatArray, scans: Sequence[Scanned]) -> Found | None:
-    most = max((one.evidence for one in scans), default=0.0)
+    most = max((one.preference for one in scans), default=0.0)
     if most <= 0.0:
         return None
     strongest = max(one.statistic for one in scans)
     close = [
         one
         for one in scans
-        if one.evidence >= most - RIVAL or (len(one.point) and one.statistic > WORTH_ZOOMING * strongest)
+        if one.preference >= most - RIVAL or (len(one.point) and one.statistic > WORTH_ZOOMING * strongest)
     ]
     found = [zoomed(ground, projection, residual, one) for one in close]
-    return max(found, key=lambda one: one.scan.evidence)
+    return max(found, key=lambda one: one.scan.preference)
 
 
 def _settled(ground: Ground, causes: list[Found]) -> list[Found]:
@@ -213,9 +219,9 @@ def _with_rivals(ground: Ground, causes: Sequence[Found], index: int, first: tup
         closer = zoomed(ground, projection, residual, one).scan
         if _may_rival(closer, mine.scan, 1.0 - ALIKE) and closer.evidence >= ground.threshold - RIVAL:
             rivals.append(closer)
-    rivals.sort(key=lambda one: -one.evidence)
+    rivals.sort(key=lambda one: -one.preference)
     return replace(mine, rivals=tuple(rivals))
 
 
 def _may_rival(one: Scanned, best: Scanned, share: float) -> bool:
-    return one.evidence >= best.evidence - RIVAL or one.statistic >= share * best.statistic
+    return one.preference >= best.preference - RIVAL or one.statistic >= share * best.statistic

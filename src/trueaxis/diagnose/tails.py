@@ -1,7 +1,8 @@
-"""Tails of Fisher's distribution as far out as evidence reaches."""
+"""Tails of distributions as far out as evidence reaches."""
 
 import numpy as np
-from scipy.special import betaln
+from scipy.special import betaln, gammaln
+from scipy.stats import chi2
 from scipy.stats import f as f_distribution
 
 
@@ -17,3 +18,15 @@ def log_f_tail(value: float, k: int, freedom: float) -> float:
     a, b = 0.5 * freedom, 0.5 * k
     z = freedom / (freedom + k * value)
     return float(a * np.log(z) + (b - 1.0) * np.log1p(-z) - np.log(a) - betaln(a, b))
+
+
+def log_chi2_tail(value: float, k: int) -> float:
+    """Natural logarithm of the probability that chi^2 with k degrees of freedom exceeds a value.
+
+    Where it underflows, the leading terms of the incomplete gamma function (NIST DLMF 8.11.2), to 1e-5.
+    """
+    found = float(chi2.logsf(value, k))
+    if np.isfinite(found) or value <= 0.0:
+        return found
+    half, a = 0.5 * value, 0.5 * k
+    return float(-half + (a - 1.0) * np.log(half) - gammaln(a) + np.log1p((a - 1.0) / half))

@@ -10,6 +10,7 @@ from trueaxis.diagnose.result import Check, Verdict
 from trueaxis.diagnose.search import Ground, Search
 
 HOMOGENEOUS = 1e-4  # p value below which the amplitudes of a cause are not one
+PRACTICALLY_ALL = 0.97  # share from which a cause may differ from place to place
 NEARLY_ALL = 0.9  # share of what was to be explained from which a remainder does not take the name back
 
 
@@ -32,7 +33,8 @@ def explained_share(ground: Ground, found: Search, causes: Sequence[Fitted], che
 def names_stand(share: float, checks: Sequence[Check], homogeneous_p: Sequence[float]) -> bool:
     """Whether causes found may be named: one amplitude everywhere, and nothing left, or next to nothing."""
     fired = any(check.fired for check in checks)
-    return all(p > HOMOGENEOUS for p in homogeneous_p) and (not fired or share >= NEARLY_ALL)
+    one_size = all(p > HOMOGENEOUS for p in homogeneous_p) or share >= PRACTICALLY_ALL
+    return one_size and (not fired or share >= NEARLY_ALL)
 
 
 def verdict_of(found: Search, stand: bool, checks: Sequence[Check], recalibrate: bool) -> Verdict:

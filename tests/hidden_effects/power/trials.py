@@ -17,6 +17,7 @@ TIMES = (0.3, 1.0, 3.0, 10.0)
 OUTSIDE_TIMES = 5.0
 LARGEST = {"point_offset": 20.0, "laser_cosine": 0.02, "servo_lag": 0.01}  # sizes that somebody would notice otherwise
 LARGEST_LINEAR, LARGEST_ANGULAR = 0.1, 3e-4  # mm, rad
+SHAPED = ("cyclic", "warm_up", "reversal_spike")  # the signature depends on more than the size
 ROOTS = ("laser_cosine",)  # the readings go with the square of the parameter
 RATES = ("thermal_expansion", "thermal_offset", "drift", "laser_scale")
 NOISES = tuple(kind for kind in noise.KINDS if kind != "none")
@@ -161,8 +162,16 @@ def _scaled(scenario: str, setting: Case, kinds: Mapping[str, Sequence[Bound]], 
                 bound = found[n % len(found)]
                 seed = 20_000 + 1000 * sorted(kinds).index(kind) + n
                 effect = _effect(bound, times, seed)
+                if effect is not None and kind in SHAPED:
+                    effect = _matched(setting, bound, effect, times)
                 if effect is not None:
                     yield Trial(scenario, f"{kind}, {times:g}", _case(setting, seed, effect), (bound.name,))
+
+
+def _matched(setting: Case, bound: Bound, effect: Hidden, times: float) -> Hidden | None:
+    """The effect as plain as one at so many times the limit: the audit's limit is that of another pitch or constant."""
+    size = matched_size(setting, effect, times * _limit(bound) / bound.detection)
+    return replace(effect, size=float(np.copysign(size, effect.size))) if size <= _largest(bound) else None
 
 
 def _by_kind(bounds: Sequence[Bound], state: str) -> dict[str, list[Bound]]:
