@@ -75,7 +75,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         causes = refit(ground, found.causes)
         groups = _amplitudes(ground, causes)
     checks = run_checks(rows, theta, ground.whitening, found.projection, found.residual, ground.freedom)
-    stand = names_stand(explained_share(ground, found, causes, checks), checks, [p for _, p in groups])
+    stand = names_stand(explained_share(ground, found, causes, checks), causes, checks, [p for _, p in groups])
     if stand:
         options.progress("rivals")
         found = with_rivals(ground, found)

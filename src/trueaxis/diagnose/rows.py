@@ -85,7 +85,9 @@ def rows_of(data: MeasuredData) -> Rows:
         first, last = (int(end) for end in np.searchsorted(run, [index, index + 1]))
         mine = slice(first, last)
         moving = np.ptp(positions[:, mine], axis=1) > 10.0**-DECIMALS
-        keep[mine] &= (directions[moving, mine] != 0.0).all(axis=0)
+        # an axis whose direction is nowhere known is no reason to drop a run: nothing of it turns with a direction
+        told = moving & (directions[:, mine] != 0.0).any(axis=1)
+        keep[mine] &= (directions[told, mine] != 0.0).all(axis=0)
         if runs[index].instrument == "ballbar":
             change = (np.diff(directions[moving, mine], axis=1) != 0.0).any(axis=0)
             keep[first : last - 1] &= ~change

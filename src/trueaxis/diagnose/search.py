@@ -17,7 +17,7 @@ FALSE_ALARMS = 0.005  # share of clean data sets in which one candidate or other
 RIVAL = 2.0  # decades of evidence within which a candidate remains in the running
 ALIKE = 0.02  # share of what the best explains by which a rival may fall short: no real effect has the exact form
 MOST_CAUSES = 4
-FURTHER = 4.0  # decades more that a further cause needs: what the first one leaves is not noise alone
+FURTHER = 2.0  # decades more that a further cause needs: what the first one leaves is not noise alone
 ZOOM = 7  # points per zoom of a grid, twice
 WORTH_ZOOMING = 0.6  # share of the best statistic from which a candidate's grid is looked at more closely
 

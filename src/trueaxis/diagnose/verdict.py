@@ -8,10 +8,20 @@ from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import Check, Verdict
 from trueaxis.diagnose.search import Ground, Search
+from trueaxis.effects.expression import names, parse
 
 HOMOGENEOUS = 1e-4  # p value below which the amplitudes of a cause are not one
-PRACTICALLY_ALL = 0.97  # share from which a cause may differ from place to place
-NEARLY_ALL = 0.9  # share of what was to be explained from which a remainder does not take the name back
+PRACTICALLY_ALL = 0.97  # share from which neither a remainder nor differences between places take the name back
+CLASSES = (  # words in the name of a check, and variables of the causes that make it fire
+    ("direction", {"direction", "d", "v"}),
+    ("reversals", {"direction", "d"}),
+    ("locally", {"direction", "d"}),
+    ("feed", {"v"}),
+    ("course", {"t", "T", "d", "direction"}),
+    ("temperature", {"t", "T"}),
+    ("by line", {"s_b", "q_b", "along", "t", "T"}),
+)
+NEARLY_ALL = 0.9  # share of what was to be explained from which a remainder of that class does not take the name back
 
 
 def explained_share(ground: Ground, found: Search, causes: Sequence[Fitted], checks: Sequence[Check]) -> float:
@@ -30,11 +40,21 @@ def explained_share(ground: Ground, found: Search, causes: Sequence[Fitted], che
     return explained / (explained + left) if explained > 0.0 else 0.0
 
 
-def names_stand(share: float, checks: Sequence[Check], homogeneous_p: Sequence[float]) -> bool:
-    """Whether causes found may be named: one amplitude everywhere, and nothing left, or next to nothing."""
-    fired = any(check.fired for check in checks)
+def names_stand(
+    share: float, causes: Sequence[Fitted], checks: Sequence[Check], homogeneous_p: Sequence[float]
+) -> bool:
+    """Whether causes found may be named: one amplitude everywhere, and nothing left, or next to nothing.
+
+    A little more may be left where all of it is of the class that the causes themselves are of: theirs is then not
+    quite the form of the kind.
+    """
+    fired = [check for check in checks if check.fired]
     one_size = all(p > HOMOGENEOUS for p in homogeneous_p) or share >= PRACTICALLY_ALL
-    return one_size and (not fired or share >= NEARLY_ALL)
+    if not fired or share >= PRACTICALLY_ALL:
+        return one_size
+    used = {name for one in causes if one.kind.expression for name in names(parse(one.kind.expression))}
+    of_their_class = all(any(word in check.name and variables & used for word, variables in CLASSES) for check in fired)
+    return one_size and share >= NEARLY_ALL and of_their_class
 
 
 def verdict_of(found: Search, stand: bool, checks: Sequence[Check], recalibrate: bool) -> Verdict:
