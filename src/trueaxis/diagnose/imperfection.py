@@ -33,7 +33,7 @@ def imperfections(readings: Readings, causes: Sequence[Fitted]) -> FloatArray:
 
 def _of_one(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     rows, signal = readings.rows, cause.signal
-    used = names(parse(cause.kind.expression)) if cause.kind.expression else frozenset[str]()
+    used = {each.name for each in names(parse(cause.kind.expression))} if cause.kind.expression else set()
     scales = [rows.positions[rows.axes.index(axis)] for axis in _axes(cause) if axis in rows.axes]
     if rows.time is not None and np.isfinite(rows.time).all():
         scales.append(rows.time)

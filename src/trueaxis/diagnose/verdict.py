@@ -52,7 +52,7 @@ def names_stand(
     one_size = all(p > HOMOGENEOUS for p in homogeneous_p) or share >= PRACTICALLY_ALL
     if not fired or share >= PRACTICALLY_ALL:
         return one_size
-    used = {name for one in causes if one.kind.expression for name in names(parse(one.kind.expression))}
+    used = {each.name for one in causes if one.kind.expression for each in names(parse(one.kind.expression))}
     of_their_class = all(any(word in check.name and variables & used for word, variables in CLASSES) for check in fired)
     return one_size and share >= NEARLY_ALL and of_their_class
 
