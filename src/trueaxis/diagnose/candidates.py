@@ -4,11 +4,10 @@ from collections.abc import Iterator
 
 from trueaxis.diagnose.rows import Rows
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.placement import allows
 from trueaxis.runtime.effect_values import identity
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR, Machine
-
-ALONG, ACROSS, TURN = "along", "across", "turn"
 
 
 def candidates(model: MachineModel, rows: Rows) -> tuple[Effect, ...]:
@@ -16,14 +15,6 @@ def candidates(model: MachineModel, rows: Rows) -> tuple[Effect, ...]:
     there = {identity(effect) for effect in model.machine.effects}
     found = [effect for kind in model.machine.kinds.values() for effect in _of_kind(kind, model.machine, rows)]
     return tuple(effect for effect in found if identity(effect) not in there)
-
-
-def direction_of(component: str) -> str:
-    """`along` its axis, `across` it, or `turn`, of a component error such as EXY."""
-    if component[1] in "ABC":
-        own = "ABC"["XYZ".index(component[2])] if component[2] in LINEAR else component[2]
-        return ALONG if component[2] not in LINEAR and component[1] == own else TURN
-    return ALONG if component[1] == component[2] else ACROSS
 
 
 def _of_kind(kind: Kind, machine: Machine, rows: Rows) -> Iterator[Effect]:
@@ -41,9 +32,7 @@ def _of_kind(kind: Kind, machine: Machine, rows: Rows) -> Iterator[Effect]:
 def _of_components(kind: Kind, machine: Machine, rows: Rows) -> Iterator[Effect]:
     moving = {axis for axis, at in zip(rows.axes, rows.positions, strict=True) if at.min() < at.max()}
     for component in machine.components:
-        if component not in kind.components and direction_of(component) not in kind.directions:
-            continue
-        if component[2] not in moving:
+        if not allows(kind, component) or component[2] not in moving:
             continue
         if not kind.other_axis:
             yield Effect(kind.name, component)

@@ -9,7 +9,7 @@ from scipy.stats import norm
 
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection, orthonormal
-from trueaxis.diagnose.result import Check, FloatArray, IntArray
+from trueaxis.diagnose.result import Check, FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
 from trueaxis.diagnose.whiten import Whitening
@@ -232,8 +232,3 @@ def _feeds(rows: Rows, mine: FloatArray) -> FloatArray | None:
 
 def _plane(rows: Rows, mine: FloatArray) -> str:
     return "".join(name for name, at in zip(rows.axes, rows.positions, strict=True) if np.ptp(at[mine]) > 0.0)
-
-
-def groups_of(rows: Rows) -> IntArray:
-    """(n,): the set-up of each row, within which an amplitude should be the same."""
-    return rows.setup

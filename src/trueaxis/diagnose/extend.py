@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
+from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
@@ -18,6 +19,7 @@ from trueaxis.identify.words import enumerated
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 from trueaxis.runtime.model import MachineModel
 
@@ -32,25 +34,42 @@ def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
     return tuple(cause.effect for cause in diagnosis.causes if not cause.rivals)
 
 
+def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
+    """The causes found, as the diagnosis fitted them: where their fit beside all error values starts."""
+    return tuple(
+        EffectValues(one.effect, {each.name: each.value for each in one.parameters}) for one in diagnosis.causes
+    )
+
+
 def kept_readings(data: MeasuredData, diagnosis: Diagnosis, source: str) -> Observations:
-    """The readings that the diagnosis worked on; source: where they come from, named in faults."""
+    """The readings that the diagnosis worked on, as it took them; source: where they come from, named in faults."""
     taken = np.flatnonzero(~data.readings.planned)
-    everything = observations(source, data.setup.runs, data.readings)
+    everything = observations(source, data.setup.runs, smoothed(data).readings)
     return everything.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
 
 
 def reidentified(
-    model: MachineModel, given: ErrorValues, observed: Observations, noise: Sequence[NoiseOf]
+    model: MachineModel,
+    given: ErrorValues,
+    observed: Observations,
+    noise: Sequence[NoiseOf],
+    start: Sequence[EffectValues] = (),
 ) -> ErrorValues:
     """Error values of the extended machine: curves, location errors and effects, fitted together.
 
-    model: of the extended machine; given: values of the machine before. Curves change by polynomials up to the degree
-    of the spec's curves; dimensions stay. Raises InputError where the readings hold no unknown.
+    model: of the extended machine; given: values of the machine before; start: of its effects, to start from. Curves
+    change by polynomials up to the degree of the spec's curves; dimensions stay. Raises InputError where the readings
+    hold no unknown.
     """
     dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
     bare = ErrorValues(model.name, dimensions)
     before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
-    options = GlobalOptions(known=bare, degree=model.machine.curve_degree, noise_by_group=_by_group(observed, noise))
+    options = GlobalOptions(
+        known=bare,
+        degree=model.machine.curve_degree,
+        noise_by_group=_by_group(observed, noise),
+        start=tuple(start),
+    )
     change = identify_global(model, replace(observed, reading=observed.reading - before), options).values
     return changed(given, change, model.location_errors)
 
@@ -79,7 +98,8 @@ def changed(given: ErrorValues, change: ErrorValues, locations: Sequence[str]) -
 
 
 def _expected(model: MachineModel, values: ErrorValues, observed: Observations) -> FloatArray:
-    return expected_readings(model.with_values(values), observed.runs, observed.run, observed.positions)
+    model = model.with_values(values)
+    return expected_readings(model, observed.runs, observed.run, observed.positions, observed.context)
 
 
 def _by_group(observed: Observations, noise: Sequence[NoiseOf]) -> dict[str, float]:

@@ -14,6 +14,7 @@ FEWEST_PERIODS = 2.0
 STEPS_PER_PERIOD = 2  # of frequency, per 1/range; what lies between is looked at where the evidence is best
 TIMES = 6  # time constants, from a twentieth of the time covered to twice it
 MOMENTS = 40  # of a run, at most about so many
+LASTING = 5  # readings, at least, before and after a jump
 WAYS = 6  # decay lengths, from a two-thousandth of the range of the axis to a twentieth
 
 
@@ -48,11 +49,11 @@ def _geometric(low: float, high: float, count: int) -> list[float]:
 
 
 def _moments(effect: Effect, rows: Rows) -> list[float]:
-    """Between every two neighbouring readings of the run, two at least before and after."""
+    """Between neighbouring readings of the run; what lasts for a few readings at either end is no jump."""
     index = next(place for place, run in enumerate(rows.runs) if run.id == effect.runs[0])
     if rows.time is None:
         return [np.nan]
     times: FloatArray = rows.time[rows.of_run(index)]
-    between = 0.5 * (times[1:] + times[:-1])
+    between = 0.5 * (times[1:] + times[:-1])[LASTING - 1 : -LASTING + 1]
     every = max(1, between.size // MOMENTS)
-    return [float(moment) for moment in between[1:-1:every]] if between.size > 2 else [np.nan]
+    return [float(moment) for moment in between[::every]] if between.size else [np.nan]

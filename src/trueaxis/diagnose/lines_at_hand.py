@@ -16,7 +16,6 @@ from trueaxis.topology import branch
 
 MARGIN = 0.01  # of the travel, that targets keep from its ends
 TARGETS = 41
-BEAM = 100.0  # mm between target and reference
 ALONG = 1.0 - 1e-6  # cosine from which a line is sensed along its motion
 
 

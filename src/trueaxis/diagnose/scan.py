@@ -27,7 +27,8 @@ class Scanned:
     number of independent places that were tried; amplitudes: (freedom,); evidence: -log10(p tries); preference: the
     same as if the noise were known, by which candidates are compared: they share its uncertainty.
     share: of its squared whitened signature that the base leaves, the most over the grid; strength: the same sum
-    itself per unit of amplitude squared; middle: (n_support, k), the whitened signature in the middle of the grid.
+    itself per unit of amplitude squared; length: of the curve along the grid; middle:
+    (n_support, k), the whitened signature in the middle of the grid.
     """
 
     effect: Effect
@@ -42,13 +43,19 @@ class Scanned:
     preference: float
     share: float
     strength: float
+    length: float
     middle: FloatArray
     support: slice
     missing: str = ""
 
 
 def scanned(
-    signature: Signature, whitening: Whitening, projection: Projection, residual: FloatArray, freedom: Freedom
+    signature: Signature,
+    whitening: Whitening,
+    projection: Projection,
+    residual: FloatArray,
+    freedom: Freedom,
+    length: float | None = None,
 ) -> Scanned:
     """Scan one candidate. residual: (n,), whitened, as the projection tells it; freedom: of the noise estimate.
 
@@ -68,7 +75,10 @@ def scanned(
     share = np.divide(left, whole, out=np.zeros(points), where=whole > 0.0)
     statistic, amplitudes = _explained(gram, right, whole, one_sided=_one_sided(signature))
     best = int(np.argmax(statistic))
-    tries = _tries(full, held, gram, float(statistic[best]))
+    if length is None:
+        length = _length(full, held, gram)
+    # Hotelling's tube to first order: a largest statistic u is so many times as likely as one at a given place
+    tries = 1.0 + length * float(np.sqrt(min(float(statistic[best]), FAR) / (2.0 * np.pi)))
     within = freedom.of_readings
     if statistic[best] > WORTH_A_LOOK:
         whole = np.zeros((residual.size, k))
@@ -89,6 +99,7 @@ def scanned(
         preference=-log_chi2_tail(float(statistic[best]), k) / float(np.log(10.0)) - float(np.log10(tries)),
         share=float(share.max()),
         strength=float(np.median(left / k)),
+        length=length,
         middle=full[:, points // 2].copy(),
         support=support,
         missing=signature.missing,
@@ -124,14 +135,10 @@ def _explained(
     return statistic, amplitudes
 
 
-def _tries(full: FloatArray, held: FloatArray, gram: FloatArray, statistic: float) -> float:
-    """Effective number of independent places along the grid, for a statistic of this size.
-
-    By the length L of the curve that the signature, base projected out, draws on the unit sphere: a largest statistic
-    u is 1 + L sqrt(u / 2 pi) times as likely as one at a given place (Hotelling's tube to first order).
-    """
+def _length(full: FloatArray, held: FloatArray, gram: FloatArray) -> float:
+    """Length of the curve that the signature, base projected out, draws on the unit sphere along the grid."""
     if full.shape[1] == 1:
-        return 1.0
+        return 0.0
     k = full.shape[2]
     cross = np.empty((full.shape[1] - 1, k, k))
     for i in range(k):
@@ -141,4 +148,4 @@ def _tries(full: FloatArray, held: FloatArray, gram: FloatArray, statistic: floa
     inverse = np.linalg.pinv(gram, rcond=UNOBSERVABLE, hermitian=True)
     shared = np.einsum("pij,pjk,plk,pli->p", inverse[:-1], cross, inverse[1:], cross)
     angle = np.arccos(np.sqrt(np.clip(shared / k, 0.0, 1.0)))
-    return 1.0 + float(np.sum(angle)) * float(np.sqrt(min(statistic, FAR) / (2.0 * np.pi)))
+    return float(np.sum(angle))

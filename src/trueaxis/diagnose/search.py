@@ -1,11 +1,12 @@
 """The search for causes: one after another, each with everything that explains the readings about as well."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from trueaxis.diagnose.freedom import Freedom
+from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.scan import Scanned, scanned
@@ -48,7 +49,10 @@ class Search:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ground:
-    """What is searched on: candidates, whitened readings less what is expected, noise and base."""
+    """What is searched on: candidates, whitened readings less what is expected, noise and base.
+
+    lengths: of the curves of candidates scanned before; a cause taken away hardly changes them.
+    """
 
     readings: Readings
     effects: tuple[Effect, ...]
@@ -57,6 +61,7 @@ class Ground:
     values: FloatArray
     freedom: Freedom
     progress: Progress
+    lengths: dict[Effect, float] = field(default_factory=dict)
 
     @property
     def threshold(self) -> float:
@@ -108,14 +113,17 @@ def scan_all(
     for number, effect in enumerate(effects):
         ground.progress(f"scan {number + 1} of {len(effects)}: {effect.label}")
         signature = signature_of(ground.readings, effect)
-        found.append(scanned(signature, ground.whitening, projection, residual, ground.freedom))
+        length = ground.lengths.get(effect)
+        one = scanned(signature, ground.whitening, projection, residual, ground.freedom, length)
+        ground.lengths[effect] = one.length
+        found.append(one)
     return tuple(found)
 
 
 def zoomed(ground: Ground, projection: Projection, residual: FloatArray, scan: Scanned) -> Found:
     """The candidate with its searched parameters between the points of the grid; tries remain those of the grid."""
-    grid = signature_of(ground.readings, scan.effect)
-    points, place, best = grid.points, scan.place, scan
+    kind = ground.readings.model.machine.kinds[scan.effect.kind]
+    points, place, best = grid_of(kind, scan.effect, ground.readings.rows), scan.place, scan
     if len(points) > 1 and len(points[0]) == 1:
         (name,) = points[0]
         for _ in range(2):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnose.audit import DETECTION, ISOLATION
+from trueaxis.diagnose.audit import ISOLATION
 from trueaxis.diagnose.menu import FurtherRun
 from trueaxis.diagnose.prospect import TIMES, Outlook, Prospect
 from trueaxis.diagnose.result import FloatArray
@@ -85,11 +85,6 @@ def separation(prospect: Prospect, mine: Outlook, rivals: Sequence[Outlook]) -> 
             best = max(one.after for one in found)
             return next(one for one in found if NEARLY_BEST * one.after >= best)
     return None
-
-
-def detectable(kind: Kind, strength: float) -> float:
-    """The amplitude that is found about as often as not."""
-    return _size(kind, DETECTION, strength)
 
 
 def isolable(kind: Kind, strength: float) -> float:

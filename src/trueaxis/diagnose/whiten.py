@@ -7,11 +7,14 @@ tridiagonal and its Cholesky factor bidiagonal: the cost grows with the number o
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from scipy.linalg import cholesky_banded, solve_banded
 
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
+
+SHORT = 400  # readings of a run, up to which a matrix is quicker than the recursion
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,7 +33,8 @@ class Whitening:
     def part(self, rows: slice, columns: FloatArray) -> FloatArray:
         """Columns (n_rows, k) or (n_rows,) of the rows of some neighbouring runs whitened.
 
-        Runs of one length and noise are done at once: a factorisation each would cost more than the work.
+        Runs of one length and noise are done at once, short ones by one matrix: a factorisation each would cost more
+        than the work.
         """
         flat = columns.reshape(columns.shape[0], -1)
         found = np.empty_like(flat, dtype=np.float64)
@@ -40,8 +44,12 @@ class Whitening:
             if rows.start <= first and last <= rows.stop:
                 alike.setdefault((last - first, noise), []).append(first - rows.start)
         for (size, noise), begins in alike.items():
-            at = (np.array(begins)[:, np.newaxis] + np.arange(size)).T
-            found[at] = whitened(noise, flat[at].reshape(size, -1)).reshape(size, len(begins), -1)
+            at = np.array(begins)[:, np.newaxis] + np.arange(size)
+            if size <= SHORT:
+                found[at] = np.matmul(_operator(noise, size), flat[at])
+            else:
+                every = flat[at.T].reshape(size, -1)
+                found[at.T] = whitened(noise, every).reshape(size, len(begins), -1)
         return found.reshape(columns.shape)
 
     def ramps(self) -> FloatArray:
@@ -52,6 +60,12 @@ class Whitening:
             if noise.slope > 0.0:
                 found[first:last] = whitened(noise, noise.slope * ramp(last - first))
         return found
+
+
+@lru_cache(maxsize=256)
+def _operator(noise: NoiseOf, size: int) -> FloatArray:
+    """(size, size): the matrix that whitens a run."""
+    return whitened(noise, np.eye(size))
 
 
 def whitening(run: IntArray, of_run: Sequence[NoiseOf]) -> Whitening:
