@@ -2,7 +2,9 @@
 
 import sys
 import tempfile
+from collections.abc import Sequence
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +15,10 @@ from tests.real_data.headhead_data import DIMENSIONS, FILE, probe_data, write
 from trueaxis.cli import main as trueaxis
 from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.procedure import diagnose
-from trueaxis.diagnose.result import Diagnosis
+from trueaxis.diagnose.result import Diagnosis, FloatArray
 from trueaxis.diagnose.rows import Rows, rows_of
+from trueaxis.diagnose.signatures import parameter_signature, readings_of
+from trueaxis.effects.kind import Effect
 from trueaxis.faults import Faults
 from trueaxis.measure.data import MeasuredData, read_data
 from trueaxis.runtime.errors import ErrorValues
@@ -32,6 +36,7 @@ parameters.b = { unit = "u", meaning = "sine" }
 parameters.k = { unit = "1", meaning = "lobes in a turn", grid = [1.0, 2.0] }
 sentence = "an eccentric bearing, encoder or gear of the rotary axis"
 """
+LOBES_TRIED = ((1,), (2,), (1, 2))
 
 
 def given(kinds: str = "") -> tuple[MachineModel, MeasuredData]:
@@ -63,7 +68,22 @@ def base_left_out(degree: int) -> tuple[int, float]:
     """
     model, data = given()
     rows = rows_of(data)
-    columns = base_of(model, rows, degree).columns
+    return _left_out(rows, base_of(model, rows, degree).columns)
+
+
+def lobes_left_out(axis: str, lobes: Sequence[int]) -> tuple[int, float]:
+    """The same for the base of degree 1 and cosines and sines of all six motion errors of a rotary axis."""
+    model, data = given(LOBES)
+    rows = rows_of(data)
+    readings = readings_of(model, rows)
+    found = [base_of(model, rows, 1).columns]
+    for direction, count, (a, b) in product("XYZABC", lobes, ((1.0, 0.0), (0.0, 1.0))):
+        effect = Effect("lobes", f"E{direction}{axis}")
+        found.append(parameter_signature(readings, effect, np.array([a, b, count]))[0][:, np.newaxis])
+    return _left_out(rows, np.hstack(found))
+
+
+def _left_out(rows: Rows, columns: FloatArray) -> tuple[int, float]:
     columns = columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
     left = np.zeros(rows.size)
     for out in _poses(rows):
@@ -99,8 +119,13 @@ def main() -> int:
     for degree in (12, 3, 2, 1):
         rank, left = base_left_out(degree)
         print(f"  {degree:2d}   {rank:2d}   {left:.3f} mm")
-    limits = [limit for limit in diagnosis(LOBES).limits if limit.effect.kind == "lobes"]
-    print(f"lobes of B and C: {', '.join(sorted({f'{one.state}: {one.reason}' for one in limits}))}")
+    print("lobes of the motion errors of one axis beside degree 1: rank, poses left out")
+    for axis, lobes in product("BC", LOBES_TRIED):
+        rank, left = lobes_left_out(axis, lobes)
+        print(f"  {axis}, {' and '.join(map(str, lobes)):<8} {rank:2d}   {left:.3f} mm")
+    for kind in ("cyclic", "lobes"):
+        limits = [limit for limit in diagnosis(LOBES).limits if limit.effect.kind == kind]
+        print(f"{kind}: {len(limits)} places, {', '.join(sorted({f'{one.state}: {one.reason}' for one in limits}))}")
     return 0
 
 

@@ -14,7 +14,7 @@ from tests.kernels import kernels_of
 from tests.real_data.linear_axis_data import FILE, SPEC, readings, write
 from trueaxis.cli import main as trueaxis
 from trueaxis.diagnose.procedure import diagnose
-from trueaxis.diagnose.result import Diagnosis
+from trueaxis.diagnose.result import Cause, Diagnosis
 from trueaxis.faults import Faults
 from trueaxis.iso230_2.read import read_positioning_test
 from trueaxis.measure.data import read_data
@@ -24,7 +24,7 @@ from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.read import parse_machine
 
 FloatArray = npt.NDArray[np.float64]
-TARGETS, FITTED = 9, 3  # cycles to which terms are fitted; the other two are predicted
+TARGETS, CYCLES, FITTED = 9, 5, 3  # FITTED: cycles to which terms are fitted; the other two are predicted
 
 TURNING = """
 [[effect_kind]]
@@ -46,12 +46,12 @@ sentence = "the middle of the axis creeps while its ends stand"
 """
 
 
-def diagnosis(*, swapped: bool = False, clock: bool = True, kinds: str = "") -> Diagnosis:
-    """Diagnosed in process. kinds: TOML of kinds of one's own."""
+def diagnosis(*, swapped: bool = False, clock: bool = True, without: int = 0, kinds: str = "") -> Diagnosis:
+    """Diagnosed in process. without: a cycle left out; kinds: TOML of kinds of one's own."""
     spec = SPEC.read_text() + kinds
     model = _model(spec)
     with tempfile.TemporaryDirectory() as name:
-        folder = write(Path(name), swapped=swapped, clock=clock)
+        folder = write(Path(name), swapped=swapped, clock=clock, without=without)
         return diagnose(model, read_data(folder.data, model.machine))
 
 
@@ -98,6 +98,12 @@ def gained(names: Sequence[str]) -> Gained:
     return Gained(*(1e3 * float(v) for v in (_rms(rest), _rms(ahead), value[-1], np.sqrt(covariance[-1, -1]))))
 
 
+def lost_motion() -> FloatArray:
+    """(9, 5), um: reversal values, forward less backward as the .dat labels them, by target and cycle."""
+    test = read_positioning_test(FILE)
+    return 1e3 * (test.positive - test.negative)
+
+
 def _rms(values: FloatArray) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
@@ -126,12 +132,24 @@ def main() -> int:
     ):
         print(f"\n{title}")
         command(swapped=swapped, kinds=kinds)
+    print("\nnames found with a cycle left out")
+    for cycle in range(1, CYCLES + 1):
+        found = diagnosis(without=cycle)
+        print(f"  without cycle {cycle}: {found.verdict:<22} {', '.join(map(_named, found.causes))}")
+    print("\nlost motion, um: target, mean, cycles 1 to 5")
+    for target, of_cycles in zip(read_positioning_test(FILE).targets, lost_motion(), strict=True):
+        print(f"  {target:4.0f} mm {of_cycles.mean():7.1f}   {' '.join(f'{one:6.1f}' for one in of_cycles)}")
     print("\nplain least squares, um: all readings fitted, cycles 4 and 5 predicted, the last term")
     for names in TERMS:
         one = gained(names)
         last = f"{one.value:8.3f} +- {one.u:.3f}" if names and "by target" not in names[-1] else ""
         print(f"  {', '.join(('means of targets', *names)):<60} {one.inside:6.2f} {one.ahead:6.2f} {last}")
     return 0
+
+
+def _named(cause: Cause) -> str:
+    width = cause.parameters[0]
+    return f"{cause.effect.label} {1e3 * width.value:.1f} um +- {2e3 * width.u:.1f} um (k = 2)"
 
 
 def command(*, swapped: bool = False, clock: bool = True, kinds: str = "") -> int:

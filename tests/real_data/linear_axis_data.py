@@ -42,14 +42,15 @@ class Folder:
     errors: Path
 
 
-def readings(test: PositioningTest, *, clock: bool = True) -> pl.DataFrame:
-    """One row a reading: cycle by cycle, up the targets and down again; mm."""
-    targets, cycles = test.targets, test.positive.shape[1]
+def readings(test: PositioningTest, *, clock: bool = True, without: int = 0) -> pl.DataFrame:
+    """One row a reading: cycle by cycle, up the targets and down again; mm. without: a cycle (1 to 5) left out."""
+    targets = test.targets
+    cycles = [k for k in range(test.positive.shape[1]) if k + 1 != without]
     up = np.argsort(targets)
     down = up[::-1]
-    at = np.tile(np.concatenate([targets[up], targets[down]]), cycles)
-    way = np.tile(np.repeat([1, -1], targets.size), cycles)
-    found = np.concatenate([part for k in range(cycles) for part in (test.positive[up, k], test.negative[down, k])])
+    at = np.tile(np.concatenate([targets[up], targets[down]]), len(cycles))
+    way = np.tile(np.repeat([1, -1], targets.size), len(cycles))
+    found = np.concatenate([part for k in cycles for part in (test.positive[up, k], test.negative[down, k])])
     order = np.arange(at.size)
     table = {"run": ["X"] * at.size, "seq": order + 1, "X": at, "dir_X": way, "reading": found - at}
     if clock:
@@ -57,13 +58,14 @@ def readings(test: PositioningTest, *, clock: bool = True) -> pl.DataFrame:
     return pl.DataFrame(table)
 
 
-def write(folder: Path, *, swapped: bool = False, clock: bool = True) -> Folder:
-    """Write the data folder; swapped: with the labels of the report."""
+def write(folder: Path, *, swapped: bool = False, clock: bool = True, without: int = 0) -> Folder:
+    """Write the data folder; swapped: with the labels of the report; without: a cycle left out."""
     test = read_positioning_test(FILE)
     data = folder / "readings"
     data.mkdir(parents=True)
     (data / "setup.toml").write_text(SETUP)
-    readings(test.swapped() if swapped else test, clock=clock).write_csv(data / "readings.csv")
+    table = readings(test.swapped() if swapped else test, clock=clock, without=without)
+    table.write_csv(data / "readings.csv")
     errors = folder / "zero.json"
     errors.write_text(ERRORS)
     return Folder(data, errors)

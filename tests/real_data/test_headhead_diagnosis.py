@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.real_data.headhead_data import FILE, poses
-from tests.real_data.headhead_diagnosis import LOBES, base_left_out, command, diagnosis, given
+from tests.real_data.headhead_diagnosis import LOBES, base_left_out, command, diagnosis, given, lobes_left_out
 from trueaxis.diagnose.rows import rows_of
 
 pytestmark = pytest.mark.skipif(not FILE.exists(), reason="../shared/data/headhead_5axis is not here")
@@ -44,10 +44,35 @@ def test_the_saturated_base_fits_all_and_predicts_nothing(degree: int, rank: int
     assert found[1] == pytest.approx(left, abs=2e-3 if degree < 12 else 2e-2)
 
 
-def test_lobes_of_rotary_axes_cannot_be_seen() -> None:
-    limits = [one for one in diagnosis(LOBES).limits if one.effect.kind == "lobes"]
-    assert len(limits) == 12
+@pytest.mark.parametrize(("kind", "places"), [("lobes", 12), ("cyclic", 17)])
+def test_harmonics_of_no_axis_can_be_seen(kind: str, places: int) -> None:
+    limits = [one for one in diagnosis(LOBES).limits if one.effect.kind == kind]
+    assert len(limits) == places
     assert {one.state for one in limits} == {"unobservable"}
+
+
+@pytest.mark.parametrize("lobes", [(1,), (2,), (1, 2)])
+def test_harmonics_of_b_do_not_predict_poses_left_out(lobes: tuple[int, ...]) -> None:
+    rank, left = base_left_out(1)
+    with_lobes = lobes_left_out("B", lobes)
+    assert with_lobes[0] > rank
+    assert with_lobes[1] > left
+
+
+def test_at_four_angles_all_harmonics_of_c_are_the_same() -> None:
+    """They do predict: the head wobbles. But one lobe, two and both span the same, so that none can be named."""
+    one, two, both = (lobes_left_out("C", lobes) for lobes in ((1,), (2,), (1, 2)))
+    assert one[1] < 0.75 * base_left_out(1)[1]
+    assert one[0] == two[0] == both[0]
+    assert one[1] == pytest.approx(two[1], rel=1e-5)
+    assert one[1] == pytest.approx(both[1], rel=1e-5)
+
+
+def test_the_held_out_poses_are_repeats_that_say_nothing_of_other_poses() -> None:
+    held = diagnosis().gain.held_out
+    assert 1e3 * held.given == pytest.approx(115.0, abs=1.0)
+    assert 1e3 * held.refitted == pytest.approx(12.0, abs=0.1)
+    assert base_left_out(12)[1] > 0.45  # mm, 3-D: the sphere's centre alone predicts as well (test_headhead)
 
 
 def test_the_command_says_the_same(capsys: pytest.CaptureFixture[str]) -> None:

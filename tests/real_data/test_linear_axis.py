@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.real_data.linear_axis import BOWED, TURNING, command, diagnosis, gained
+from tests.real_data.linear_axis import BOWED, TURNING, command, diagnosis, gained, lost_motion
 from tests.real_data.linear_axis_data import FILE, readings
 from trueaxis.diagnose.result import Diagnosis
 from trueaxis.iso230_2.evaluation import evaluate
@@ -30,38 +30,76 @@ def test_readings_are_in_the_order_of_the_standard() -> None:
     assert table["reading"][17] == test.negative[0, 0] - test.targets[0]
 
 
-@pytest.mark.parametrize("swapped", [False, True])
-def test_lost_motion_is_by_far_the_best_but_no_name_is_given(swapped: bool) -> None:
-    """A constant explains nine tenths of what there is: less than what a name beside a remainder must."""
+@pytest.mark.parametrize(("swapped", "width"), [(False, -25.9), (True, 25.0)])
+def test_lost_motion_is_named_with_a_remainder_and_swapped_labels_turn_its_sign(swapped: bool, width: float) -> None:
+    """A constant explains a little more than the nine tenths asked; what is left depends on the direction as well."""
     found = diagnosis(swapped=swapped)
-    assert found.verdict == "unexplained_structure"
-    assert named(found) == []
-    assert evidence(found, "backlash EXX") > 10.0 * found.threshold
-    assert any(one.fired and one.name == "lines of X, between directions" for one in found.checks)
-    rms, held = found.gain.rms, found.gain.held_out
-    assert 1e3 * np.array([rms.given, rms.refitted]) == pytest.approx([33.0, 13.3], abs=0.05)
-    assert 1e3 * np.array([held.given, held.refitted]) == pytest.approx([33.3, 13.3], abs=0.05)
-    assert 1e3 * found.gain.floor == pytest.approx(3.13, abs=0.02)
-    assert "2 passes" in found.gain.split
+    assert found.verdict == "explained"
+    (cause,) = found.causes
+    (size,) = cause.parameters
+    assert cause.effect.label == "backlash EXX"
+    assert cause.rivals == ()
+    assert 1e3 * size.value == pytest.approx(width, abs=0.4)
+    assert 2e3 * size.u == pytest.approx(1.7, abs=0.2)
+    assert cause.evidence > 10.0 * found.threshold
+    assert cause.remainder
+    assert all("direction" in one.name or "locally" in one.name for one in found.checks if one.fired)
 
 
-def test_lost_motion_with_a_swing_is_named_and_predicts_the_last_two_cycles() -> None:
-    found = diagnosis(kinds=TURNING)
+def test_its_size_is_the_mean_reversal_value_of_the_standard() -> None:
+    (size,) = diagnosis().causes[0].parameters
+    assert abs(size.value - evaluate(read_positioning_test(FILE)).B_mean) < 2.0 * size.u
+
+
+def test_what_the_name_gains_is_what_plain_least_squares_gain() -> None:
+    """Nine targets: the saturated base is a mean for each target, and backlash one column beside."""
+    gain = diagnosis().gain
+    none, lost = gained(()), gained(("backlash",))
+    assert 1e3 * gain.rms.refitted == pytest.approx(none.inside, rel=1e-4)
+    assert 1e3 * gain.rms.extended == pytest.approx(lost.inside, rel=1e-4)
+    assert 1e3 * gain.held_out.refitted == pytest.approx(none.ahead, rel=1e-4)
+    assert 1e3 * gain.held_out.extended == pytest.approx(lost.ahead, rel=1e-4)
+    assert 1e3 * np.array([gain.rms.given, gain.held_out.given]) == pytest.approx([33.0, 33.3], abs=0.05)
+    assert 1e3 * gain.floor == pytest.approx(3.13, abs=0.05)
+    assert "2 passes" in gain.split
+
+
+def test_lost_motion_is_not_the_same_everywhere_in_any_cycle() -> None:
+    """16 um at -5 mm and 34 um at 0: the size named, with its uncertainty, is that of the mean alone."""
+    found = lost_motion()
+    assert found[3:5].mean(axis=1) == pytest.approx([-16.0, -33.6], abs=0.05)
+    assert (found[4] < 1.5 * found[3]).all()
+    (size,) = diagnosis().causes[0].parameters
+    outside = np.abs(found.mean(axis=1) - 1e3 * size.value) > 2e3 * size.u
+    assert np.count_nonzero(outside) >= 4
+
+
+def test_with_four_cycles_lost_motion_is_always_first_and_not_always_named() -> None:
+    """The name is not far from the share that it needs; a cycle less may cost it, and never brings another."""
+    found = {cycle: diagnosis(without=cycle) for cycle in range(1, 6)}
+    for one in found.values():
+        assert max(one.scan, key=lambda each: each.evidence).effect.label == "backlash EXX"
+        assert named(one) in ([], ["backlash EXX"])
+        assert [1e3 * cause.parameters[0].value for cause in one.causes] == pytest.approx(
+            [-26.0] * len(one.causes), abs=1
+        )
+    assert [found[cycle].verdict for cycle in (2, 4)] == ["unexplained_structure"] * 2
+    assert found[1].verdict == "explained"
+
+
+@pytest.mark.parametrize(("swapped", "sign"), [(False, -1.0), (True, 1.0)])
+def test_a_kind_with_a_swing_takes_the_remainder_and_gains_little_ahead(swapped: bool, sign: float) -> None:
+    found = diagnosis(kinds=TURNING, swapped=swapped)
     assert found.verdict == "explained"
     assert named(found) == ["backlash EXX", "turning_play EXX"]
     lost, turning = found.causes
-    assert 1e3 * lost.parameters[0].value == pytest.approx(-26.5, abs=1.0)
+    assert not lost.remainder
+    assert 1e3 * lost.parameters[0].value == pytest.approx(sign * 25.1, abs=1.0)
     amplitude = np.hypot(turning.parameters[0].value, turning.parameters[1].value)
-    assert 1e3 * amplitude == pytest.approx(3.6, abs=0.25)
-    assert turning.parameters[2].value == pytest.approx(11.8, abs=0.2)
-    assert (lost.held_out_gain, turning.held_out_gain) == pytest.approx((0.63, 0.06), abs=0.02)
+    assert 1e3 * amplitude == pytest.approx(3.95, abs=0.3)
+    assert turning.parameters[2].value == pytest.approx(12.1, abs=0.3)
+    assert (lost.held_out_gain, turning.held_out_gain) == pytest.approx((0.63, 0.05), abs=0.02)
     assert 1e3 * found.gain.held_out.extended == pytest.approx(4.9, abs=0.1)
-
-
-def test_swapped_labels_turn_the_width_round() -> None:
-    found = diagnosis(kinds=TURNING, swapped=True)
-    assert named(found) == ["backlash EXX", "turning_play EXX"]
-    assert 1e3 * found.causes[0].parameters[0].value == pytest.approx(25.8, abs=1.0)
 
 
 def test_without_times_nothing_of_time_is_said() -> None:
@@ -71,8 +109,13 @@ def test_without_times_nothing_of_time_is_said() -> None:
     assert evidence(found, "backlash EXX") == pytest.approx(evidence(diagnosis(), "backlash EXX"), rel=0.02)
 
 
-def test_a_drift_of_the_middle_is_not_named() -> None:
-    assert named(diagnosis(kinds=BOWED)) == []
+@pytest.mark.parametrize("kinds", ["", BOWED], ids=["library", "bowed"])
+def test_no_drift_is_named_and_the_noise_holds_it(kinds: str) -> None:
+    """Though it gains on cycles to come: the floor is far above what repeats leave beside a drift of each target."""
+    found = diagnosis(kinds=kinds)
+    assert named(found) == ["backlash EXX"]
+    assert found.noise[0].correlated > found.noise[0].white
+    assert gained(("backlash", "bowed drift")).ahead < 0.75 * gained(("backlash",)).ahead
 
 
 def test_mean_reversal_value_is_that_of_the_standard() -> None:
@@ -107,7 +150,9 @@ def test_lost_motion_does_not_change_in_proportion_to_the_position() -> None:
 
 
 def test_the_command_says_the_same(capsys: pytest.CaptureFixture[str]) -> None:
-    assert command() == 1
-    assert "unexplained_structure" in capsys.readouterr().out
-    assert command(kinds=TURNING) == 0
-    assert "Backlash in EXX" in capsys.readouterr().out
+    assert command() == 0
+    said = capsys.readouterr().out
+    assert "Cause found: Backlash in EXX, width -2" in said
+    assert "a remainder is left" in said
+    assert command(swapped=True) == 0
+    assert "Cause found: Backlash in EXX, width 2" in capsys.readouterr().out
