@@ -114,6 +114,12 @@ def main() -> int:
         print(f"there are no data: {FILE} is missing", file=sys.stderr)
         return 1
     command()
+    found = diagnosis()
+    best = max(found.scan, key=lambda one: one.evidence)
+    drifts = [one.state for one in found.limits if one.effect.kind == "drift"]
+    print(f"values given are right: p {found.recalibration_p:.0e}")
+    print(f"best evidence: {best.evidence:.1f} ({best.effect.kind}), {found.threshold:.1f} is asked")
+    print(f"drifts: {drifts.count('confounded')} of {len(drifts)} confounded")
     kept = rows_of(given()[1]).size
     print(f"readings: {probe_data().reading.size}, of which {kept} are used; base by degree: rank, poses left out")
     for degree in (12, 3, 2, 1):

@@ -132,6 +132,8 @@ def main() -> int:
     ):
         print(f"\n{title}")
         command(swapped=swapped, kinds=kinds)
+    (noise,) = diagnosis().noise
+    print(f"\nnoise, um: white {1e3 * noise.white:.1f}, correlated {1e3 * noise.correlated:.1f}")
     print("\nnames found with a cycle left out")
     for cycle in range(1, CYCLES + 1):
         found = diagnosis(without=cycle)

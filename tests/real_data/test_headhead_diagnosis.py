@@ -15,7 +15,12 @@ def test_nothing_is_named_and_the_values_are_stale() -> None:
     assert found.verdict == "recalibrate"
     assert found.causes == ()
     assert found.recalibration_p < 1e-6
-    assert max(one.evidence for one in found.scan) < 0.5 * found.threshold
+    best = max(found.scan, key=lambda one: one.evidence)
+    assert best.effect.kind == "drift"
+    assert best.evidence < 0.5 * found.threshold
+    drifts = [one.state for one in found.limits if one.effect.kind == "drift"]
+    assert len(drifts) == 30
+    assert drifts.count("observable") <= 3
 
 
 def test_noise_is_the_scatter_of_the_repeated_pose() -> None:
