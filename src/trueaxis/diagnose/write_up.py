@@ -11,6 +11,7 @@ from trueaxis.diagnose.base import Base
 from trueaxis.diagnose.circles import circles_of
 from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fitted_left
+from trueaxis.diagnose.linearisation import linearisation_note
 from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
 from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted
@@ -78,7 +79,7 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         circles=circles_of(ground.readings, outcome.left),
         recalibration_p=outcome.stale_p,
         next_runs=next_runs(prospect, outcome.audit, ahead, outcome.checks, outcome.noise),
-        absences=absences(ground.readings, outcome.audit, outcome.noise),
+        absences=(*absences(ground.readings, outcome.audit, outcome.noise), linearisation_note(ground)),
         warnings=_warnings(outcome, causes),
         residuals=_residuals(outcome),
     )

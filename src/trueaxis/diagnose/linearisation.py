@@ -1,0 +1,40 @@
+"""What a first-order model would drop: terms of second order in the errors given, as the readings would show them."""
+
+from typing import cast
+
+import numpy as np
+
+from trueaxis.diagnose.audit import DETECTION
+from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.search import Ground
+from trueaxis.diagnose.signatures import Readings
+from trueaxis.measure.reading_geometry import column, run_terms, sensed_directions
+
+
+def linearisation_note(ground: Ground) -> str:
+    """One sentence: how large the terms are, and whether these readings could show them at all."""
+    terms = second_order(ground.readings)
+    left = ground.base.rest(ground.whitening(terms))
+    largest = float(np.abs(terms).max(initial=0.0)) * 1e3
+    told = "large enough to be seen" if float(left @ left) > DETECTION else "below what could be detected"
+    return (
+        f"linearisation: second-order terms of the errors given reach {largest:.2g} um, {told}; the model has them"
+    )
+
+
+def second_order(readings: Readings) -> FloatArray:
+    """(n,), mm: exact less first-order deviations of the model as given, along what each instrument senses."""
+    model, rows = readings.model, readings.rows
+    errors = model.in_context(readings.context).component_errors(rows.positions)
+    found = np.zeros(rows.size)
+    for index in rows.present:
+        run, mine = rows.runs[index], rows.of_run(index)
+        positions = np.ascontiguousarray(rows.positions[:, mine])
+        total = np.zeros((3, positions.shape[1]))
+        for term in run_terms(run):
+            inputs = (positions, np.ascontiguousarray(errors[:, mine]), model.parameter_values, column(term.point))
+            exact = model.kernels[f"{term.view}_deviation"](*inputs)
+            total += term.sign * (exact - model.kernels[f"{term.view}_deviation_first_order"](*inputs))
+        along = np.einsum("in,in->n", sensed_directions(model, run, positions), total)
+        found[mine] = along if run.instrument == "ballbar" else along - along[0]
+    return cast(FloatArray, found)
