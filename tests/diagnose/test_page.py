@@ -1,0 +1,169 @@
+"""docs/diagnosis.md and README.md say what their commands print."""
+
+import contextlib
+import io
+import json
+import math
+import re
+from pathlib import Path
+
+import pytest
+from scipy.stats import chi2
+
+from tests.hidden_effects import write_case
+from tests.machines import ROOT
+from trueaxis.cli import main
+from trueaxis.diagnose import checks, gain, imperfection, noise, procedure, scan, screening, search, verdict
+from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
+from trueaxis.diagnose.base import DEGREE
+
+PAGE = (ROOT / "docs" / "diagnosis.md").read_text()
+README = (ROOT / "README.md").read_text()
+NAMES = {3.0: "three", 4.0: "four", 5.0: "five"}
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
+CASES = re.compile(r"^\| (nothing further|`--\S+.*?`) \| `(\w+)` \| (.*) \|$", re.MULTILINE)
+
+
+def blocks(page: str) -> list[list[str]]:
+    return [text.strip().splitlines() for text in re.findall(r"^```\n(.*?)^```", page, re.DOTALL | re.MULTILINE)]
+
+
+def run(line: str) -> str:
+    """What a command of a page prints; it must not end in a fault."""
+    words = line.split()
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        if words[:2] == ["python", "-m"]:
+            assert words[2] == "tests.hidden_effects.write_case"
+            assert write_case.main(words[3:]) == 0
+        else:
+            assert words[0] == "trueaxis"
+            assert main(words[1:]) in (0, 1)
+    return printed.getvalue()
+
+
+def alike(told: str, printed: str) -> bool:
+    """The same words, numbers within 3 %, tiny ones (probabilities) within a factor of 10: processors round."""
+    if NUMBER.sub("#", told) != NUMBER.sub("#", printed):
+        return False
+    pairs = zip(map(float, NUMBER.findall(told)), map(float, NUMBER.findall(printed)), strict=True)
+    return all(
+        abs(math.log10(a / b)) < 1.0 if 0.0 < min(a, b) < 1e-6 else math.isclose(a, b, rel_tol=0.03) for a, b in pairs
+    )
+
+
+def test_lines_are_alike_but_for_rounding() -> None:
+    assert alike("p 8.2e-32, 0.322 um", "p 5.0e-32, 0.321 um")
+    assert not alike("p 8.2e-32, 0.322 um", "p 8.2e-32, 0.350 um")
+    assert not alike("width -1.88 um", "width 1.88 um")
+    assert not alike("Backlash in EYY", "Backlash in EXX")
+
+
+@pytest.fixture(scope="module")
+def example(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[str]]:
+    """The folder of the page's example, and what its last command printed."""
+    place = tmp_path_factory.mktemp("page")
+    with contextlib.chdir(place):
+        printed = [run(line) for line in blocks(PAGE)[0]]
+    return place / "example", printed[-1].splitlines()
+
+
+@pytest.mark.slow
+def test_the_example_prints_what_the_page_says(example: tuple[Path, list[str]]) -> None:
+    printed = iter(example[1])
+    for told in blocks(PAGE)[1]:
+        if told != "...":
+            assert any(alike(told, line) for line in printed), told
+
+
+@pytest.mark.slow
+def test_the_readme_shows_the_same_run(example: tuple[Path, list[str]]) -> None:
+    place = next(k for k, lines in enumerate(blocks(README)) if lines[-1].startswith("trueaxis diagnose"))
+    commands, result = blocks(README)[place : place + 2]
+    assert commands == blocks(PAGE)[0]
+    assert len(result) > 3
+    for told in result:
+        assert any(alike(told, line) for line in example[1]), told
+
+
+@pytest.mark.slow
+def test_what_was_hidden_lies_within_the_uncertainties(example: tuple[Path, list[str]]) -> None:
+    hidden = {"amplitude": 0.0008, "phase": -0.688, "pitch": 10.0773, "width": -0.002}
+    causes = json.loads((example[0] / "found" / "diagnosis.json").read_text())["causes"]
+    found = {name: at for cause in causes for name, at in cause["parameters"].items()}
+    assert found.keys() == hidden.keys()
+    assert {name for name, at in found.items() if abs(at["value"] - hidden[name]) > 2.0 * at["u"]} == set()
+    assert "10.0773 mm, the phase -0.688 rad" in PAGE
+
+
+@pytest.mark.slow
+def test_figures_in_the_text_are_those_of_the_example(example: tuple[Path, list[str]]) -> None:
+    told = json.loads((example[0] / "found" / "diagnosis.json").read_text())
+    assert f"has {len(told['limits'])} candidates" in PAGE
+    expansion = next(one for one in told["limits"] if (one["effect"], one["component"]) == ("thermal_expansion", "EXX"))
+    assert f"{100 * (1 - expansion['share']):.1f} % of its squares" in PAGE
+    readings = (example[0] / "data" / "readings.csv").read_text().count("\n") - 1
+    assert f"({readings} readings)" in PAGE
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("options", "expected", "said"), CASES.findall(PAGE), ids=lambda text: text.strip("`")[:24])
+def test_other_data_get_the_verdict_of_the_table(
+    example: tuple[Path, list[str]], tmp_path: Path, options: str, expected: str, said: str
+) -> None:
+    words = "" if options == "nothing further" else options.strip("`")
+    with contextlib.chdir(tmp_path):
+        run(f"python -m tests.hidden_effects.write_case example --seed 7 {words}")
+        line = blocks(PAGE)[0][-1].replace("example/kernels", str(example[0] / "kernels"))
+        printed = run(line)
+        told = json.loads(Path("example/found/diagnosis.json").read_text())
+    assert printed.startswith(f"{expected}: ")
+    gain_of, floor = told["gain"]["rms_um"], told["gain"]["floor_um"]
+    figures = {f"{value:.3f}" for value in (gain_of["given"], gain_of["refitted"], floor)}
+    assert {text for text in NUMBER.findall(said) if "." in text} <= figures
+    if expected == "ambiguous":
+        assert {told["causes"][0]["effect"], told["causes"][0]["cannot_be_told_from"][0]["effect"]} == {
+            "laser_scale",
+            "ballbar_length",
+        }
+        assert "step gauge" in told["causes"][0]["separating"]
+    if expected == "unexplained_structure":
+        assert "lines of X, between directions" in said
+        assert "lines of X, between directions" in [one["check"] for one in told["checks"] if one["fired"]]
+
+
+def test_there_is_a_case_for_each_other_verdict() -> None:
+    assert [expected for _, expected, _ in CASES.findall(PAGE)] == [
+        "no_discrepancy",
+        "recalibrate",
+        "ambiguous",
+        "unexplained_structure",
+    ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"more than {screening.FAR:g} robust standard deviations",
+        f"within {100 * chi2.cdf(2.0 * noise.ALLOWED, 1):.0f} % confidence",
+        f"polynomial of degree {DEGREE},",
+        f"sqrt({DETECTION:g} / lambda)",
+        f"sqrt({ISOLATION:g} / (lambda (1 - R^2)))",
+        f"leaves less than {scan.UNOBSERVABLE:.0e} of its squares".replace("e-09", "e-9"),
+        f"R^2 > {CONFOUNDED}",
+        f"log10(candidates / {search.FALSE_ALARMS})",
+        f"needs {search.FURTHER:g} decades more",
+        f"evidence within {search.RIVAL:g} decades, or explains all but {100 * search.ALIKE:g} %",
+        f"{100 * imperfection.MODULATED:g} % that vary along the travel",
+        f"second harmonic of {100 * imperfection.HARMONIC:g} %",
+        f"{100 * imperfection.OTHERWISE[0]:g} % of what a constant {imperfection.OTHERWISE[1]} times",
+        f"times their number is below {checks.FALSE_ALARMS}",
+        f"{NAMES[checks.NOISY]} times the variance of\n  the others",
+        f"(p > {verdict.HOMOGENEOUS:.0e})".replace("e-04", "e-4"),
+        f"is {100 * verdict.PRACTICALLY_ALL:g} % of all that is beyond noise; or\n    {100 * verdict.NEARLY_ALL:g} %",
+        f"The last {100 * gain.HELD:g} % of the repeats",
+        f"p < {procedure.STALE}, and new values lower the held-out RMS by {100 * procedure.WORTH:g} % or more",
+    ],
+)
+def test_constants_in_the_text_are_those_of_the_code(text: str) -> None:
+    assert text in PAGE
