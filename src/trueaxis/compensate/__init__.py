@@ -6,7 +6,7 @@ A program goes through these stages, a bounded batch of blocks at a time:
     nc_reader, apt_reader
                 lines -> items: text that moves nothing, and moves; what is not followed is a fault
     path        moves -> points; arcs become chords within the chord tolerance
-    tracker     with effects: how the axes come and go along it (course, velocity, acting); a point of its own wherever a
+    tracker     with effects: how the axes come and go along it (course, velocity, acting); a point of its own where a
                 reversal makes the commands jump; placed gives the machine at each place
     subdivide   lines are cut where the errors along them are not straight enough (along)
     solve       Eqs. (55), (56): commands that bring the tool where an error-free machine would, by the linear axes
