@@ -2,17 +2,23 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from tests.diagnose.prepared import SMALL, prepared
 from tests.generator.dmu60p import PARAMETERS
+from tests.hidden_effects.case import Case
+from tests.hidden_effects.hidden import Hidden
 from tests.identify.effect_data import SIGMA, Row, Term, five_axis, measured, model_with, off
+from tests.kernels import kernels_of
+from tests.machines import machine_of
 from trueaxis.effects.kind import Effect
 from trueaxis.faults import InputError
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
-from trueaxis.identify.observations import observations
+from trueaxis.identify.observations import Observations, observations
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.report import Identification
@@ -21,7 +27,9 @@ from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import PointOn, Run
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.errors import ErrorValues, dump_errors, read_errors
+from trueaxis.runtime.kernels import Kernels
+from trueaxis.runtime.model import MachineModel
 
 KNOWN = ErrorValues("dmu60p", PARAMETERS)
 OPTIONS = GlobalOptions("known", KNOWN, degree=3)
@@ -147,6 +155,49 @@ def test_what_is_known_stays_fixed() -> None:
     assert values_of(found, THERMAL) == {"coefficient": 1.1e-5}
     assert values_of(found, BACKLASH) == pytest.approx({"width": 6e-3}, rel=1e-9)
     assert [one.origin for one in found.report.effects] == ["from the readings", "given"]
+
+
+def squareness(angle: float) -> tuple[MachineModel, Observations]:
+    """A table mill whose spec leaves out that X is not square to Y, and tells it by an effect; exact readings."""
+    given = prepared(Case(1, design=SMALL, effects=(Hidden("squareness", "EC0X", size=angle),), noise="none"))
+    text = f'{given.generated.spec}\n[[effect]]\nkind = "squareness"\ncomponent = "EC0X"\n'
+    module = kernels_of(text)
+    kernels = Kernels(module.META, module, {n: getattr(module, n) for n in module.META["routines"]}, "numpy", "")
+    model = MachineModel(machine_of(text), kernels, ErrorValues(given.model.name))
+    return model, observations("readings.csv", given.data.setup.runs, given.data.readings)
+
+
+def at_home(model: MachineModel, *known: EffectValues) -> GlobalOptions:
+    given = prepared(Case(1, design=SMALL, effects=(Hidden("squareness", "EC0X"),), noise="none")).model.errors
+    dimensions = {name: given.parameters[name] for name in model.dimensions}
+    return GlobalOptions(known=ErrorValues(model.name, dimensions, effects=known), degree=3)
+
+
+def test_a_squareness_is_told_once_and_as_the_location_error_that_it_is(tmp_path: Path) -> None:
+    """As of a machine whose spec names that location error, and says nothing of an effect."""
+    model, data = squareness(3e-5)
+    values = identify_global(model, data, at_home(model)).values
+    named = replace(model, machine=replace(model.machine, effects=()))
+    assert "EC0X" in named.location_errors
+    alone = identify_global(named, data, at_home(model)).values
+    assert values.effects == ()
+    assert values.parameters == pytest.approx(alone.parameters, rel=1e-9)
+    assert values.undetermined == alone.undetermined
+    file = tmp_path / "errors.json"
+    components, parameters, effects = model.components, model.parameters, model.effects
+    file.write_text(dump_errors(values, components=components, parameters=parameters, effects=effects))
+    again = read_errors(
+        file, machine=model.name, components=components, parameters=parameters, effects=effects, kinds=model.kinds
+    )
+    assert again.parameters == values.parameters
+
+
+def test_a_squareness_that_is_known_as_an_effect_stays() -> None:
+    model, data = squareness(3e-5)
+    (effect,) = model.effects
+    options = at_home(model, EffectValues(effect, {"angle": 2e-5}))
+    values = identify_global(model, data, options).values
+    assert (values.parameters["EC0X"], values.effects) == (2e-5, ())
 
 
 def test_a_start_spares_the_search() -> None:

@@ -9,7 +9,6 @@ from trueaxis.identify.effects.faults import filled
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.context import Context
-from trueaxis.runtime.effect_locations import location_terms
 from trueaxis.runtime.effect_terms import component_term
 from trueaxis.runtime.effect_values import EffectValues, identity
 from trueaxis.runtime.model import MachineModel
@@ -21,7 +20,7 @@ def by_effects(
     """(3, m, n) for each of the effects, at the machine's values of them, axes standing.
 
     by_error: (3, n_components + n_location_errors, n), derivative of the deviation by each error. Effects on readings
-    and points of a set-up move no tool: theirs is zero.
+    and points of a set-up move no tool: theirs is zero; a squareness is a location error.
     """
     if not isinstance(machine, MachineModel):
         raise ValueError(f"{machine.name} has no effects")
@@ -33,10 +32,7 @@ def _by_effect(machine: MachineModel, by_error: FloatArray, positions: FloatArra
     kind = machine.kinds[effect.kind]
     count = positions.shape[1]
     found = np.zeros((3, len(kind.parameters), count))
-    if kind.place == "location":
-        for name, row in location_terms(machine.machine, effect, 1.0, positions).items():
-            found[:, 0] += by_error[:, machine.components.index(name)] * row
-    elif kind.place == "component":
+    if kind.place == "component":
         values = next((one for one in machine.errors.effects if identity(one.effect) == identity(effect)), None)
         vector = (values or EffectValues(effect, {})).vector(kind)
         still = filled(Context.at_rest(len(machine.axes), count))

@@ -1,7 +1,7 @@
 """What effects add to readings, and the derivatives of it: sensitivity of the reading times the term of the effect.
 
-Sensitivities come from the derived kernels of the machine, terms from those of the kinds. A point that is off and a
-position error that the spec leaves out have no term: theirs are difference quotients of the exact reading.
+Sensitivities come from the derived kernels of the machine, terms from those of the kinds. A point that is off has no
+term: its columns are difference quotients of the exact reading. A squareness is a location error, and none here.
 """
 
 from collections.abc import Sequence
@@ -24,7 +24,6 @@ from trueaxis.runtime.model import MachineModel
 
 STEP_OF_BAR = 1e-2  # mm: the distance of a ball bar is curved in its points
 STEP_OF_LINE = 1.0  # mm: what laser and probe read is affine in theirs
-STEP_OF_TURN = 1e-5  # rad
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -115,14 +114,14 @@ def of_term(ground: Ground, effect: Effect, kind: Kind, parameters: FloatArray, 
 
 
 def by_differences(ground: Ground, effect: Effect, kind: Kind, index: int, rows: IntArray) -> FloatArray:
-    """(m, n): derivative of the exact readings of a run by the parameters of an effect without an expression."""
+    """(m, n): derivative of the exact readings of a run by the coordinates of a point that is off."""
     observed, count = ground.observed, len(kind.parameters)
     run = observed.runs[index]
     found = np.zeros((count, rows.size))
     if not is_in(effect, kind, run):
         return found
+    step = STEP_OF_BAR if run.length is not None else STEP_OF_LINE
     for place, parameter in enumerate(kind.parameters):
-        step = STEP_OF_TURN if parameter.unit == "rad" else STEP_OF_BAR if run.length is not None else STEP_OF_LINE
         ends = [_expected(ground, effect, {parameter.name: sign * step}, rows) for sign in (1.0, -1.0)]
         found[place] = (ends[0] - ends[1]) / (2.0 * step)
     return found

@@ -92,7 +92,7 @@ class EffectUnknown:
 
     def columns(self, ground: Ground, chosen: RunRows) -> FloatArray:
         """(n, count): derivative of the readings by the values, at the values; mm per unit."""
-        if self.kind.place in ("point", "location"):
+        if self.kind.place == "point":
             return by_differences(ground, self.effect, self.kind, chosen.index, chosen.rows).T
         searched = self.searched(self.values)
         rows = [

@@ -82,7 +82,9 @@ class Unknown:
 def unknown_effects(
     machine: IdentifiedMachine, observed: Observations, given: ErrorValues, start: Sequence[EffectValues]
 ) -> Unknown:
-    """The effects of the machine whose values are not given. start: values to start with, which spares a search.
+    """The effects of the machine whose values are not given; a squareness is unknown as the location error it adds.
+
+    start: values to start with, which spares a search.
 
     Raises InputError where the readings lack a column that an effect depends on.
     """
@@ -97,7 +99,7 @@ def unknown_effects(
     at_once, waiting = [], []
     for effect in machine.machine.effects:
         kind, own = kinds[effect.kind], starts.get(identity(effect))
-        if identity(effect) in known:
+        if identity(effect) in known or kind.place == "location":
             continue
         if own is not None and kind.place != "point":
             at_once.append(sized(member_at(effect, kind, own.parameters), ground, chosen))
@@ -106,6 +108,16 @@ def unknown_effects(
         else:
             at_once.append(sized(_zero(effect, kind), ground, chosen))
     return Unknown(EffectUnknowns(tuple(at_once), ground), tuple(waiting))
+
+
+def with_locations(machine: IdentifiedMachine, given: ErrorValues) -> ErrorValues:
+    """The values with those that effects give to location errors among the parameters: told once, not twice."""
+    if not isinstance(machine, MachineModel):
+        return given
+    told = [one for one in given.effects if machine.kinds[one.effect.kind].place == "location"]
+    angles = {one.effect.component or "": float(one.vector(machine.kinds[one.effect.kind])[0]) for one in told}
+    left = tuple(one for one in given.effects if one not in told)
+    return replace(given, parameters={**given.parameters, **angles}, effects=left)
 
 
 def started(setting: Setting, degree: Degree, unknown: Unknown) -> EffectUnknowns:

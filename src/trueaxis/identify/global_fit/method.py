@@ -15,6 +15,7 @@ from trueaxis.identify.global_fit.effects import (
     started,
     trimmed,
     unknown_effects,
+    with_locations,
     with_way_given,
     with_zeros,
 )
@@ -52,7 +53,7 @@ def identify_global(
 
 def fit_global(machine: IdentifiedMachine, observed: Observations, options: GlobalOptions) -> GlobalResult:
     """The fit before it is put in words; as `identify_global`."""
-    given = replace(options.known or ErrorValues(machine.name), u={}, undetermined=())
+    given = with_locations(machine, replace(options.known or ErrorValues(machine.name), u={}, undetermined=()))
     if options.squareness == "known":
         zeros = dict.fromkeys(machine.location_errors, 0.0)
         given = replace(given, parameters={**zeros, **given.parameters})
