@@ -54,7 +54,9 @@ def run(args: argparse.Namespace) -> int:
     covariance = None
     if args.covariance is not None:
         with gathering(found):
-            covariance = read_covariance(args.covariance, machine.name, machine.components, machine.location_errors)
+            covariance = read_covariance(
+                args.covariance, machine.name, machine.components, machine.location_errors, machine.effects
+            )
     if found:
         raise InputError(found)
     if model.effect_values:
