@@ -4,12 +4,11 @@ from collections import Counter
 from dataclasses import replace
 
 import numpy as np
-import pytest
 
 from tests.diagnose.prepared import SMALL, field, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnose.candidates import candidates, direction_of
+from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.search import WORTH_ZOOMING
 from trueaxis.diagnose.signatures import readings_of, signature_of
@@ -81,14 +80,6 @@ def test_what_the_machine_has_already_is_not_searched_for() -> None:
     after = candidates(known, where.readings.rows)
     assert there in before
     assert set(before) - set(after) == {there}
-
-
-@pytest.mark.parametrize(
-    ("component", "direction"),
-    [("EXX", "along"), ("EYX", "across"), ("EAX", "turn"), ("ECX", "turn"), ("ECC", "along"), ("EAC", "turn")],
-)
-def test_directions_of_components(component: str, direction: str) -> None:
-    assert direction_of(component) == direction
 
 
 def test_without_time_and_temperature_what_needs_them_is_missing_and_the_rest_is_not() -> None:

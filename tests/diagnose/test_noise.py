@@ -83,7 +83,7 @@ def test_degrees_of_freedom_are_those_of_the_differences() -> None:
     assert found is not None
     # 12 lines of 82 readings, two differences each, of which offset and slope are taken away
     assert found.freedom == 12 * 2 * (82 - 2)
-    assert found.slope_freedom == 24
+    assert found.slope_freedom == pytest.approx(9.6)  # two fifths of 24 slopes: the largest ones are left out
 
 
 def same(one: tuple[Contrast, ...], other: tuple[Contrast, ...], instrument: str) -> None:
@@ -147,3 +147,37 @@ def test_a_noise_that_is_given_holds() -> None:
     found = noise_of_runs(rows, readings_of(given.model, rows).reading, drawn(rows, 0), 0.7)
     assert len(found) == len(rows.runs)
     assert {(one.white, one.correlated, one.slope) for one in found} == {(0.7e-3, 0.0, 0.0)}
+
+
+def tilted(slopes: FloatArray, source: np.random.Generator) -> NoiseOf:
+    """What repeats of runs with these slopes (mm over a run) come to, readings of 1 um beside them."""
+    ramp = np.linspace(-0.5, 0.5, 40)
+    nuisance = np.stack([np.ones(40), ramp], axis=1)
+    noise = 1e-3 * source.standard_normal((slopes.size, 40))
+    values = noise + slopes[:, np.newaxis] * ramp
+    found = estimate_noise([Contrast("laser", one, nuisance, across_runs=True) for one in values], "laser")
+    assert found is not None
+    return found
+
+
+def test_slopes_of_a_third_of_the_runs_hardly_count() -> None:
+    """What warms tilts the runs of one axis by ten times as much: the slope is still that of the others."""
+    source = np.random.default_rng(31)
+    size = 20e-3
+    even, uneven = [], []
+    for _ in range(40):
+        slopes = size * source.standard_normal(24)
+        even.append(tilted(slopes, source).slope)
+        slopes[:8] += 10.0 * size * np.sign(slopes[:8])
+        uneven.append(tilted(slopes, source).slope)
+    assert np.sqrt(np.mean(np.square(even))) == pytest.approx(size, rel=0.12)
+    assert np.sqrt(np.mean(np.square(uneven))) < 2.0 * size  # their mean square would say 6 sizes
+
+
+def test_slopes_are_not_said_to_be_surer_than_they_are() -> None:
+    """Degrees of freedom of an estimate: 2 / (relative variance), by simulation."""
+    source = np.random.default_rng(32)
+    found = [tilted(0.1 * source.standard_normal(24), source) for _ in range(300)]
+    squares = np.array([one.slope**2 for one in found])
+    told = 2.0 * squares.mean() ** 2 / squares.var()
+    assert 0.6 * told < found[0].slope_freedom < 1.1 * told

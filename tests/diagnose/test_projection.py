@@ -81,3 +81,56 @@ def test_offsets_of_runs_slopes_of_components_and_centres_are_in_the_base() -> N
     for planted in (offsets, centres, scale):
         white = whole.whitening(planted)
         assert np.linalg.norm(whole.base.rest(white)) < 1e-6 * np.linalg.norm(white)
+
+
+class TestSoft:
+    """Columns that may be there in part, as chance of known standard deviation."""
+
+    def parts(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        source = np.random.default_rng(3)
+        chance = source.normal(size=(50, 4)) * np.array([0.3, 1.0, 5.0, 200.0])
+        return dependent(), chance, source.normal(size=(50, 3))
+
+    def test_squares_are_those_of_generalised_least_squares(self) -> None:
+        """The covariance 1 + C C' written out, the base free."""
+        base, chance, values = self.parts()
+        found = Projection(orthonormal(base)).softened(chance)
+        inverse = np.linalg.inv(np.eye(50) + chance @ chance.T)
+        free = orth(base / np.linalg.norm(base, axis=0), rcond=1e-9)
+        left = inverse - inverse @ free @ np.linalg.solve(free.T @ inverse @ free, free.T @ inverse)
+        rest = found.rest(values)
+        assert rest.T @ rest == pytest.approx(values.T @ left @ values, rel=1e-6)
+
+    def test_the_rest_of_such_readings_is_white(self) -> None:
+        base, chance, _ = self.parts()
+        found = Projection(orthonormal(base)).softened(chance)
+        through = found.rest(np.eye(50))
+        covariance = through @ (np.eye(50) + chance @ chance.T) @ through.T
+        spread = np.linalg.eigvalsh(covariance)
+        assert spread == pytest.approx([0.0] * 6 + [1.0] * 44, abs=1e-6)
+
+    def test_products_are_told_without_the_rest(self) -> None:
+        base, chance, values = self.parts()
+        cause = np.random.default_rng(4).normal(size=(50, 2))
+        for found in (
+            Projection(orthonormal(base)),
+            Projection(orthonormal(base)).softened(chance),
+            Projection(orthonormal(base)).softened(chance).extended(cause),
+        ):
+            rest = found.rest(values)
+            held = found.inner.T @ values
+            assert rest.T @ rest == pytest.approx(values.T @ values - held.T @ held, rel=1e-9)
+            assert values.T @ found.told(values[:, 0]) == pytest.approx(rest.T @ rest[:, 0], rel=1e-9)
+
+    def test_a_cause_leaves_nothing_of_itself_and_counts_as_free(self) -> None:
+        base, chance, _ = self.parts()
+        cause = np.random.default_rng(4).normal(size=(50, 2))
+        soft = Projection(orthonormal(base)).softened(chance)
+        found = soft.extended(cause)
+        assert found.rest(cause) == pytest.approx(0.0, abs=1e-9)
+        assert (soft.rank, found.rank) == (6, 8)
+
+    def test_next_to_no_chance_changes_nothing(self) -> None:
+        base, chance, values = self.parts()
+        hard = Projection(orthonormal(base))
+        assert hard.softened(1e-7 * chance).rest(values) == pytest.approx(hard.rest(values), abs=1e-12)
