@@ -59,7 +59,7 @@ def run_tests(rest: list[str]) -> int:
     pytest = (BIN / "python", "-m", "pytest")
     if rest:
         return run(*pytest, *rest)
-    parallel = ("-n", "auto", "-q", "--cov", "--cov-report=")
+    parallel = ("-n", "auto", "--dist", "loadgroup", "-q", "--cov", "--cov-report=")
     return run(*pytest, *parallel, "-m", "not slow") or run(
         *pytest, *parallel, "--cov-append", "--cov-report=term", "-m", "slow"
     )
