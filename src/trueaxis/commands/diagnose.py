@@ -157,7 +157,7 @@ def _extension(
 ) -> dict[Path, bytes | str]:
     """The files of the extended machine; none where no cause was named."""
     from trueaxis.derive.model import derive_model  # noqa: PLC0415
-    from trueaxis.diagnose.extend import kept_readings, named_effects, reidentified  # noqa: PLC0415
+    from trueaxis.diagnose.extend import kept_readings, named_effects, reidentified, start_values  # noqa: PLC0415
     from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
     from trueaxis.emit.check import write  # noqa: PLC0415
     from trueaxis.emit.render import render  # noqa: PLC0415
@@ -175,7 +175,7 @@ def _extension(
         kernels = load_kernels(machine, path, Path(folder))
         model = MachineModel(machine, kernels, ErrorValues(machine.name))
         kept = kept_readings(given.data, diagnosis, str(args.data))
-        values = reidentified(model, given.model.errors, kept, diagnosis.noise)
+        values = reidentified(model, given.model.errors, kept, diagnosis.noise, start_values(diagnosis))
     errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
     generated: dict[Path, bytes | str] = {
         args.out / KERNELS / machine.name / name: content for name, content in files.items()
