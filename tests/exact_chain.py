@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import mpmath  # type: ignore[import-untyped]
+import mpmath
 
 Values = Mapping[str, Any]
 DIGITS = mpmath.mp.clone()

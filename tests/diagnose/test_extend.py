@@ -5,13 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.diagnose.prepared import SMALL, prepared
 from tests.diagnose.report.builders import cause, diagnosis
 from tests.generator.dmu60p import PARAMETERS, coefficients, cubic_errors, dmu60p
 from tests.generator.machine import polynomial
+from tests.hidden_effects.case import Case
 from tests.identify.data import TRAVEL, line, moving, observed, paper_runs
 from tests.machines import DMU60P, ROOT
-from trueaxis.diagnose.extend import changed, named_effects, reidentified
+from trueaxis.diagnose.extend import changed, kept_readings, named_effects, reidentified, start_values
 from trueaxis.diagnose.result import Evidence, NoiseOf, Verdict
+from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
 from trueaxis.runtime.curves import PolynomialCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues, Undetermined
@@ -33,6 +36,28 @@ class TestNamed:
     def test_nothing_does_where_nothing_was_named(self, verdict: Verdict) -> None:
         found = replace(diagnosis("explained"), verdict=verdict, causes=(cause(Effect("backlash", "EXX")),))
         assert named_effects(found) == ()
+
+    def test_the_fit_starts_at_what_the_diagnosis_found(self) -> None:
+        found = replace(diagnosis("explained"), causes=(cause(Effect("backlash", "EXX")),))
+        (one,) = start_values(found)
+        assert one.effect == Effect("backlash", "EXX")
+        assert one.parameters == {each.name: each.value for each in found.causes[0].parameters}
+        assert one.parameters.keys() == {"width"}
+
+
+def test_readings_are_those_that_were_taken_less_what_instruments_added_and_without_flicker() -> None:
+    given = prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
+    rows = given.rows.only(given.rows.run != 0)
+    found = diagnosis("explained")
+    added = np.linspace(1e-3, 2e-3, rows.size)
+    residuals = replace(found.residuals, row=rows.row, of_instruments=added)
+    observed = kept_readings(given.data, replace(found, residuals=residuals), "here")
+    assert observed.context is not None
+    order = np.argsort(rows.row)
+    np.testing.assert_allclose(observed.reading, (rows.reading - added)[order], rtol=0.0, atol=1e-15)
+    temperature = smoothed(given.data).readings.temperature
+    assert temperature is not None
+    np.testing.assert_array_equal(observed.context.temperature, temperature[np.sort(rows.row)])
 
 
 class TestChanged:

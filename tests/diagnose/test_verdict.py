@@ -75,6 +75,8 @@ def test_verdicts() -> None:
     named, nothing = (search(where.ground(size * column + noise)) for size in (6e-3, 0.0))
     assert verdict_of(named, True, [], False) == "explained"
     assert verdict_of(named, False, [], True) == "unexplained_structure"
-    assert verdict_of(nothing, True, [check(PERIOD)], True) == "unexplained_structure"
+    assert verdict_of(nothing, False, [check(PERIOD)], True) == "unexplained_structure"
+    # beside effects that the machine has already a remainder of their own class is no news
+    assert verdict_of(nothing, True, [check(PERIOD)], False) == "no_discrepancy"
     assert verdict_of(nothing, True, [], True) == "recalibrate"
     assert verdict_of(nothing, True, [], False) == "no_discrepancy"

@@ -4,7 +4,7 @@ import math
 import re
 from fractions import Fraction
 
-import mpmath  # type: ignore[import-untyped]
+import mpmath
 import pytest
 import sympy as sp
 from hypothesis import assume, given

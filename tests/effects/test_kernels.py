@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
 
-import mpmath  # type: ignore[import-untyped]
+import mpmath
 import numpy as np
 import numpy.typing as npt
 import pytest

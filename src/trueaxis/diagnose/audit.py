@@ -6,11 +6,11 @@ sqrt(21 / (lambda (1 - R^2))) is told from a rival with which the rest of its si
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.diagnose.projection import orthonormal
+from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.result import FloatArray, Limit
 from trueaxis.diagnose.scan import UNOBSERVABLE, Scanned
 from trueaxis.diagnose.search import Ground
@@ -31,17 +31,25 @@ class Audit:
 
 
 def audit(ground: Ground, scans: Sequence[Scanned]) -> Audit:
-    """From the shares and strengths that the scan found; the readings' values have no part in it.
+    """From the signatures that the scan made; the readings have no part in it, nor has what was found in them.
 
     Candidates with searched parameters are represented by the middle of their grid.
     """
-    seen = [one for one in scans if not one.missing and one.share > UNOBSERVABLE]
+    plain = Projection(ground.base.basis)  # what a cause may do besides its form is known when it is found, not before
+    audited = []
     bases = []
-    for one in seen:
+    for one in scans:
         whole = np.zeros((ground.values.size, one.freedom))
         whole[one.support] = one.middle
-        basis = orthonormal(ground.base.rest(whole))
-        bases.append(basis if basis.shape[1] else np.zeros((whole.shape[0], 1)))
+        rest = plain.rest(whole)
+        squares, left = float(np.sum(whole**2)), float(np.sum(rest**2))
+        share = left / squares if squares > 0.0 else 0.0
+        audited.append(replace(one, share=share, strength=left / one.freedom))
+        if not one.missing and share > UNOBSERVABLE:
+            basis = orthonormal(rest)
+            bases.append(basis if basis.shape[1] else np.zeros((whole.shape[0], 1)))
+    scans = audited
+    seen = [one for one in scans if not one.missing and one.share > UNOBSERVABLE]
     correlation = _correlations(bases)
     limits = {}
     for place, one in enumerate(seen):

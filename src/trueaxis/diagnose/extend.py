@@ -42,10 +42,13 @@ def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
 
 
 def kept_readings(data: MeasuredData, diagnosis: Diagnosis, source: str) -> Observations:
-    """The readings that the diagnosis worked on, as it took them; source: where they come from, named in faults."""
+    """The readings that the diagnosis worked on, less what it found the instruments to add; source: named in faults."""
     taken = np.flatnonzero(~data.readings.planned)
     everything = observations(source, data.setup.runs, smoothed(data).readings)
-    return everything.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
+    added = np.zeros(data.readings.reading.size)
+    added[diagnosis.residuals.row] = diagnosis.residuals.of_instruments
+    freed = replace(everything, reading=everything.reading - added[taken])
+    return freed.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
 
 
 def reidentified(
@@ -58,8 +61,8 @@ def reidentified(
     """Error values of the extended machine: curves, location errors and effects, fitted together.
 
     model: of the extended machine; given: values of the machine before; start: of its effects, to start from. Curves
-    change by polynomials up to the degree of the spec's curves; dimensions stay. Raises InputError where the readings
-    hold no unknown.
+    change by polynomials up to the degree of the spec's curves; dimensions stay, and the instruments add nothing more.
+    Raises InputError where the readings hold no unknown.
     """
     dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
     bare = ErrorValues(model.name, dimensions)
@@ -67,6 +70,7 @@ def reidentified(
     options = GlobalOptions(
         known=bare,
         degree=model.machine.curve_degree,
+        instruments=(),
         noise_by_group=_by_group(observed, noise),
         start=tuple(start),
     )

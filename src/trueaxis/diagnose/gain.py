@@ -78,10 +78,23 @@ def fitted_left(
     machine = base.columns[:, : base.plan.of_machine]
     signals = [one.signal[:, np.newaxis] for one in causes]
     weights = 1.0 / _sizes(whitening)
-    given = _left(values, np.hstack(nuisance), own, weights, train)
-    refitted = _left(values, np.hstack([machine, *nuisance]), own, weights, train)
-    extended = _left(values, np.hstack([machine, *nuisance, *signals]), own, weights, train) if causes else refitted
+    given, _ = _left(values, np.hstack(nuisance), own, weights, train)
+    refitted, _ = _left(values, np.hstack([machine, *nuisance]), own, weights, train)
+    extended = refitted
+    if causes:
+        extended, _ = _left(values, np.hstack([machine, *nuisance, *signals]), own, weights, train)
     return Left(given, refitted, extended)
+
+
+def of_instruments(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted]) -> FloatArray:
+    """(n,), mm: what offsets, slopes and centres of the instruments account for beside this base and the causes."""
+    own = base.columns[:, base.plan.count :]
+    nuisance = np.hstack([base.columns[:, base.plan.of_instruments], own])
+    signals = [one.signal[:, np.newaxis] for one in causes]
+    columns = np.hstack([nuisance, base.columns[:, : base.plan.of_machine], *signals])
+    everything = np.ones(values.size, dtype=bool)
+    _, fitted = _left(values, columns, own, 1.0 / _sizes(whitening), everything)
+    return np.asarray(nuisance @ fitted[: nuisance.shape[1]])
 
 
 def _sizes(whitening: Whitening) -> FloatArray:
@@ -91,7 +104,8 @@ def _sizes(whitening: Whitening) -> FloatArray:
 
 def _left(
     values: FloatArray, columns: FloatArray, own: FloatArray, weights: FloatArray, train: BoolArray
-) -> FloatArray:
+) -> tuple[FloatArray, FloatArray]:
+    """(n,) what is left, and the coefficient of each column."""
     weighted = columns[train] * weights[train, np.newaxis]
     size = np.linalg.norm(weighted, axis=0)
     kept = size > 0.0
@@ -102,13 +116,13 @@ def _left(
         coefficient[kept] = solved / size[kept]
     rest = values - columns @ coefficient
     if train.all():
-        return rest
+        return rest, coefficient
     for column in own.T:
         mine = column != 0.0
         # a run of which a part is fitted has its offset from there: what drifts within the run must show
         if mine.any() and not (mine & train).any():
             rest[mine] -= np.mean(rest[mine])
-    return rest
+    return rest, coefficient
 
 
 def gain_of(everything: Left, held: Left, rows_held: BoolArray, split: str, floor: float) -> Gain:

@@ -17,9 +17,7 @@ def linearisation_note(ground: Ground) -> str:
     left = ground.base.rest(ground.whitening(terms))
     largest = float(np.abs(terms).max(initial=0.0)) * 1e3
     told = "large enough to be seen" if float(left @ left) > DETECTION else "below what could be detected"
-    return (
-        f"linearisation: second-order terms of the errors given reach {largest:.2g} um, {told}; the model has them"
-    )
+    return f"linearisation: second-order terms of the errors given reach {largest:.2g} um, {told}; the model has them"
 
 
 def second_order(readings: Readings) -> FloatArray:

@@ -12,7 +12,7 @@ from trueaxis.diagnose.base import Base, base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.freedom import freedom_of
-from trueaxis.diagnose.gain import fitted_left, gain_of, held_out
+from trueaxis.diagnose.gain import fitted_left, gain_of, held_out, of_instruments
 from trueaxis.diagnose.imperfection import imperfections
 from trueaxis.diagnose.noise_of_runs import noise_of_runs
 from trueaxis.diagnose.projection import Projection, orthonormal
@@ -22,6 +22,7 @@ from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.screening import outliers
 from trueaxis.diagnose.search import Found, Ground, Search, search, with_rivals, without
 from trueaxis.diagnose.signatures import Readings, readings_of
+from trueaxis.diagnose.standing import refitted_columns, standing_effects
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.diagnose.verdict import HOMOGENEOUS, explained_share, names_stand, verdict_of
 from trueaxis.diagnose.whiten import whitening
@@ -58,14 +59,16 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     base = base_of(model, rows)
     options.progress("noise")
     noise = noise_of_runs(rows, readings.reading, values, options.noise_um)
-    ground, found, causes = _searched(readings, base, values, noise, options)
+    standing = standing_effects(readings)
+    free = np.hstack([base.columns, refitted_columns(readings, standing)])
+    ground, found, causes = _searched(readings, free, values, noise, options, imperfections(readings, standing))
     if causes:
         signals = np.sum([one.signal for one in causes], axis=0)
         again = noise_of_runs(rows, readings.reading, values - signals, options.noise_um)
         if _changed(noise, again):
             noise = again
-        chance = imperfections(readings, causes)
-        ground, found, causes = _searched(readings, base, values, noise, options, chance, found.causes)
+        chance = imperfections(readings, (*standing, *causes))
+        ground, found, causes = _searched(readings, free, values, noise, options, chance, found.causes)
     options.progress("checks")
     theta = readings.reading.theta
     groups = _amplitudes(ground, causes)
@@ -75,7 +78,9 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         causes = refit(ground, found.causes)
         groups = _amplitudes(ground, causes)
     checks = run_checks(rows, theta, ground.whitening, found.projection, found.residual, ground.freedom)
-    stand = names_stand(explained_share(ground, found, causes, checks), causes, checks, [p for _, p in groups])
+    hard = Projection(orthonormal(ground.whitening(base.columns))) if standing else None
+    share = explained_share(ground, found, causes, checks, standing, hard)
+    stand = names_stand(share, (*standing, *causes), checks, [p for _, p in groups])
     if stand:
         options.progress("rivals")
         found = with_rivals(ground, found)
@@ -90,6 +95,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     floor = float(np.sqrt(np.mean([one.sigma**2 for one in ground.whitening.noise])))
     gain = gain_of(everything, of_held, held, split, floor)
     stale_p = _stale(ground, base)
+    coarse = base_of(model, rows, model.machine.curve_degree)  # as fine as the curves of the extended machine
     recalibrate = stale_p < STALE and gain.held_out.refitted < (1.0 - WORTH) * gain.held_out.given
     return diagnosis_of(
         Outcome(
@@ -107,6 +113,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             held=held,
             left=everything,
             gain=gain,
+            of_instruments=of_instruments(coarse, ground.whitening, values, causes),
             stale_p=stale_p,
         )
     )
@@ -122,17 +129,17 @@ def _expected(model: MachineModel, rows: Rows) -> FloatArray:
 
 def _searched(
     readings: Readings,
-    base: Base,
+    free: FloatArray,
     values: FloatArray,
     noise: Sequence[NoiseOf],
     options: DiagnoseOptions,
-    chance: FloatArray | None = None,
+    chance: FloatArray,
     start: Sequence[Found] = (),
 ) -> tuple[Ground, Search, tuple[Fitted, ...]]:
     rows = readings.rows
     white = whitening(rows.run, [noise[index] for index in rows.present])
-    projection = Projection(orthonormal(white(base.columns)))
-    if chance is not None:
+    projection = Projection(orthonormal(white(free)))
+    if chance.shape[1]:
         projection = projection.softened(white(chance))
     ground = Ground(
         readings=readings,

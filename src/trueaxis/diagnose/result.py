@@ -185,7 +185,8 @@ class NextRun:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Residuals:
-    """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds.
+    """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds;
+    of_instruments: what offsets, slopes and centres of the instruments account for beside curves of the spec's degree.
 
     run: index into runs; positions, directions: (n_axes, n); theta: polar angle (rad) of circles, NaN elsewhere;
     along: ideal displacement sensed (mm) of lines.
@@ -209,6 +210,7 @@ class Residuals:
     refitted: FloatArray
     extended: FloatArray
     whitened: FloatArray
+    of_instruments: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -24,16 +24,25 @@ CLASSES = (  # words in the name of a check, and variables of the causes that ma
 NEARLY_ALL = 0.9  # share of what was to be explained from which a remainder of that class does not take the name back
 
 
-def explained_share(ground: Ground, found: Search, causes: Sequence[Fitted], checks: Sequence[Check]) -> float:
+def explained_share(
+    ground: Ground,
+    found: Search,
+    causes: Sequence[Fitted],
+    checks: Sequence[Check],
+    standing: Sequence[Fitted] = (),
+    hard: Projection | None = None,
+) -> float:
     """Share that the causes have of the whitened squares beyond those of noise.
 
-    What is left is that of the checks that fired or, if more, of all residuals.
+    standing: those the model has already; hard: the base without them, where there are any. What is left is that of the
+    checks that fired or, if more, of all residuals.
     """
-    if not causes:
+    if not causes and not standing:
         return 0.0
-    hard = Projection(ground.base.basis)
-    before = hard.rest(ground.values)
-    after = hard.rest(ground.values - ground.whitening(np.sum([one.signal for one in causes], axis=0)))
+    hard = hard or Projection(ground.base.basis)
+    nothing = np.zeros(ground.values.size)
+    before = hard.rest(ground.values + ground.whitening(sum((one.signal for one in standing), nothing)))
+    after = hard.rest(ground.values - ground.whitening(sum((one.signal for one in causes), nothing)))
     explained = float(before @ before) - float(after @ after)
     freedom = found.residual.size - found.projection.rank
     left = max([float(found.residual @ found.residual) - freedom, 0.0, *(one.excess for one in checks if one.fired)])
@@ -61,6 +70,6 @@ def verdict_of(found: Search, stand: bool, checks: Sequence[Check], recalibrate:
     """What it all comes to."""
     if found.causes and stand:
         return "ambiguous" if any(one.rivals for one in found.causes) else "explained"
-    if found.causes or any(check.fired for check in checks):
+    if found.causes or (any(check.fired for check in checks) and not stand):
         return "unexplained_structure"
     return "recalibrate" if recalibrate else "no_discrepancy"

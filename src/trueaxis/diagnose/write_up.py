@@ -37,7 +37,8 @@ from trueaxis.diagnose.search import Found, Ground, Search
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
     """All that the procedure has computed. values: (n,) mm, readings less what is expected; causes, groups: those that
-    are named, with their amplitudes by group and the p value of their being one; held: (n,), rows held back.
+    are named, with their amplitudes by group and the p value of their being one; held: (n,), rows held back;
+    of_instruments: (n,) mm, see Residuals.
     """
 
     ground: Ground
@@ -54,6 +55,7 @@ class Outcome:
     held: BoolArray
     left: Left
     gain: Gain
+    of_instruments: FloatArray
     stale_p: float
 
 
@@ -167,4 +169,5 @@ def _residuals(outcome: Outcome) -> Residuals:
         refitted=left.refitted,
         extended=left.extended,
         whitened=ground_left,
+        of_instruments=outcome.of_instruments,
     )
