@@ -3,8 +3,9 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from trueaxis.diagnose.report.frame import room_for, stacked
 from trueaxis.diagnose.report.quantity import COVERAGE_FACTOR, probability, shown_in
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, WIDTH, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.report.words import effect_title
 from trueaxis.diagnose.result import Cause
 
@@ -37,8 +38,8 @@ def _figure(cause: Cause) -> Figure:
     shown = [one for one in cause.amplitudes if np.isfinite(one.value) and np.isfinite(one.u)][:MOST_GROUPS]
     first = cause.parameters[0]
     factor, unit = shown_in(max(abs(first.value), COVERAGE_FACTOR * np.nan_to_num(first.u)), first.unit)
-    figure = Figure(figsize=(WIDTH, 1.0 + 0.21 * len(shown)))
-    panel = figure.add_subplot()
+    names = [_short(one.group) for one in shown]
+    figure, (panel,) = stacked(0.55 + 0.21 * len(shown), left=room_for(names), above=0.05)
     at = np.arange(len(shown))
     value = factor * np.array([one.value for one in shown])
     expanded = COVERAGE_FACTOR * factor * np.array([one.u for one in shown])
@@ -48,7 +49,7 @@ def _figure(cause: Cause) -> Figure:
     panel.axvline(factor * first.value, color=ORANGE, linewidth=1.0)
     panel.axvline(0.0, color=INK, linewidth=0.7)
     panel.errorbar(value, at, xerr=expanded, fmt="s", color=BLUE, markersize=3.5, linewidth=1.0, capsize=2.0)
-    panel.set_yticks(at, [_short(one.group) for one in shown])
+    panel.set_yticks(at, names)
     panel.set_ylim(len(shown) - 0.4, -0.6)
     panel.tick_params(axis="y", length=0)
     panel.grid(visible=False, axis="y")

@@ -3,9 +3,10 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.lines import Round, rounds_of, sample
 from trueaxis.diagnose.report.quantity import UM
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, WIDTH, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, Residuals
 
 MOST_POINTS = 600
@@ -30,8 +31,7 @@ def _picture(residuals: Residuals, plane: str, rounds: list[Round]) -> Picture:
 
 
 def _figure(residuals: Residuals, rounds: list[Round]) -> Figure:
-    figure = Figure(figsize=(WIDTH, 4.0))
-    panels = figure.subplots(2, 1, sharex=True, sharey=True)
+    figure, panels = stacked(4.0, 2, titled=True, sharey=True)
     for panel, values, title in zip(
         panels, (residuals.refitted, residuals.extended), ("refitted", "extended model"), strict=True
     ):
@@ -60,5 +60,5 @@ def _figure(residuals: Residuals, rounds: list[Round]) -> Figure:
     panels[-1].set_xticks(range(0, 361, 90))
     panels[-1].set_xlabel("polar angle (deg)")
     handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=2)
+    figure.legend(handles, labels, loc="upper center", ncols=2)
     return figure

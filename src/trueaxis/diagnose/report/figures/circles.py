@@ -1,10 +1,10 @@
 """Circles of the ball bar: polar, with the extended model over them."""
 
-from typing import cast
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.projections.polar import PolarAxes
 
 from trueaxis.diagnose.report.lines import Round, rounds_of
 from trueaxis.diagnose.report.quantity import UM
@@ -12,6 +12,9 @@ from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, RULE, SOFT, Picture,
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
 
 MOST_POINTS = 360  # of a trace, drawn as a line
+SIDE = 3.9  # inches
+LEGEND = 0.45
+_NOMINAL, _OUTER, _EDGE = 2.4, 3.5, 4.15  # radii of the fitted circle, of the spokes, of the picture, in divisions
 _LOOK = {1: (BLUE, "-", "counter-clockwise"), -1: (ORANGE, "--", "clockwise")}
 Key = tuple[str, float]
 
@@ -39,16 +42,19 @@ def _picture(residuals: Residuals, key: Key, rounds: list[Round], tick: float) -
         f"Circle {plane}{feed_text}",
         f"Polar plot of radial deviations in {plane}{feed_text}: {named}, the extended model drawn over them; it "
         f"leaves {max(left):.2g} {UM} RMS at most.",
-        f"{named}. About the fitted centre, magnified: a division is {tick:g} {UM}.",
+        f"{named}. Magnified about the fitted circle, the darker one: a division is {tick:g} {UM}.",
         lambda: _figure(residuals, rounds, tick),
     )
 
 
 def _figure(residuals: Residuals, rounds: list[Round], tick: float) -> Figure:
-    figure = Figure(figsize=(3.9, 4.3))
-    panel = cast(PolarAxes, figure.add_subplot(projection="polar"))
-    around = np.linspace(0.0, 2.0 * np.pi, 181)
-    panel.plot(around, np.zeros_like(around), color=SOFT, linewidth=0.7)
+    # plain axes: polar ones take four times as long, and put the labels of the rings under the traces
+    figure = Figure(figsize=(SIDE, SIDE + LEGEND))
+    panel = figure.add_axes((0.0, LEGEND / (SIDE + LEGEND), 1.0, SIDE / (SIDE + LEGEND)))
+    panel.set_axis_off()
+    panel.set_xlim(-_EDGE * tick, _EDGE * tick)
+    panel.set_ylim(-_EDGE * tick, _EDGE * tick)
+    _rings(panel, tick)
     seen: set[int] = set()
     for one in rounds:
         colour, dash, label = _LOOK[one.turn]
@@ -57,23 +63,36 @@ def _figure(residuals: Residuals, rounds: list[Round], tick: float) -> Figure:
         stride = slice(None, None, max(1, theta.size // MOST_POINTS))
         first = one.turn not in seen
         seen.add(one.turn)
-        angles, radial = _broken(theta[stride], measured[stride])
-        panel.plot(angles, radial, dash, color=colour, linewidth=2.2, alpha=0.75, label=label if first else None)
-        angles, radial = _broken(theta[stride], model[stride])
-        panel.plot(
-            angles,
-            radial,
-            ":" if one.turn < 0 else "-",
-            color=INK,
-            linewidth=1.1 if one.turn < 0 else 0.7,
-            label=f"model, {label}" if first else None,
-        )
-    panel.set_ylim(-2.4 * tick, 1.1 * tick)
-    panel.set_yticks([-tick, 0.0, tick], [f"\N{MINUS SIGN}{tick:g}", "0", f"+{tick:g} {UM}"])
-    panel.set_rlabel_position(22.5)
-    panel.spines["polar"].set_edgecolor(RULE)
-    figure.legend(loc="outside lower center", ncols=2)
+        _trace(panel, theta[stride], measured[stride], tick, linestyle=dash, color=colour, linewidth=2.2, alpha=0.75,
+               label=label if first else None)  # fmt: skip
+        _trace(panel, theta[stride], model[stride], tick, linestyle=":" if one.turn < 0 else "-", color=INK,
+               linewidth=1.1 if one.turn < 0 else 0.7, label=f"model, {label}" if first else None)  # fmt: skip
+    figure.legend(loc="lower center", ncols=2)
     return figure
+
+
+def _rings(panel: Axes, tick: float) -> None:
+    """The fitted circle, one ring a division inside it and one outside, spokes every 45 deg."""
+    around = np.linspace(0.0, 2.0 * np.pi, 121)
+    for ring in (-1.0, 0.0, 1.0):
+        own = {"color": SOFT, "linewidth": 0.8} if ring == 0.0 else {"color": RULE, "linewidth": 0.5}
+        _trace(panel, around, np.full_like(around, ring * tick), tick, **own)
+    for degrees in range(0, 360, 45):
+        angle = np.radians(degrees)
+        x, y = np.cos(angle), np.sin(angle)
+        panel.plot([0.0, _OUTER * tick * x], [0.0, _OUTER * tick * y], color=RULE, linewidth=0.35)
+        far = (_OUTER + 0.3) * tick
+        panel.text(far * x, far * y, f"{degrees}\N{DEGREE SIGN}", ha="center", va="center")
+    for ring, told in ((-1.0, f"\N{MINUS SIGN}{tick:g}"), (1.0, f"+{tick:g} {UM}")):
+        at, low = (_NOMINAL + ring) * tick, np.radians(22.5)
+        side = "left" if ring > 0.0 else "right"
+        panel.text(at * np.cos(low), at * np.sin(low), f" {told} ", ha=side, va="center", fontsize=8.0)
+
+
+def _trace(panel: Axes, theta: FloatArray, radial: FloatArray, tick: float, **look: Any) -> None:
+    angles, deviation = _broken(theta, radial)
+    radius = _NOMINAL * tick + deviation
+    panel.plot(radius * np.cos(angles), radius * np.sin(angles), **look)
 
 
 def _centred(residuals: Residuals, one: Round) -> tuple[FloatArray, FloatArray]:

@@ -3,9 +3,10 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.lines import sample
 from trueaxis.diagnose.report.quantity import UM
-from trueaxis.diagnose.report.svg import BLUE, GREEN, INK, ORANGE, WIDTH, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, GREEN, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
 
 MOST_POINTS = 600
@@ -54,8 +55,7 @@ def _picture(residuals: Residuals, name: str, across: FloatArray, label: str) ->
 
 
 def _figure(residuals: Residuals, across: FloatArray, label: str) -> Figure:
-    figure = Figure(figsize=(WIDTH, 4.0))
-    panels = figure.subplots(2, 1, sharex=True, sharey=True)
+    figure, panels = stacked(4.0, 2, titled=True, sharey=True)
     instrument = np.array(residuals.instruments)[residuals.run]
     for panel, values, title in zip(
         panels, (residuals.refitted, residuals.extended), ("refitted", "extended model"), strict=True
@@ -80,5 +80,5 @@ def _figure(residuals: Residuals, across: FloatArray, label: str) -> Figure:
         panel.set_ylabel(UM)
     panels[-1].set_xlabel(label)
     handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=3)
+    figure.legend(handles, labels, loc="upper center", ncols=3)
     return figure

@@ -4,7 +4,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SKY, WIDTH, Picture, picture
+from trueaxis.diagnose.report.frame import room_for, stacked
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SKY, Picture, picture
 from trueaxis.diagnose.report.words import short_title
 from trueaxis.diagnose.result import Diagnosis
 
@@ -37,8 +38,8 @@ def _figure(diagnosis: Diagnosis) -> Figure:
     ranked = sorted(diagnosis.scan, key=lambda one: -_number(one.evidence))[:MOST_BARS]
     named = {one.effect for one in diagnosis.causes}
     rivals = {rival.effect for one in diagnosis.causes for rival in one.rivals}
-    figure = Figure(figsize=(WIDTH, 0.9 + 0.19 * len(ranked)))
-    panel = figure.add_subplot()
+    names = [short_title(one.effect) for one in ranked]
+    figure, (panel,) = stacked(0.8 + 0.19 * len(ranked), left=room_for(names))
     at = np.arange(len(ranked))
     values = np.array([max(_number(one.evidence), 0.0) for one in ranked])
     groups = (
@@ -57,12 +58,12 @@ def _figure(diagnosis: Diagnosis) -> Figure:
         panel.set_xscale("symlog", linthresh=diagnosis.threshold)
         panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     panel.set_xlim(left=0.0)
-    panel.set_yticks(at, [short_title(one.effect) for one in ranked])
+    panel.set_yticks(at, names)
     panel.set_ylim(len(ranked) - 0.5, -0.5)
     panel.tick_params(axis="y", length=0)
     panel.grid(visible=False, axis="y")
     panel.set_xlabel("evidence")
-    figure.legend(loc="outside upper right", ncols=4)
+    figure.legend(loc="upper right", ncols=4)
     return figure
 
 

@@ -3,7 +3,8 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, WIDTH, Picture, picture
+from trueaxis.diagnose.report.frame import WIDTH
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.report.words import effect_title, short_title
 from trueaxis.diagnose.result import Diagnosis, FloatArray
 

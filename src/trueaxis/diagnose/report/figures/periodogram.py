@@ -6,10 +6,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-from scipy.signal import lombscargle
 
+from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.lines import envelope, lines_of, rounds_of
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, WIDTH, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, IntArray, Residuals
 
 FALSE_ALARM = 0.01
@@ -72,15 +72,37 @@ def _spectrum(residuals: Residuals, rows: IntArray, at: FloatArray, frequencies:
     order = np.argsort(at, kind="stable")
     order = order[:: max(1, -(-order.size // MOST_READINGS))]
     rows, at = rows[order], at[order]
-    power = [
-        lombscargle(at, left, 2.0 * np.pi * frequencies, normalize=True) if np.ptp(left) > 0.0 else 0.0 * frequencies
-        for left in (_without_run_means(residuals, values, rows) for values in (residuals.refitted, residuals.extended))
-    ]
+    power = powers(
+        at,
+        np.stack([_without_run_means(residuals, values, rows) for values in (residuals.refitted, residuals.extended)]),
+        frequencies,
+    )
     independent = max(1.0, float(np.ptp(at)) * float(frequencies[-1] - frequencies[0]))
     freedom = max(rows.size - 3, 1)
     # P(power > z) = (1 - z)^((n - 3)/2) at one frequency, with the variance estimated from the same readings
     line = 1.0 - (1.0 - (1.0 - FALSE_ALARM) ** (1.0 / independent)) ** (2.0 / freedom)
     return Spectrum(frequencies, power[0], power[1], float(line))
+
+
+def powers(at: FloatArray, values: FloatArray, frequencies: FloatArray) -> FloatArray:
+    """Share of the squares of each row of values (c, n) that a sine of each frequency (f,) takes by least squares:
+    (c, f), Lomb-Scargle (Scargle 1982). Readings at one target enter as their sum: targets are few, readings many.
+    """
+    targets, which = np.unique(at, return_inverse=True)
+    count = np.bincount(which)
+    sums = np.stack([np.bincount(which, weights=row) for row in values])
+    angle = 2.0 * np.pi * np.outer(targets, frequencies)
+    wave = np.cos(angle) + 1j * np.sin(angle)
+    # tau turns the phase so that cosine and sine are orthogonal over the readings
+    double = count @ wave**2
+    turned = sums @ wave * np.exp(-0.5j * np.angle(double))
+    cosines, sines = 0.5 * (at.size + np.abs(double)), 0.5 * (at.size - np.abs(double))
+    taken = turned.real**2 / cosines
+    known = sines > 1e-9 * at.size  # at the Nyquist frequency of equidistant targets every sine is zero
+    taken += np.where(known, turned.imag**2 / np.where(known, sines, 1.0), 0.0)
+    whole = np.sum(values**2, axis=1, keepdims=True)
+    share: FloatArray = taken / np.where(whole > 0.0, whole, 1.0)
+    return share
 
 
 def _without_run_means(residuals: Residuals, values: FloatArray, rows: IntArray) -> FloatArray:
@@ -117,8 +139,7 @@ def _named(frequency: float, unit: str) -> str:
 
 
 def _figure(spectrum: Spectrum, unit: str) -> Figure:
-    figure = Figure(figsize=(WIDTH, 3.0))
-    panel = figure.add_subplot()
+    figure, (panel,) = stacked(3.0)
     if unit:
         _curves(panel, spectrum, 1.0 / spectrum.frequencies)
         panel.set_xscale("log")
@@ -131,7 +152,7 @@ def _figure(spectrum: Spectrum, unit: str) -> Figure:
     panel.axhline(spectrum.line, color=INK, linewidth=0.9, linestyle="--", label=f"false alarm {100 * FALSE_ALARM:g} %")
     panel.set_ylabel("share of variance")
     panel.set_ylim(bottom=0.0)
-    figure.legend(loc="outside upper center", ncols=3)
+    figure.legend(loc="upper center", ncols=3)
     return figure
 
 

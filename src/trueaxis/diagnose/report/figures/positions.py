@@ -4,9 +4,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.lines import Line, lines_of, sample
 from trueaxis.diagnose.report.quantity import UM
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SOFT, WIDTH, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SOFT, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, IntArray, Residuals
 
 MOST_POINTS = 900  # of a panel; beyond, only a sample is drawn
@@ -49,8 +50,7 @@ def _picture(residuals: Residuals, lines: list[Line], axis: int) -> Picture:
 
 
 def _figure(residuals: Residuals, lines: list[Line], axis: int, thinned: bool) -> Figure:
-    figure = Figure(figsize=(WIDTH, 5.6))
-    panels = figure.subplots(3, 1, sharex=True)
+    figure, panels = stacked(5.6, 3, titled=True)
     panels[1].sharey(panels[2])
     for panel, stage in zip(panels, STAGES, strict=True):
         panel.axhline(0.0, color=INK, linewidth=0.6)
@@ -63,7 +63,7 @@ def _figure(residuals: Residuals, lines: list[Line], axis: int, thinned: bool) -
     unit = "mm" if residuals.axes[axis] in "XYZ" else "deg"
     panels[-1].set_xlabel(f"{residuals.axes[axis]} ({unit})")
     handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=3)
+    figure.legend(handles, labels, loc="upper center", ncols=3)
     return figure
 
 

@@ -3,8 +3,9 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from trueaxis.diagnose.report.frame import room_for, stacked
 from trueaxis.diagnose.report.quantity import UM, micrometres
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, WIDTH, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, Stage
 
 NAMES = ("given", "refitted", "extended")
@@ -30,8 +31,7 @@ def stages(diagnosis: Diagnosis) -> list[Picture]:
 
 def _figure(diagnosis: Diagnosis) -> Figure:
     gain = diagnosis.gain
-    figure = Figure(figsize=(WIDTH, 2.6))
-    panel = figure.add_subplot()
+    figure, (panel,) = stacked(2.6, left=room_for(list(NAMES)))
     at = np.arange(len(NAMES))
     for stage, shift, colour, hatch, label in (
         (gain.rms, -0.19, BLUE, "", "all readings kept"),
@@ -57,7 +57,7 @@ def _figure(diagnosis: Diagnosis) -> Figure:
     panel.tick_params(axis="y", length=0)
     panel.grid(visible=False, axis="y")
     panel.set_xlabel(f"RMS ({UM})")
-    figure.legend(loc="outside upper center", ncols=3)
+    figure.legend(loc="upper center", ncols=3)
     return figure
 
 

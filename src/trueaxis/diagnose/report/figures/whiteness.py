@@ -4,7 +4,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.stats import norm
 
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, WIDTH, Picture, picture
+from trueaxis.diagnose.report.frame import stacked
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
 
 MOST_POINTS = 400
@@ -43,8 +44,7 @@ def whiteness(diagnosis: Diagnosis) -> list[Picture]:
 
 
 def _quantiles(whitened: FloatArray) -> Figure:
-    figure = Figure(figsize=(WIDTH, 3.2))
-    panel = figure.add_subplot()
+    figure, (panel,) = stacked(3.2)
     expected = norm.ppf((np.arange(1, whitened.size + 1) - 0.5) / whitened.size)
     ends = np.array([expected[0], expected[-1]])
     kept = np.unique(
@@ -54,7 +54,7 @@ def _quantiles(whitened: FloatArray) -> Figure:
     panel.plot(expected[kept], whitened[kept], "o", color=BLUE, markersize=2.4, label="residuals")
     panel.set_xlabel("normal quantile")
     panel.set_ylabel("whitened residual")
-    figure.legend(loc="outside upper center", ncols=2)
+    figure.legend(loc="upper center", ncols=2)
     return figure
 
 
@@ -73,8 +73,7 @@ def _autocorrelation(residuals: Residuals) -> tuple[FloatArray, FloatArray, Floa
 
 
 def _correlogram(lags: FloatArray, correlation: FloatArray, bound: FloatArray) -> Figure:
-    figure = Figure(figsize=(WIDTH, 3.2))
-    panel = figure.add_subplot()
+    figure, (panel,) = stacked(3.2)
     panel.fill_between(lags, -bound, bound, color=ORANGE, alpha=0.25, linewidth=0, label="95 % of white noise")
     panel.axhline(0.0, color=INK, linewidth=0.7)
     panel.vlines(lags, 0.0, correlation, color=BLUE, linewidth=1.3)
@@ -82,5 +81,5 @@ def _correlogram(lags: FloatArray, correlation: FloatArray, bound: FloatArray) -
     largest = max(0.2, 1.15 * float(np.abs(correlation).max()))
     panel.set_ylim(-largest, largest)
     panel.set_xlabel("lag (readings)")
-    figure.legend(loc="outside upper center", ncols=2)
+    figure.legend(loc="upper center", ncols=2)
     return figure
