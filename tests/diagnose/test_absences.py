@@ -10,7 +10,6 @@ from tests.hidden_effects.design import Design
 from trueaxis.diagnose.absences import absences
 from trueaxis.diagnose.audit import audit
 from trueaxis.diagnose.result import NoiseOf
-from trueaxis.diagnose.search import scan_all
 
 NOISE = NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 100.0, "repeats")
 
@@ -22,8 +21,7 @@ def said(design: Design, *, one_way: bool = False, noise: NoiseOf = NOISE) -> tu
         rows = rows.only((rows.directions >= 0.0).all(axis=0) & np.isnan(rows.feed if rows.feed is not None else 0.0))
     one = field_of(case.model, rows, [NOISE for _ in rows.present])
     ground = one.ground(np.zeros(rows.size))
-    scans = scan_all(ground, ground.base, np.zeros(rows.size), ground.effects)
-    return absences(one.readings, audit(ground, scans), [noise])
+    return absences(one.readings, audit(ground), [noise])
 
 
 def test_nothing_of_columns_directions_feeds_or_repeats_lacks_in_a_whole_campaign() -> None:

@@ -5,11 +5,12 @@ import pytest
 
 from tests.diagnose.prepared import WHITE, Field, field
 from tests.hidden_effects.design import Design
-from trueaxis.diagnose.audit import Audit, audit, unit_at
-from trueaxis.diagnose.scan import scanned
-from trueaxis.diagnose.search import Ground, scan_all
+from trueaxis.diagnose.audit import Audit, audit
+from trueaxis.diagnose.scan import prepared, residual_of, scanned
+from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
+from trueaxis.identify.effects.unknowns import unit_in
 
 DESIGN = Design(lines=4, repeats=2, targets=21, samples=72)
 
@@ -17,7 +18,7 @@ DESIGN = Design(lines=4, repeats=2, targets=21, samples=72)
 def audited(design: Design = DESIGN) -> tuple[Field, Ground, Audit]:
     where = field(design, WHITE)
     ground = where.ground(np.zeros(where.readings.rows.size))
-    return where, ground, audit(ground, scan_all(ground, ground.base, ground.values, ground.effects))
+    return where, ground, audit(ground)
 
 
 @pytest.mark.parametrize(
@@ -38,6 +39,7 @@ def test_what_is_as_large_as_the_detection_limit_is_found_about_half_the_time(ef
     assert limit.state != "unobservable"
     source = np.random.default_rng(3)
     signature = signature_of(where.readings, effect)
+    known = prepared(signature, where.whitening, where.base)
     shares = []
     for factor in (0.3, 1.0, 3.0):
         signal = parameter_signature(where.readings, effect, np.array([factor * limit.detection]))[0]
@@ -46,7 +48,7 @@ def test_what_is_as_large_as_the_detection_limit_is_found_about_half_the_time(ef
         hits = []
         for _ in range(120):
             values = where.base.rest(where.whitening(signal) + source.standard_normal(signal.size))
-            one = scanned(signature, where.whitening, where.base, values, where.freedom)
+            one = scanned(signature, known, residual_of(where.whitening, where.base, values, where.freedom))
             hits.append(one.evidence >= ground.threshold)
         shares.append(float(np.mean(hits)))
     few, half, nearly_all = shares
@@ -59,7 +61,7 @@ def test_correlations_are_cosines_of_what_the_base_leaves() -> None:
     """By explicit regression of each signature on the base and the other."""
     where, _, found = audited()
     one, other = Effect("servo_lag", "EXX"), Effect("backlash", "EXX")
-    columns = [where.whitening(signature_of(where.readings, each).columns[:, 0, 0]) for each in (one, other)]
+    columns = [where.whitening(signature_of(where.readings, each).over_all()[:, 0]) for each in (one, other)]
     size = np.linalg.norm(where.whitening(where.columns), axis=0)
     base = where.whitening(where.columns)[:, size > 0.0] / size[size > 0.0]
     left = [column - base @ np.linalg.lstsq(base, column, rcond=1e-9)[0] for column in columns]
@@ -101,4 +103,4 @@ def test_a_laser_scale_is_told_from_nothing_without_a_bar() -> None:
     ],
 )
 def test_units_where_an_effect_acts(unit: str, effect: Effect, expected: str) -> None:
-    assert unit_at(unit, effect) == expected
+    assert unit_in(unit, effect) == expected

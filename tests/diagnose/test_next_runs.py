@@ -10,14 +10,13 @@ from tests.hidden_effects import lines
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnose.audit import audit
+from trueaxis.diagnose.audit import Audit, audit
 from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.next_runs import Ahead, next_runs, separating_run
 from trueaxis.diagnose.procedure import diagnose
 from trueaxis.diagnose.prospect import TIMES, Outlook, Placed, Prospect, outlook_of, prospect_of
 from trueaxis.diagnose.result import Check, Diagnosis, NoiseOf
-from trueaxis.diagnose.search import scan_all
 from trueaxis.diagnose.separation import separation, told
 from trueaxis.diagnose.signatures import signature_of
 from trueaxis.effects.kind import Effect
@@ -54,7 +53,7 @@ def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tu
     if prospect.further[number].other_bar:
         base = np.column_stack([base, rows.run == rows.run[part.rows.start]])
     sigma = np.r_[np.full(size, SIGMA), np.full(keep.size - size, part.noise.sigma)][:, np.newaxis]
-    columns = np.column_stack([signature_of(prospect.readings, effect).columns[:, 0, 0] for effect in pair])
+    columns = np.column_stack([signature_of(prospect.readings, effect).over_all()[:, 0] for effect in pair])
     white, signatures = base[keep] / sigma, columns[keep] / sigma
     white = white[:, white.any(axis=0)]
     white = white / np.linalg.norm(white, axis=0)
@@ -69,8 +68,7 @@ def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tu
 def test_what_is_said_of_now_is_what_the_audit_says() -> None:
     one = field(WHOLE)
     prospect = ahead_in(one)
-    scans = scan_all(prospect.ground, prospect.ground.base, np.zeros(one.readings.rows.size), prospect.ground.effects)
-    limits = {limit.effect: limit for limit in audit(prospect.ground, scans).limits}
+    limits = {limit.effect: limit for limit in audit(prospect.ground).limits}
     for effect in (*PAIR, Effect("backlash", "EYX"), Effect("laser_cosine", runs=("X1",))):
         limit = limits[effect]
         if limit.nearest is not None:
@@ -141,7 +139,7 @@ def test_a_cause_too_small_for_one_run_is_told_how_many() -> None:
 
 def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() -> None:
     prospect = ahead_in(field(WHOLE))
-    nothing = audit(prospect.ground, ())
+    nothing = Audit((), (), np.zeros((0, 0)))
     checks = (
         Check("lines of Y, locally", "", 1e-9, fired=True, rms=1e-3),
         Check("circles of XY, lobes by feed", "", 1e-5, fired=True, rms=1e-3),

@@ -13,9 +13,10 @@ from scipy.stats import chi2
 from tests.hidden_effects import write_case
 from tests.machines import ROOT
 from trueaxis.cli import main
-from trueaxis.diagnose import checks, gain, imperfection, noise, procedure, scan, screening, search, verdict
+from trueaxis.diagnose import checks, gain, imperfection, noise, procedure, screening, search, verdict
 from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnose.base import DEGREE
+from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
 
 PAGE = (ROOT / "docs" / "diagnosis.md").read_text()
 README = (ROOT / "README.md").read_text()
@@ -149,7 +150,7 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
         f"polynomial of degree {DEGREE},",
         f"sqrt({DETECTION:g} / lambda)",
         f"sqrt({ISOLATION:g} / (lambda (1 - R^2)))",
-        f"leaves less than {scan.UNOBSERVABLE:.0e} of its squares".replace("e-09", "e-9"),
+        f"leaves less than {UNOBSERVABLE:.0e} of its squares".replace("e-09", "e-9"),
         f"R^2 > {CONFOUNDED}",
         f"log10(candidates / {search.FALSE_ALARMS})",
         f"needs {search.FURTHER:g} decades more",

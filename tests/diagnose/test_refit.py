@@ -37,8 +37,8 @@ def planted(where: Field, causes: tuple[tuple[Effect, list[float]], ...], of: No
 
 def found_of(ground: Ground, effects: list[Effect]) -> list[Found]:
     """Each by itself; the joint fit has to bring them together."""
-    residual = ground.base.rest(ground.values)
-    return [zoomed(ground, ground.base, residual, scan) for scan in scan_all(ground, ground.base, residual, effects)]
+    residual = ground.left(ground.base)
+    return [zoomed(ground, residual, scan) for scan in scan_all(ground, residual, effects)]
 
 
 def fitted(where: Field, name: str, of: NoiseOf, seed: int) -> tuple[Ground, tuple[Fitted, ...]]:

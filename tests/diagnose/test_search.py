@@ -9,9 +9,9 @@ from scipy.stats import chi2
 
 from tests.diagnose.prepared import SIGMA, field, prepared
 from tests.hidden_effects.case import Case
+from trueaxis.diagnose import scan
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.rows import rows_of
-from trueaxis.diagnose.scan import scanned
 from trueaxis.diagnose.search import Ground, search, without
 from trueaxis.diagnose.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
@@ -64,13 +64,13 @@ def test_candidates_are_compared_as_if_the_noise_were_known() -> None:
     """Evidence falls where few runs tell the noise; preference, by which two candidates are weighed, does not."""
     where = field()
     values = where.whitening(signal(X, 30.0))
-    told = where.base.told(values)
     signature = signature_of(where.readings, X)
+    known = scan.prepared(signature, where.whitening, where.base)
     found = {}
     for freedom in (1e6, 12.0):
         vague = replace(where.freedom, of_readings=freedom)
         assert isinstance(vague, Freedom)
-        found[freedom] = scanned(signature, where.whitening, where.base, told, vague)
+        found[freedom] = scan.scanned(signature, known, scan.residual_of(where.whitening, where.base, values, vague))
     assert found[12.0].preference == found[1e6].preference == pytest.approx(30.0, abs=1e-3)
     assert found[12.0].evidence < 0.5 * found[1e6].evidence
 

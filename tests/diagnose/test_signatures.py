@@ -34,7 +34,7 @@ def circles() -> tuple[Readings, slice, FloatArray, FloatArray, FloatArray]:
 def of_effect(kind: str, component: str | None = None, **point: float) -> FloatArray:
     readings, part, *_ = circles()
     points = (point,) if point else None
-    return signature_of(readings, Effect(kind, component), points).columns[part, 0, 0]
+    return signature_of(readings, Effect(kind, component), points).over_all()[part, 0]
 
 
 def of_component(component: str, error: Callable[[FloatArray, FloatArray], FloatArray]) -> FloatArray:
@@ -107,7 +107,7 @@ def test_squareness_makes_an_ellipse_at_45_degrees() -> None:
     readings = readings_of(given.model, rows)
     part = slice(0, rows.of_run(3).stop)
     theta = readings.reading.theta[part]
-    found = signature_of(readings, Effect("squareness", "EC0X")).columns[part, 0, 0]
+    found = signature_of(readings, Effect("squareness", "EC0X")).over_all()[part, 0]
     first = np.stack([np.cos(theta), np.sin(theta), np.ones(theta.size)], axis=1)
     rest = found - RADIUS / 2 * np.sin(2 * theta)  # X turned by C: the tool moves by C x along Y
     assert rest - first @ np.linalg.lstsq(first, rest, rcond=None)[0] == pytest.approx(0.0, abs=1e-6)
@@ -116,9 +116,7 @@ def test_squareness_makes_an_ellipse_at_45_degrees() -> None:
 def test_a_centre_that_is_off_is_a_first_harmonic() -> None:
     readings, part, theta, _, _ = circles()
     ids = tuple(readings.rows.runs[index].id for index in np.unique(readings.rows.run[part]))
-    found = signature_of(readings, Effect("ballbar_centre", runs=ids)).columns[:, 0]
-    start = signature_of(readings, Effect("ballbar_centre", runs=ids)).support.start
-    of_part = found[part.start - start : part.stop - start]
+    of_part = signature_of(readings, Effect("ballbar_centre", runs=ids)).over_all()[part]
     # of the ball on the workpiece: the tool's ball comes closer
     assert of_part[:, 0] == pytest.approx(-np.cos(theta), abs=1e-3)
     assert of_part[:, 1] == pytest.approx(-np.sin(theta), abs=1e-3)
@@ -128,7 +126,7 @@ def test_a_centre_that_is_off_is_a_first_harmonic() -> None:
 def test_length_and_lobes_of_the_bar() -> None:
     readings, part, theta, _, _ = circles()
     assert of_effect("ballbar_length") == pytest.approx(1.0)
-    lobes = signature_of(readings, Effect("ballbar_lobes")).columns[part, 0]
+    lobes = signature_of(readings, Effect("ballbar_lobes")).over_all()[part]
     assert lobes[:, 0] == pytest.approx(np.cos(3 * theta), abs=1e-9)
     assert lobes[:, 1] == pytest.approx(-np.sin(3 * theta), abs=1e-9)
 
@@ -166,7 +164,7 @@ def test_what_an_exact_machine_does_is_first_order_plus_the_flaws_of_the_hidden_
     rows = without.rows
     readings = readings_of(without.model, rows)
     effect = Effect(hidden.kind, hidden.component or None, hidden.axis or None)
-    column = signature_of(readings, effect).columns[:, 0, 0] * hidden.size
+    column = signature_of(readings, effect).over_all()[:, 0] * hidden.size
     offsets = np.equal.outer(rows.run, np.array(rows.present)).astype(float)
     zeroed = np.array([run.instrument != "ballbar" for run in rows.runs])
     offsets = offsets[:, zeroed]

@@ -66,7 +66,16 @@ def test_runs_are_independent_of_each_other() -> None:
         first += count
     found = white(columns)
     assert found.T @ found == pytest.approx(columns.T @ np.linalg.solve(covariance, columns), rel=1e-9)
-    assert white.part(slice(20, 73), columns[20:]) == pytest.approx(found[20:], rel=1e-12)
+    assert white.part(np.arange(20, 73), columns[20:]) == pytest.approx(found[20:], rel=1e-12)
+
+
+def test_back_is_the_transpose() -> None:
+    """Short runs by matrices, a long one by recursions: the product of b and a whitened, for any a and b."""
+    long = whitening(np.repeat([0, 1], [450, 20]), [NOISES["everything"], NOISES["everything"]])
+    for white in (of_three_runs()[0], long):
+        source = np.random.default_rng(4)
+        a, b = source.normal(size=(2, int(white.starts[-1]), 3))
+        assert white.back(b).T @ a == pytest.approx(b.T @ white(a), rel=1e-10)
 
 
 def test_ramps_are_the_share_that_slopes_have_in_the_noise() -> None:

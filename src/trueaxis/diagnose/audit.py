@@ -6,15 +6,17 @@ sqrt(21 / (lambda (1 - R^2))) is told from a rival with which the rest of its si
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from trueaxis.diagnose.projection import Projection, orthonormal
-from trueaxis.diagnose.result import FloatArray, Limit
-from trueaxis.diagnose.scan import UNOBSERVABLE, Scanned
+from trueaxis.diagnose.result import FloatArray, Limit, Observability
 from trueaxis.diagnose.search import Ground
+from trueaxis.diagnose.signatures import Signature, signature_of
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.identify.effects.unknowns import unit_in
+from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
 
 DETECTION, ISOLATION = 27.0, 21.0
 CONFOUNDED = 0.95
@@ -30,39 +32,50 @@ class Audit:
     correlation: FloatArray
 
 
-def audit(ground: Ground, scans: Sequence[Scanned]) -> Audit:
-    """From the signatures that the scan made; the readings have no part in it, nor has what was found in them.
+@dataclass(frozen=True, slots=True, eq=False)
+class _Seen:
+    """A candidate that can be seen. basis: (n, k), of what the base leaves; strength: lambda per amplitude."""
+
+    effect: Effect
+    basis: FloatArray
+    strength: float
+    share: float
+
+
+def audit(ground: Ground) -> Audit:
+    """From the signatures of all candidates; the readings have no part in it, nor has what was found in them.
 
     Candidates with searched parameters are represented by the middle of their grid.
     """
     plain = Projection(ground.base.basis)  # what a cause may do besides its form is known when it is found, not before
-    audited = []
-    bases = []
-    for one in scans:
-        whole = np.zeros((ground.values.size, one.freedom))
-        whole[one.support] = one.middle
-        rest = plain.rest(whole)
+    seen: list[_Seen] = []
+    limits: dict[Effect, Limit] = {}
+    signatures = [signature_of(ground.readings, effect) for effect in ground.effects]
+    columns = [_over_all(ground, one) for one in signatures]
+    ends = np.cumsum([one.shape[1] for one in columns])
+    left_of = np.split(plain.rest(np.hstack(columns)), ends[:-1], axis=1) if columns else []
+    for effect, signature, whole, rest in zip(ground.effects, signatures, columns, left_of, strict=True):
         squares, left = float(np.sum(whole**2)), float(np.sum(rest**2))
         share = left / squares if squares > 0.0 else 0.0
-        audited.append(replace(one, share=share, strength=left / one.freedom))
-        if not one.missing and share > UNOBSERVABLE:
-            basis = orthonormal(rest)
-            bases.append(basis if basis.shape[1] else np.zeros((whole.shape[0], 1)))
-    scans = audited
-    seen = [one for one in scans if not one.missing and one.share > UNOBSERVABLE]
-    correlation = _correlations(bases)
-    limits = {}
+        if signature.missing or share <= UNOBSERVABLE:
+            limits[effect] = _unobservable(ground, effect, share, signature.missing)
+        else:
+            seen.append(_Seen(effect, orthonormal(rest), left / whole.shape[1], share))
+    correlation = _correlations([one.basis for one in seen])
     for place, one in enumerate(seen):
         others = correlation[place].copy()
         others[place] = -1.0
-        nearest = int(np.argmax(others)) if len(seen) > 1 else place
-        limits[one.effect] = _limit(
-            ground, one, seen[nearest].effect if len(seen) > 1 else None, float(others[nearest])
-        )
-    for one in scans:
-        if one.effect not in limits:
-            limits[one.effect] = _unobservable(ground, one)
-    return Audit(tuple(limits[one.effect] for one in scans), tuple(one.effect for one in seen), correlation)
+        nearest = int(np.argmax(others))
+        rival = seen[nearest].effect if len(seen) > 1 else None
+        limits[one.effect] = _limit(ground, one, rival, max(float(others[nearest]), 0.0))
+    return Audit(tuple(limits[effect] for effect in ground.effects), tuple(one.effect for one in seen), correlation)
+
+
+def _over_all(ground: Ground, signature: Signature) -> FloatArray:
+    """(n, k): the whitened signature in the middle of its grid, over all rows."""
+    found = np.zeros((ground.values.size, signature.columns.shape[2]))
+    found[signature.support] = ground.knows(signature).middle
+    return found
 
 
 def _correlations(bases: Sequence[FloatArray]) -> FloatArray:
@@ -82,34 +95,24 @@ def _correlations(bases: Sequence[FloatArray]) -> FloatArray:
     return np.minimum(found, 1.0)
 
 
-def _limit(ground: Ground, one: Scanned, nearest: Effect | None, r2: float) -> Limit:
+def _limit(ground: Ground, one: _Seen, nearest: Effect | None, r2: float) -> Limit:
     kind = ground.readings.model.machine.kinds[one.effect.kind]
     name, unit = size_of(kind, one.effect)
-    r2 = max(r2, 0.0)
     detection = float(np.sqrt(DETECTION / one.strength))
     isolation = float(np.sqrt(ISOLATION / (one.strength * max(1.0 - r2, 1e-12))))
     if any(each.role == "root" for each in kind.parameters):
         detection, isolation = float(np.sqrt(detection)), float(np.sqrt(isolation))
-    state = "confounded" if r2 > CONFOUNDED else "observable"
-    return Limit(one.effect, name, unit, detection, max(detection, isolation), one.share, nearest, r2, state)  # type: ignore[arg-type]
+    state: Observability = "confounded" if r2 > CONFOUNDED else "observable"
+    return Limit(one.effect, name, unit, detection, max(detection, isolation), one.share, nearest, r2, state)
 
 
-def _unobservable(ground: Ground, one: Scanned) -> Limit:
-    name, unit = size_of(ground.readings.model.machine.kinds[one.effect.kind], one.effect)
-    reason = f"no {one.missing}" if one.missing else IN_BASE
-    return Limit(one.effect, name, unit, np.inf, np.inf, one.share, None, 0.0, "unobservable", reason)
+def _unobservable(ground: Ground, effect: Effect, share: float, missing: str) -> Limit:
+    name, unit = size_of(ground.readings.model.machine.kinds[effect.kind], effect)
+    reason = f"no {missing}" if missing else IN_BASE
+    return Limit(effect, name, unit, np.inf, np.inf, share, None, 0.0, "unobservable", reason)
 
 
 def size_of(kind: Kind, effect: Effect) -> tuple[str, str]:
     """Name and unit of the parameter that tells the size of an effect: its first."""
     first = kind.parameters[0]
-    return first.name, unit_at(first.unit, effect)
-
-
-def unit_at(unit: str, effect: Effect) -> str:
-    """The unit of a parameter where the effect acts: `u` and `axis` filled in."""
-    component = effect.component or ""
-    turns = len(component) > 1 and component[1] in "ABC"
-    rotary = component[-1:] in tuple("ABC")
-    words = {"u": "rad" if turns else "mm", "axis": "deg" if rotary else "mm"}
-    return "/".join(words.get(word, word) for word in unit.split("/"))
+    return first.name, unit_in(first.unit, effect)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnose.result import FloatArray, IntArray
+from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.instruments import ball_columns, instruments
@@ -24,13 +24,10 @@ RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Base:
-    """columns: (n, p), mm per scaled unknown, not whitened; own: (n_runs present,), index of the column of each run's
-    offset, -1 where it has none (ball bars: their centres are in `plan`).
-    """
+    """columns: (n, p), mm per scaled unknown, not whitened; plan: of those before offsets and centres."""
 
     plan: Layout
     columns: FloatArray
-    own: IntArray
 
     @property
     def of_instruments(self) -> slice:
@@ -38,28 +35,21 @@ class Base:
         return slice(self.plan.of_machine, self.columns.shape[1])
 
 
-def observed_of(rows: Rows) -> Observations:
-    """The rows as identification takes them."""
-    return Observations("", rows.runs, rows.run, rows.positions, rows.reading)
-
-
 def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
     """The base of some rows; dimensions keep the values that the model has."""
     dimensions = {name: model.errors.parameters.get(name, 0.0) for name in model.dimensions}
     known = ErrorValues(model.name, dimensions)
     bare = model.with_values(known)
-    observed = observed_of(rows)
+    observed = Observations("", rows.runs, rows.run, rows.positions, rows.reading)
     plan = layout(bare, observed, known, degree, instruments(bare, observed, ("slope",)))
     columns = np.zeros((rows.size, plan.count))
     for at, piece in Design(plan, observed).pieces():
         columns[at] = piece
-    own = np.full(len(rows.runs), -1, dtype=np.int64)
     zeroed = [index for index in rows.present if rows.runs[index].instrument != "ballbar"]
     offsets = np.zeros((rows.size, len(zeroed)))
     for place, index in enumerate(zeroed):
         offsets[rows.of_run(index), place] = 1.0
-        own[index] = plan.count + place
-    return Base(plan, np.hstack([columns, offsets, _centres(bare, rows)]), own)
+    return Base(plan, np.hstack([columns, offsets, _centres(bare, rows)]))
 
 
 def _centres(model: MachineModel, rows: Rows) -> FloatArray:

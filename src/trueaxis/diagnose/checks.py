@@ -80,7 +80,7 @@ def _noisy_runs(rows: Rows, projection: Projection, residual: FloatArray, sigma:
             squares = residual[mine][there] ** 2 / left[mine][there]
             power[index], count[index] = float(np.median(squares)) / MEDIAN_SQUARE, squares.size
     ratio, usual = np.ones(len(rows.runs)), np.ones(len(rows.runs))
-    for name in {run.instrument for run in rows.runs}:
+    for name in dict.fromkeys(run.instrument for run in rows.runs):
         same = np.array([run.instrument == name for run in rows.runs]) & np.isfinite(power)
         if same.any():
             usual[same] = max(float(np.median(power[same])), 1e-300)

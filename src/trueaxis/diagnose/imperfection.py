@@ -14,7 +14,7 @@ from numpy.polynomial import legendre
 
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import FloatArray
-from trueaxis.diagnose.signatures import Latest, Readings, parameter_signature
+from trueaxis.diagnose.signatures import Memory, Readings, parameter_signature
 from trueaxis.effects.expression import names, parse
 
 MODULATED = 0.1  # along the travel, in time, with the speed, from one instrument to another
@@ -27,8 +27,14 @@ SAMPLES = 500  # of the course of the temperature
 
 def imperfections(readings: Readings, causes: Sequence[Fitted]) -> FloatArray:
     """(n, k), mm: what the causes may do besides, each column one standard deviation."""
-    found = [column for one in causes for column in _of_one(readings, one)]
+    found = [_beside(column, one.signal) for one in causes for column in _of_one(readings, one)]
     return np.stack(found, axis=1) if found else np.zeros((readings.rows.size, 0))
+
+
+def _beside(column: FloatArray, signal: FloatArray) -> FloatArray:
+    """What of a column is not the signal itself: its size is no imperfection, it is what is sought."""
+    square = float(signal @ signal)
+    return column - signal * (float(signal @ column) / square) if square > 0.0 else column
 
 
 def _of_one(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
@@ -44,7 +50,7 @@ def _of_one(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
             along = 2.0 * (scale - scale.min()) / np.ptp(scale) - 1.0
             for degree in (1, 2):
                 yield MODULATED * signal * legendre.legval(along, np.eye(3)[degree])
-    for instrument in {run.instrument for run in rows.runs}:
+    for instrument in dict.fromkeys(run.instrument for run in rows.runs):
         mine = np.array([run.instrument == instrument for run in rows.runs])[rows.run]
         if mine.any() and not mine.all():
             yield MODULATED * np.where(mine, signal, 0.0)
@@ -57,7 +63,7 @@ def _of_one(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
         share, constants = LAG
         for constant in constants:
             late = replace(readings.context, temperature=_followed(readings, constant))
-            other = replace(readings, context=late, latest=Latest())
+            other = replace(readings, context=late, memory=Memory())
             yield share * (parameter_signature(other, cause.effect, cause.values)[0] - signal)
     yield from _of_searched(readings, cause)
 

@@ -22,8 +22,7 @@ def noise_of_runs(
 ) -> tuple[NoiseOf, ...]:
     """Noise of every run of the set-up, in its order. values: (n,) mm, readings less what is expected.
 
-    noise_um: of every reading, where it is known; what else there is of noise (correlation, slopes) is still taken
-    from repeats.
+    noise_um: of every reading, where it is known: white noise, and nothing is estimated.
     """
     every = contrasts(rows, values, reading.theta)
     of: dict[str, NoiseOf] = {}

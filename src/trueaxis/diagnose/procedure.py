@@ -106,7 +106,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             causes=causes,
             groups=groups,
             verdict=verdict_of(found, stand, checks, recalibrate),
-            audit=audit(ground, found.first),
+            audit=audit(ground),
             checks=checks,
             outliers=off,
             noise=noise,

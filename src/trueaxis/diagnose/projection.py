@@ -1,12 +1,12 @@
 """The whitened base as an orthonormal basis, and what it leaves of readings and signatures."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
 from trueaxis.diagnose.base import RANK
-from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.result import FloatArray, IntArray
 
 
 def _nothing() -> FloatArray:
@@ -26,6 +26,7 @@ class Projection:
     soft: FloatArray = field(default_factory=_nothing)
     shrink: FloatArray = field(default_factory=lambda: np.zeros(0))
     causes: FloatArray = field(default_factory=_nothing)
+    _parts: dict[bytes, FloatArray] = field(default_factory=dict, repr=False)
 
     @property
     def rank(self) -> int:
@@ -44,9 +45,25 @@ class Projection:
         parts = [self.basis]
         if self.soft.size:
             parts.append(self.soft * np.sqrt(1.0 - (1.0 - self.shrink) ** 2))
-        if self.causes.size:
-            parts.append(self._rooted(self.causes))
-        return np.hstack(parts)
+        return np.hstack([*parts, self.inner_causes])
+
+    @cached_property
+    def inner_causes(self) -> FloatArray:
+        """(n, j): the columns of `inner` that are due to causes."""
+        return self._rooted(self.causes) if self.causes.size else np.zeros((self.basis.shape[0], 0))
+
+    def of(self, rows: IntArray) -> FloatArray:
+        """(n_rows, rank + k): those rows of `inner`, ascending; kept, as many candidates reach the same readings."""
+        first, last = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)
+        if last - first == rows.size:
+            return self.inner[first:last]
+        key = rows.tobytes()
+        if key not in self._parts:
+            part = np.take(self.inner, rows, axis=0)
+            if part.nbytes + sum(one.nbytes for one in self._parts.values()) > KEPT:
+                self._parts.clear()
+            self._parts[key] = part
+        return self._parts[key]
 
     def told(self, values: FloatArray) -> FloatArray:
         """(n,): the vector whose product with a column is that of what is left of both."""
@@ -61,7 +78,8 @@ class Projection:
         if kept.shape[1] == 0:
             return self
         fresh = orthonormal(kept / np.linalg.norm(kept, axis=0))
-        return replace(self, causes=np.hstack([self.causes, fresh]) if self.causes.size else fresh)
+        causes = np.hstack([self.causes, fresh]) if self.causes.size else fresh
+        return Projection(self.basis, self.soft, self.shrink, causes)
 
     def softened(self, columns: FloatArray) -> "Projection":
         """With further chance in the readings: columns (n, k), whitened, each times its standard deviation."""
@@ -80,6 +98,7 @@ class Projection:
         return np.asarray(columns - self.soft @ scaled)
 
 
+KEPT = 1 << 26  # bytes
 SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
 
 

@@ -115,8 +115,7 @@ def outlook_of(prospect: Prospect, candidate: Placed) -> Outlook:
     """What a candidate does to the readings at hand and to the menu's."""
     signature = signature_of(prospect.readings, candidate.effect, (candidate.point,))
     size = prospect.ground.values.size
-    columns = np.zeros((prospect.readings.rows.size, signature.columns.shape[2]))
-    columns[signature.support] = signature.columns[:, 0]
+    columns = signature.over_all()
     here = prospect.ground.whitening(columns[:size])
     inside = prospect.basis.basis.T @ here
     added = []

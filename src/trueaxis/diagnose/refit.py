@@ -11,6 +11,7 @@ from trueaxis.diagnose.signatures import Readings, parameter_signature
 from trueaxis.effects.kind import Effect, Kind
 
 STEPS = 12
+FAR = 1.0  # share of a searched parameter by which the fit may leave it
 HALVINGS = 12
 CONVERGED = 1e-6  # of a standard uncertainty
 
@@ -37,13 +38,14 @@ def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
     effects = [one.scan.effect for one in causes]
     values = [_start(one) for one in causes]
     ends = np.cumsum([0, *(one.size for one in values)])
+    within = [_bounds(one, value, ground.readings) for one, value in zip(causes, values, strict=True)]
     covariance = np.zeros((int(ends[-1]), int(ends[-1])))
     for _ in range(STEPS):
         signals, jacobian = _linearised(ground.readings, effects, values)
         left = ground.base.rest(ground.whitening(jacobian))
         residual = ground.base.rest(ground.values - ground.whitening(signals.sum(axis=1)))
         step, covariance = _solved(left, residual)
-        values = _improved(ground, effects, values, np.split(step, ends[1:-1]))
+        values = _improved(ground, effects, values, np.split(step, ends[1:-1]), within)
         spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
         if (np.abs(step) <= CONVERGED * spread + 1e-300).all():
             break
@@ -56,13 +58,38 @@ def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
     )
 
 
+def _bounds(one: Found, values: FloatArray, readings: Readings) -> tuple[FloatArray, FloatArray]:
+    """How far each parameter may go: searched ones stay by the place where the search found them.
+
+    A period as far as another half of it fits into the range of the axis: farther off it is another period.
+    """
+    low, high = np.full(values.size, -np.inf), np.full(values.size, np.inf)
+    for place, parameter in enumerate(one.signature.kind.parameters):
+        if parameter.role != "grid":
+            continue
+        share = FAR
+        if parameter.grid == "pitch" and one.scan.effect.component:
+            rows = readings.rows
+            span = float(np.ptp(rows.positions[rows.axes.index(one.scan.effect.component[-1])]))
+            share = min(FAR, 0.5 * values[place] / span)
+        low[place], high[place] = values[place] / (1.0 + share), values[place] * (1.0 + share)
+    return low, high
+
+
 def _improved(
-    ground: Ground, effects: Sequence[Effect], values: Sequence[FloatArray], steps: Sequence[FloatArray]
+    ground: Ground,
+    effects: Sequence[Effect],
+    values: Sequence[FloatArray],
+    steps: Sequence[FloatArray],
+    within: Sequence[tuple[FloatArray, FloatArray]],
 ) -> list[FloatArray]:
     """The values after the step, halved until it does no harm: a time constant hardly told would run away."""
     before = _squares(ground, effects, values)
     for halved in range(HALVINGS):
-        tried = [one + 0.5**halved * step for one, step in zip(values, steps, strict=True)]
+        tried = [
+            np.clip(one + 0.5**halved * step, low, high)
+            for one, step, (low, high) in zip(values, steps, within, strict=True)
+        ]
         with np.errstate(all="ignore"):  # what overflows is NaN, and no improvement
             if _squares(ground, effects, tried) <= before:
                 return tried

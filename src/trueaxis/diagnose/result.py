@@ -12,6 +12,7 @@ FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
 BoolArray = npt.NDArray[np.bool_]
 
+Observability = Literal["observable", "confounded", "unobservable"]
 Verdict = Literal["no_discrepancy", "recalibrate", "explained", "ambiguous", "unexplained_structure"]
 
 
@@ -51,11 +52,11 @@ class Estimate:
 class Limit:
     """What the audit says of a candidate before any reading is looked at.
 
-    size: name and unit of the amplitude that the limits are of; detection: what is found half the time... at the
-    threshold of the evidence; isolation: what is told from its nearest rival; share: |M s|^2 / |s|^2, the part of the
-    signature that the base does not hold (M projects out the base); nearest: the candidate most like it, and r2, the
-    squared correlation of what the base leaves of both. state: `observable`, `confounded` (r2 above 0.95) or
-    `unobservable`; reason: why it is unobservable.
+    size: name and unit of the amplitude that the limits are of; detection: what reaches the
+    threshold of the evidence half the time; isolation: what is told from its nearest rival; share: |M s|^2 / |s|^2, the
+    part of the signature that the base does not hold (M projects out the base); nearest: the candidate most like it,
+    and r2, the squared correlation of what the base leaves of both. state: `observable`, `confounded` (r2 above 0.95)
+    or `unobservable`; reason: why it is unobservable.
     """
 
     effect: Effect
@@ -66,7 +67,7 @@ class Limit:
     share: float
     nearest: Effect | None
     r2: float
-    state: Literal["observable", "confounded", "unobservable"]
+    state: Observability
     reason: str = ""
 
 

@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import f as f_distribution
 
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection, orthonormal
@@ -13,10 +12,40 @@ from trueaxis.diagnose.signatures import Signature
 from trueaxis.diagnose.tails import log_chi2_tail, log_f_tail
 from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
+from trueaxis.identify.effects.variable_projection import UNOBSERVABLE, explained
 
 WORTH_A_LOOK = 14.0  # of a statistic, below which nobody asks how sure the noise is
 FAR = 100.0  # a statistic from which the number of tries does not matter
-UNOBSERVABLE = 1e-9  # share of the squared signature that the base leaves
+LN10 = float(np.log(10.0))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Prepared:
+    """What of a candidate stays the same whatever the readings are and whichever causes are found.
+
+    total, gram: (points, k, k), the whitened signature times itself, before and after the base is taken away; length:
+    of the curve along the grid; middle: (n_support, k), the whitened signature in the middle of the grid.
+    """
+
+    total: FloatArray
+    gram: FloatArray
+    length: float
+    middle: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Residual:
+    """What is left to be explained. base: with the causes found; values: (n,), whitened, as the base tells them.
+
+    back: (n, 1 + causes), values and causes taken back through the whitening: their product with a signature is that of
+    the whitened ones, for a fraction of the cost.
+    """
+
+    whitening: Whitening
+    base: Projection
+    values: FloatArray
+    freedom: Freedom
+    back: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -26,9 +55,6 @@ class Scanned:
     statistic: whitened sum of squares that it explains there (chi^2 of `freedom` under noise alone); tries: effective
     number of independent places that were tried; amplitudes: (freedom,); evidence: -log10(p tries); preference: the
     same as if the noise were known, by which candidates are compared: they share its uncertainty.
-    share: of its squared whitened signature that the base leaves, the most over the grid; strength: the same sum
-    itself per unit of amplitude squared; length: of the curve along the grid; middle:
-    (n_support, k), the whitened signature in the middle of the grid.
     """
 
     effect: Effect
@@ -41,67 +67,57 @@ class Scanned:
     p_value: float
     evidence: float
     preference: float
-    share: float
-    strength: float
-    length: float
-    middle: FloatArray
-    support: slice
     missing: str = ""
 
 
-def scanned(
-    signature: Signature,
-    whitening: Whitening,
-    projection: Projection,
-    residual: FloatArray,
-    freedom: Freedom,
-    length: float | None = None,
-) -> Scanned:
-    """Scan one candidate. residual: (n,), whitened, as the projection tells it; freedom: of the noise estimate.
+def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Prepared:
+    """The candidate's signature whitened and the base taken away; base: without causes.
 
-    The cost grows with readings times rank of the base times points of the grid.
+    The cost grows with the readings that it reaches times rank of the base times points of the grid.
     """
     size, points, k = signature.columns.shape
-    support = signature.support
-    white = whitening.part(support, signature.columns.reshape(size, -1))
-    inside = projection.inner[support].T @ white
+    white = whitening.part(signature.support, signature.columns.reshape(size, -1))
+    held = (base.of(signature.support).T @ white).reshape(-1, points, k)
     full = white.reshape(size, points, k)
-    held = inside.reshape(-1, points, k)
     total = _gram(full)
     gram = total - _gram(held)
-    right = (residual[support] @ white).reshape(points, k)
-    whole = np.trace(total, axis1=1, axis2=2)
-    left = np.trace(gram, axis1=1, axis2=2)
-    share = np.divide(left, whole, out=np.zeros(points), where=whole > 0.0)
-    statistic, amplitudes = _explained(gram, right, whole, one_sided=_one_sided(signature))
+    return Prepared(total, gram, _length(full, held, gram), full[:, points // 2].copy())
+
+
+def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:
+    """values: (n,), whitened; base: with the causes found; freedom: of the noise estimate."""
+    told = base.told(values)
+    return Residual(whitening, base, told, freedom, whitening.back(np.column_stack([told, base.inner_causes])))
+
+
+def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanned:
+    """Scan one candidate. The cost grows with the readings that it reaches times causes times points of the grid."""
+    _, points, k = signature.columns.shape
+    inside = residual.back[signature.support].T @ signature.columns.reshape(-1, points * k)
+    gram = known.gram - _gram(inside[1:].reshape(-1, points, k))
+    whole = np.trace(known.total, axis1=1, axis2=2)
+    statistic, amplitudes = explained(gram, inside[0].reshape(points, k), whole, one_sided=_one_sided(signature))
     best = int(np.argmax(statistic))
-    if length is None:
-        length = _length(full, held, gram)
+    most = float(statistic[best])
     # Hotelling's tube to first order: a largest statistic u is so many times as likely as one at a given place
-    tries = 1.0 + length * float(np.sqrt(min(float(statistic[best]), FAR) / (2.0 * np.pi)))
-    within = freedom.of_readings
-    if statistic[best] > WORTH_A_LOOK:
-        whole = np.zeros((residual.size, k))
-        whole[support] = full[:, best]
-        within = freedom.of(orthonormal(projection.rest(whole)))
-    p_value = float(f_distribution.sf(statistic[best] / k, k, within))
-    evidence = -log_f_tail(statistic[best] / k, k, within) / float(np.log(10.0)) - float(np.log10(tries))
+    tries = 1.0 + known.length * float(np.sqrt(min(most, FAR) / (2.0 * np.pi)))
+    within = residual.freedom.of_readings
+    if most > WORTH_A_LOOK:
+        column = residual.whitening(signature.over_all(best))
+        within = residual.freedom.of(orthonormal(residual.base.rest(column)))
+    log_p = log_f_tail(most / k, k, within)
+    lower = float(np.log10(tries))
     return Scanned(
         effect=signature.effect,
         point=signature.points[best],
         place=best,
         amplitudes=amplitudes[best],
-        statistic=float(statistic[best]),
+        statistic=most,
         freedom=k,
         tries=tries,
-        p_value=min(1.0, p_value * tries),
-        evidence=evidence if statistic[best] > 0.0 else 0.0,
-        preference=-log_chi2_tail(float(statistic[best]), k) / float(np.log(10.0)) - float(np.log10(tries)),
-        share=float(share.max()),
-        strength=float(np.median(left / k)),
-        length=length,
-        middle=full[:, points // 2].copy(),
-        support=support,
+        p_value=min(1.0, float(np.exp(log_p)) * tries),
+        evidence=-log_p / LN10 - lower if most > 0.0 else 0.0,
+        preference=-log_chi2_tail(most, k) / LN10 - lower,
         missing=signature.missing,
     )
 
@@ -118,21 +134,6 @@ def _gram(columns: FloatArray) -> FloatArray:
 
 def _one_sided(signature: Signature) -> bool:
     return any(one.role == "root" for one in signature.kind.parameters)
-
-
-def _explained(
-    gram: FloatArray, right: FloatArray, whole: FloatArray, *, one_sided: bool
-) -> tuple[FloatArray, FloatArray]:
-    """(points,) sums of squares explained and (points, k) amplitudes, by the Gram matrices (points, k, k)."""
-    values, vectors = np.linalg.eigh(gram)
-    kept = values > UNOBSERVABLE * whole[:, np.newaxis]
-    turned = np.einsum("pij,pi->pj", vectors, right)
-    scaled = np.divide(turned, values, out=np.zeros_like(turned), where=kept)
-    amplitudes = np.einsum("pij,pj->pi", vectors, scaled)
-    statistic = np.sum(np.where(kept, turned * scaled, 0.0), axis=1)
-    if one_sided:
-        statistic = np.where(amplitudes[:, 0] > 0.0, statistic, 0.0)
-    return statistic, amplitudes
 
 
 def _length(full: FloatArray, held: FloatArray, gram: FloatArray) -> float:

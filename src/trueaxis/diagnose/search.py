@@ -9,7 +9,7 @@ from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.result import FloatArray
-from trueaxis.diagnose.scan import Scanned, scanned
+from trueaxis.diagnose.scan import Prepared, Residual, Scanned, prepared, residual_of, scanned
 from trueaxis.diagnose.signatures import Readings, Signature, signature_of
 from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
@@ -51,7 +51,7 @@ class Search:
 class Ground:
     """What is searched on: candidates, whitened readings less what is expected, noise and base.
 
-    lengths: of the curves of candidates scanned before; a cause taken away hardly changes them.
+    known: of candidates scanned before.
     """
 
     readings: Readings
@@ -61,12 +61,22 @@ class Ground:
     values: FloatArray
     freedom: Freedom
     progress: Progress
-    lengths: dict[Effect, float] = field(default_factory=dict)
+    known: dict[Effect, Prepared] = field(default_factory=dict, repr=False)
 
     @property
     def threshold(self) -> float:
         """Evidence that a candidate has to reach: Bonferroni over the candidates."""
         return float(np.log10(max(len(self.effects), 1) / FALSE_ALARMS))
+
+    def left(self, base: Projection) -> Residual:
+        """What the base, with the causes that were found, leaves to be explained."""
+        return residual_of(self.whitening, base, self.values, self.freedom)
+
+    def knows(self, signature: Signature) -> Prepared:
+        """Of a candidate on its grid, prepared once."""
+        if signature.effect not in self.known:
+            self.known[signature.effect] = prepared(signature, self.whitening, self.base)
+        return self.known[signature.effect]
 
 
 def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
@@ -74,15 +84,14 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
     first: tuple[Scanned, ...] = ()
     causes = list(start)
     if causes:
-        first = scan_all(ground, ground.base, ground.base.told(ground.values), ground.effects)
+        first = scan_all(ground, ground.left(ground.base), ground.effects)
         causes = _settled(ground, causes)
     while len(causes) < MOST_CAUSES:
-        projection = _with(ground, causes)
-        residual = projection.told(ground.values)
+        residual = ground.left(_with(ground, causes))
         taken = {one.scan.effect for one in causes}
-        scans = scan_all(ground, projection, residual, [one for one in ground.effects if one not in taken])
+        scans = scan_all(ground, residual, [one for one in ground.effects if one not in taken])
         first = first or scans
-        best = _best(ground, projection, residual, scans)
+        best = _best(ground, residual, scans)
         if best is None or best.scan.evidence < ground.threshold + FURTHER * bool(causes):
             break
         causes = _settled(ground, [*causes, best])
@@ -105,22 +114,17 @@ def with_rivals(ground: Ground, found: Search) -> Search:
     return replace(found, causes=causes)
 
 
-def scan_all(
-    ground: Ground, projection: Projection, residual: FloatArray, effects: Sequence[Effect]
-) -> tuple[Scanned, ...]:
+def scan_all(ground: Ground, residual: Residual, effects: Sequence[Effect]) -> tuple[Scanned, ...]:
     """Every candidate on its grid."""
     found = []
     for number, effect in enumerate(effects):
         ground.progress(f"scan {number + 1} of {len(effects)}: {effect.label}")
         signature = signature_of(ground.readings, effect)
-        length = ground.lengths.get(effect)
-        one = scanned(signature, ground.whitening, projection, residual, ground.freedom, length)
-        ground.lengths[effect] = one.length
-        found.append(one)
+        found.append(scanned(signature, ground.knows(signature), residual))
     return tuple(found)
 
 
-def zoomed(ground: Ground, projection: Projection, residual: FloatArray, scan: Scanned) -> Found:
+def zoomed(ground: Ground, residual: Residual, scan: Scanned) -> Found:
     """The candidate with its searched parameters between the points of the grid; tries remain those of the grid."""
     kind = ground.readings.model.machine.kinds[scan.effect.kind]
     points, place, best = grid_of(kind, scan.effect, ground.readings.rows), scan.place, scan
@@ -129,7 +133,7 @@ def zoomed(ground: Ground, projection: Projection, residual: FloatArray, scan: S
         for _ in range(2):
             fine = _between(points, place, name)
             signature = signature_of(ground.readings, scan.effect, fine)
-            closer = scanned(signature, ground.whitening, projection, residual, ground.freedom)
+            closer = scanned(signature, prepared(signature, ground.whitening, ground.base), residual)
             points, place = fine, closer.place
             if closer.statistic >= best.statistic:
                 best = _with_tries(closer, scan.tries)
@@ -167,17 +171,10 @@ def _with(ground: Ground, causes: Sequence[Found]) -> Projection:
 
 def whitened_columns(ground: Ground, signature: Signature) -> FloatArray:
     """(n, k): the signature at its one point, over all rows, whitened."""
-    return ground.whitening(full_columns(ground, signature))
+    return ground.whitening(signature.over_all())
 
 
-def full_columns(ground: Ground, signature: Signature) -> FloatArray:
-    """(n, k): the signature at its one point, over all rows, mm per unit amplitude."""
-    found = np.zeros((ground.values.size, signature.columns.shape[2]))
-    found[signature.support] = signature.columns[:, 0]
-    return found
-
-
-def _best(ground: Ground, projection: Projection, residual: FloatArray, scans: Sequence[Scanned]) -> Found | None:
+def _best(ground: Ground, residual: Residual, scans: Sequence[Scanned]) -> Found | None:
     most = max((one.preference for one in scans), default=0.0)
     if most <= 0.0:
         return None
@@ -187,7 +184,7 @@ def _best(ground: Ground, projection: Projection, residual: FloatArray, scans: S
         for one in scans
         if one.preference >= most - RIVAL or (len(one.point) and one.statistic > WORTH_ZOOMING * strongest)
     ]
-    found = [zoomed(ground, projection, residual, one) for one in close]
+    found = [zoomed(ground, residual, one) for one in close]
     return max(found, key=lambda one: one.scan.preference)
 
 
@@ -195,10 +192,9 @@ def _settled(ground: Ground, causes: list[Found]) -> list[Found]:
     """Each cause looked at again given the others, until all reach what they have to; the weakest goes first."""
     while causes:
         for index in range(len(causes)):
-            projection = _with(ground, causes[:index] + causes[index + 1 :])
-            told = projection.told(ground.values)
-            again = scan_all(ground, projection, told, [causes[index].scan.effect])[0]
-            causes[index] = zoomed(ground, projection, told, again)
+            residual = ground.left(_with(ground, causes[:index] + causes[index + 1 :]))
+            again = scan_all(ground, residual, [causes[index].scan.effect])[0]
+            causes[index] = zoomed(ground, residual, again)
         strongest = max(range(len(causes)), key=lambda index: causes[index].scan.statistic)
         excess = [
             one.scan.evidence - ground.threshold - FURTHER * (index != strongest) for index, one in enumerate(causes)
@@ -213,18 +209,17 @@ def _settled(ground: Ground, causes: list[Found]) -> list[Found]:
 def _with_rivals(ground: Ground, causes: Sequence[Found], index: int, first: tuple[Scanned, ...]) -> Found:
     """The cause with what explains the readings about as well in its place, the others staying."""
     mine, others = causes[index], [*causes[:index], *causes[index + 1 :]]
-    projection = _with(ground, others)
-    residual = projection.told(ground.values)
+    residual = ground.left(_with(ground, others))
     taken = {one.scan.effect for one in causes}
     if others:
-        scans = scan_all(ground, projection, residual, [one for one in ground.effects if one not in taken])
+        scans = scan_all(ground, residual, [one for one in ground.effects if one not in taken])
     else:
         scans = tuple(one for one in first if one.effect not in taken)
     rivals = []
     for one in scans:
         if not _may_rival(one, mine.scan, WORTH_ZOOMING if one.point else 1.0 - ALIKE):
             continue
-        closer = zoomed(ground, projection, residual, one).scan
+        closer = zoomed(ground, residual, one).scan
         if _may_rival(closer, mine.scan, 1.0 - ALIKE) and closer.evidence >= ground.threshold - RIVAL:
             rivals.append(closer)
     rivals.sort(key=lambda one: -one.preference)

@@ -11,7 +11,7 @@ from typing import cast
 import numpy as np
 
 from trueaxis.diagnose.grids import grid_of
-from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.identify.first_order import sensed
@@ -29,31 +29,53 @@ from trueaxis.spec.machine import LINEAR
 class Signature:
     """Signature of a candidate at all points of its grid.
 
-    columns: (n_support, n_points, k), mm per unit of the k linear amplitudes; support: the rows where it may differ
-    from 0; points: values of the searched parameters; missing: what the data lack for it, empty where nothing.
+    columns: (n_support, n_points, k), mm per unit of the k linear amplitudes; support: (n_support,), ascending, rows of
+    the runs where it may differ from 0; size: the number of all rows; points: values of the searched parameters;
+    missing: what the data lack for it, empty where nothing.
     """
 
     effect: Effect
     kind: Kind
     columns: FloatArray
-    support: slice
+    support: IntArray
+    size: int
     points: tuple[Mapping[str, float], ...]
     missing: str = ""
 
+    def over_all(self, point: int = 0) -> FloatArray:
+        """(size, k): the columns of one point over all rows."""
+        found = np.zeros((self.size, self.columns.shape[2]))
+        found[self.support] = self.columns[:, point]
+        return found
 
-class Latest:
-    """The terms made last: those of one kind on one axis are the same for all component errors of the axis."""
+
+class Memory:
+    """What need not be made again: signatures as long as there is room, and the terms made last.
+
+    Terms of one kind on one axis are the same for all component errors of the axis.
+    """
+
+    ROOM = 1 << 27  # bytes
 
     def __init__(self) -> None:
+        self.signatures: dict[Effect, Signature] = {}
+        self._left = self.ROOM
         self._key: object = None
         self._terms: FloatArray | None = None
 
-    def of(self, effect: Effect, points: object) -> FloatArray | None:
+    def keep(self, signature: Signature) -> None:
+        """Keep the signature of a candidate on its whole grid, unless it would take too much of the room."""
+        size = signature.columns.nbytes + signature.support.nbytes
+        if size <= min(self._left, self.ROOM // 64):
+            self.signatures[signature.effect] = signature
+            self._left -= size
+
+    def terms(self, effect: Effect, points: object) -> FloatArray | None:
         """(n, points times amplitudes), or None."""
         return self._terms if self._key == _term_key(effect, points) else None
 
-    def keep(self, effect: Effect, points: object, terms: FloatArray) -> None:
-        """Keep these instead."""
+    def keep_terms(self, effect: Effect, points: object, terms: FloatArray) -> None:
+        """Keep these instead of those before."""
         self._key, self._terms = _term_key(effect, points), terms
 
 
@@ -70,7 +92,7 @@ class Readings:
     context: Context
     reading: ReadingContext
     sensitivity: FloatArray
-    latest: Latest
+    memory: Memory
 
 
 def readings_of(model: MachineModel, rows: Rows) -> Readings:
@@ -79,27 +101,43 @@ def readings_of(model: MachineModel, rows: Rows) -> Readings:
     for index in rows.present:
         mine = rows.of_run(index)
         sensitivity[:, mine] = sensed(model, rows.runs[index], np.ascontiguousarray(rows.positions[:, mine]))
-    return Readings(model, rows, rows.context, reading_context_of(model, rows.runs, rows), sensitivity, Latest())
+    return Readings(model, rows, rows.context, reading_context_of(model, rows.runs, rows), sensitivity, Memory())
 
 
 def signature_of(
     readings: Readings, effect: Effect, points: tuple[Mapping[str, float], ...] | None = None
 ) -> Signature:
     """The signature at the points of the grid, or at other points."""
-    kind = readings.model.machine.kinds[effect.kind]
-    support = _support(readings.rows, effect)
+    if points is None and effect in readings.memory.signatures:
+        return readings.memory.signatures[effect]
+    found = _signature(
+        readings, effect, grid_of(_kind(readings, effect), effect, readings.rows) if points is None else points
+    )
     if points is None:
-        points = grid_of(kind, effect, readings.rows)
+        readings.memory.keep(found)
+    return found
+
+
+def _kind(readings: Readings, effect: Effect) -> Kind:
+    return readings.model.machine.kinds[effect.kind]
+
+
+def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, float], ...]) -> Signature:
+    kind = _kind(readings, effect)
+    support = _support(readings, effect, kind)
     if kind.place == "component":
-        columns = _of_component(readings, effect, kind, points)
+        columns = _of_component(readings, effect, kind, points, support)
     elif kind.place == "reading":
         columns = _of_reading(readings, effect, kind, points, support)
     elif kind.place == "point":
         columns = _of_point(readings, effect, support)
     else:
         columns = _of_location(readings, effect)
-    missing = "" if np.isfinite(columns).all() else _missing(readings)
-    return Signature(effect, kind, np.nan_to_num(columns), support, points, missing)
+    known = bool(np.isfinite(columns).all())
+    missing = "" if known else _missing(readings)
+    return Signature(
+        effect, kind, columns if known else np.nan_to_num(columns), support, readings.rows.size, points, missing
+    )
 
 
 def parameter_signature(readings: Readings, effect: Effect, values: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -118,7 +156,7 @@ def parameter_signature(readings: Readings, effect: Effect, values: FloatArray) 
         found = np.where(mine, term, 0.0)
         return found[0], found[1:].T
     columns = np.zeros((rows.size, values.size))
-    support = _support(rows, effect)
+    support = _support(readings, effect, kind)
     columns[support] = (
         _of_point(readings, effect, support) if kind.place == "point" else _of_location(readings, effect)
     )[:, 0]
@@ -137,11 +175,18 @@ def basis_parameters(kind: Kind) -> tuple[dict[str, float], ...]:
     return tuple({other: float(name == other) for other in linear} for name in linear)
 
 
-def _support(rows: Rows, effect: Effect) -> slice:
-    if not effect.runs:
-        return slice(0, rows.size)
-    mine = [rows.of_run(index) for index, run in enumerate(rows.runs) if run.id in effect.runs]
-    return slice(min(one.start for one in mine), max(one.stop for one in mine))
+def _support(readings: Readings, effect: Effect, kind: Kind) -> IntArray:
+    """Rows of the runs that the effect names, or that its component error reaches at all."""
+    rows = readings.rows
+    if effect.runs:
+        there = [index for index in rows.present if rows.runs[index].id in effect.runs]
+    elif kind.place == "component" and effect.component is not None:
+        reached = readings.sensitivity[readings.model.components.index(effect.component)] != 0.0
+        there = np.unique(rows.run[reached]).tolist()
+    else:
+        there = rows.present
+    parts = [np.arange(part.start, part.stop) for part in map(rows.of_run, there)]
+    return np.concatenate([np.zeros(0, dtype=np.int64), *parts])
 
 
 def _vectors(kind: Kind, points: tuple[Mapping[str, float], ...]) -> list[FloatArray]:
@@ -168,12 +213,12 @@ def _columns(
 
 
 def _of_component(
-    readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...]
+    readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...], support: IntArray
 ) -> FloatArray:
     model = readings.model
     assert effect.component is not None
-    lever = readings.sensitivity[model.components.index(effect.component)]
-    terms = readings.latest.of(effect, points)
+    lever = readings.sensitivity[model.components.index(effect.component)][support, np.newaxis]
+    terms = readings.memory.terms(effect, points)
     if terms is None:
         rows, context = readings.rows, readings.context
         terms = _columns(
@@ -181,28 +226,26 @@ def _of_component(
             points,
             lambda vector: component_term(model.kernels, model.machine, effect, vector, rows.positions, context),
         )
-        readings.latest.keep(effect, points, terms)
-    # a row that the component does not reach is not spoilt by what is unknown there
-    lever = lever[:, np.newaxis]
-    columns = terms * lever if np.isfinite(terms).all() else np.where(lever == 0.0, 0.0, terms * lever)
-    return columns.reshape(readings.rows.size, len(points), -1)
+        readings.memory.keep_terms(effect, points, terms)
+    columns = np.take(terms, support, axis=0)
+    columns *= lever
+    if not np.isfinite(columns).all():
+        columns[lever[:, 0] == 0.0] = 0.0  # what the component does not reach is not spoilt by what is unknown there
+    return columns.reshape(support.size, len(points), -1)
 
 
 def _of_reading(
-    readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...], support: slice
+    readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...], support: IntArray
 ) -> FloatArray:
     model, rows = readings.model, readings.rows
     mine = np.array([run.instrument == kind.instrument and _named(run, effect) for run in rows.runs])[rows.run[support]]
-    whole = readings.reading
-    context = ReadingContext(
-        whole.along[support], whole.theta[support], whole.time[support], whole.temperature[support]
-    )
+    context = readings.reading.of(support)
     columns = _columns(kind, points, lambda vector: reading_term(model.kernels, model.machine, effect, vector, context))
     columns = np.where(mine[:, np.newaxis], columns, 0.0)
     return columns.reshape(mine.size, len(points), -1)
 
 
-def _of_point(readings: Readings, effect: Effect, support: slice) -> FloatArray:
+def _of_point(readings: Readings, effect: Effect, support: IntArray) -> FloatArray:
     """What the point's coordinates change: the body that carries it is turned by its motion and by its errors."""
     model, rows = readings.model, readings.rows
     errors = model.in_context(readings.context).component_errors(rows.positions)

@@ -28,29 +28,44 @@ class Whitening:
 
     def __call__(self, columns: FloatArray) -> FloatArray:
         """(n, k) whitened; columns: (n, k) or (n,)."""
-        return self.part(slice(0, int(self.starts[-1])), columns)
+        return self.part(np.arange(int(self.starts[-1])), columns)
 
-    def part(self, rows: slice, columns: FloatArray) -> FloatArray:
-        """Columns (n_rows, k) or (n_rows,) of the rows of some neighbouring runs whitened.
+    def part(self, rows: IntArray, columns: FloatArray) -> FloatArray:
+        """Columns (n_rows, k) or (n_rows,) of some rows whitened; rows: ascending, those of whole runs.
 
         Runs of one length and noise are done at once, short ones by one matrix: a factorisation each would cost more
         than the work.
         """
         flat = columns.reshape(columns.shape[0], -1)
         found = np.empty_like(flat, dtype=np.float64)
-        alike: dict[tuple[int, NoiseOf], list[int]] = {}
-        for index, noise in enumerate(self.noise):
-            first, last = int(self.starts[index]), int(self.starts[index + 1])
-            if rows.start <= first and last <= rows.stop:
-                alike.setdefault((last - first, noise), []).append(first - rows.start)
-        for (size, noise), begins in alike.items():
-            at = np.array(begins)[:, np.newaxis] + np.arange(size)
-            if size <= SHORT:
-                found[at] = np.matmul(_operator(noise, size), flat[at])
+        for noise, at in self._alike(rows):
+            if at.shape[1] <= SHORT:
+                found[at] = np.matmul(_operator(noise, at.shape[1]), flat[at])
             else:
-                every = flat[at.T].reshape(size, -1)
-                found[at.T] = whitened(noise, every).reshape(size, len(begins), -1)
+                every = flat[at.T].reshape(at.shape[1], -1)
+                found[at.T] = whitened(noise, every).reshape(*at.T.shape, -1)
         return found.reshape(columns.shape)
+
+    def back(self, columns: FloatArray) -> FloatArray:
+        """(n, k) times the transpose: b such that b'a is the product of columns and a whitened, for any a."""
+        found = np.empty_like(columns, dtype=np.float64)
+        for noise, at in self._alike(np.arange(int(self.starts[-1]))):
+            if at.shape[1] <= SHORT:
+                found[at] = np.matmul(_operator(noise, at.shape[1]).T, columns[at])
+            else:
+                every = columns[at.T].reshape(at.shape[1], -1)
+                found[at.T] = _back(noise, every).reshape(*at.T.shape, -1)
+        return found
+
+    def _alike(self, rows: IntArray) -> list[tuple[NoiseOf, IntArray]]:
+        """Runs of one noise and length among the rows: their places in them, (n_runs, size)."""
+        begins = np.searchsorted(rows, self.starts[:-1])
+        there = (begins < rows.size) & (rows[np.minimum(begins, rows.size - 1)] == self.starts[:-1])
+        alike: dict[tuple[int, NoiseOf], list[int]] = {}
+        for index in np.flatnonzero(there):
+            size = int(self.starts[index + 1] - self.starts[index])
+            alike.setdefault((size, self.noise[index]), []).append(int(begins[index]))
+        return [(noise, np.array(at)[:, np.newaxis] + np.arange(size)) for (size, noise), at in alike.items()]
 
     def ramps(self) -> FloatArray:
         """(n,): the whitened slope of each run, in its own standard deviation: its share of the noise."""
@@ -79,10 +94,8 @@ def whitened(noise: NoiseOf, columns: FloatArray) -> FloatArray:
     flat = columns.reshape(columns.shape[0], -1)
     found = _stationary(noise, flat)
     if noise.slope > 0.0 and flat.shape[0] > 1:
-        direction = _stationary(noise, noise.slope * ramp(flat.shape[0])[:, np.newaxis])[:, 0]
-        root = np.sqrt(1.0 + float(direction @ direction))
-        shrink = 1.0 / (root * (root + 1.0))
-        found = found - np.outer(shrink * direction, direction @ found)
+        direction, shrink = _sloped(noise, flat.shape[0])
+        found = found - np.outer(shrink, direction @ found)
     return found.reshape(columns.shape)
 
 
@@ -106,6 +119,28 @@ def differenced(noise: NoiseOf, columns: FloatArray) -> FloatArray:
     found = columns.copy()
     found[1:] -= noise.correlation * columns[:-1]
     return found
+
+
+def _back(noise: NoiseOf, columns: FloatArray) -> FloatArray:
+    """One run's columns (n, k) times the transpose of what whitens it."""
+    if noise.slope > 0.0 and columns.shape[0] > 1:
+        direction, shrink = _sloped(noise, columns.shape[0])
+        columns = columns - np.outer(direction, shrink @ columns)
+    if noise.correlated == 0.0 or noise.correlation == 0.0:
+        return columns / noise.sigma
+    factor = tridiagonal(noise, columns.shape[0])
+    upper = np.zeros_like(factor)
+    upper[0, 1:], upper[1] = factor[1, :-1], factor[0]
+    found: FloatArray = solve_banded((0, 1), upper, columns, check_finite=False)
+    found[:-1] -= noise.correlation * found[1:]
+    return found
+
+
+def _sloped(noise: NoiseOf, size: int) -> tuple[FloatArray, FloatArray]:
+    """(size,) the whitened slope d, and s, (size,): 1 - s d' is the inverse root of 1 + d d'."""
+    direction = _stationary(noise, noise.slope * ramp(size)[:, np.newaxis])[:, 0]
+    root = np.sqrt(1.0 + float(direction @ direction))
+    return direction, direction / (root * (root + 1.0))
 
 
 def _stationary(noise: NoiseOf, columns: FloatArray) -> FloatArray:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.diagnose.absences import absences
-from trueaxis.diagnose.audit import Audit, unit_at
+from trueaxis.diagnose.audit import Audit
 from trueaxis.diagnose.base import Base
 from trueaxis.diagnose.circles import circles_of
 from trueaxis.diagnose.formula import formula_of
@@ -32,6 +32,7 @@ from trueaxis.diagnose.result import (
 )
 from trueaxis.diagnose.scan import Scanned
 from trueaxis.diagnose.search import Found, Ground, Search
+from trueaxis.identify.effects.unknowns import unit_in
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,7 +99,7 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
     return Cause(
         effect=fitted.effect,
         parameters=tuple(
-            Estimate(one.name, float(value), float(u), unit_at(one.unit, fitted.effect))
+            Estimate(one.name, float(value), float(u), unit_in(one.unit, fitted.effect))
             for one, value, u in zip(fitted.kind.parameters, fitted.values, fitted.u, strict=True)
         ),
         sentence=fitted.kind.sentence,

@@ -14,11 +14,11 @@ from trueaxis.identify.effects.amplitudes import amplitude_names, basis_vectors,
 from trueaxis.identify.effects.grids import Point, finer, grid_of
 from trueaxis.identify.effects.signature import Ground, is_in, of_term, reaches, rows_of
 from trueaxis.identify.effects.unknowns import EffectUnknown
+from trueaxis.identify.effects.variable_projection import explained
 from trueaxis.identify.machine import IntArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.effect_terms import component_axis
 
-UNOBSERVABLE = 1e-10  # share of a squared signature that the other unknowns leave
 ZOOMS = 2
 POINTS = 256  # of the grid at a time
 
@@ -100,17 +100,5 @@ def _of_points(ground: Ground, effect: Effect, kind: Kind, points: tuple[Point, 
         inside += (piece @ others.root).T @ columns
     shaped = inside.reshape(rank, len(points), k)
     gram = total - np.einsum("rpi,rpj->pij", shaped, shaped, optimize=True)
-    return _least_squares(gram, right, np.trace(total, axis1=1, axis2=2), kind)
-
-
-def _least_squares(gram: FloatArray, right: FloatArray, whole: FloatArray, kind: Kind) -> _Explained:
-    """By the Gram matrices (points, k, k); a square below zero explains nothing."""
-    values, vectors = np.linalg.eigh(gram)
-    kept = values > UNOBSERVABLE * whole[:, np.newaxis]
-    turned = np.einsum("pij,pi->pj", vectors, right)
-    scaled = np.divide(turned, values, out=np.zeros_like(turned), where=kept)
-    amplitudes = np.einsum("pij,pj->pi", vectors, scaled)
-    squares = np.sum(np.where(kept, turned * scaled, 0.0), axis=1)
-    if any(one.role == "root" for one in kind.parameters):
-        squares = np.where((amplitudes >= 0.0).all(axis=1), squares, 0.0)
-    return _Explained(squares, amplitudes)
+    root = any(one.role == "root" for one in kind.parameters)
+    return _Explained(*explained(gram, right, np.trace(total, axis1=1, axis2=2), one_sided=root))

@@ -100,7 +100,7 @@ def of_term(ground: Ground, effect: Effect, kind: Kind, parameters: FloatArray, 
     if not reaches(ground, effect, kind, chosen):
         return np.zeros((1 + parameters.size, rows.size))
     if kind.place == "reading":
-        return reading_term(model.kernels, model.machine, effect, parameters, _reading_of(ground.reading, rows))
+        return reading_term(model.kernels, model.machine, effect, parameters, ground.reading.of(rows))
     lever = model.components.index(effect.component or "")
     context = ground.context.of(rows)
     term = component_term(model.kernels, model.machine, effect, parameters, observed.positions[:, rows], context)
@@ -159,7 +159,3 @@ def added_by(ground: Ground, effects: Sequence[EffectValues]) -> FloatArray:
 def _levered(lever: FloatArray, term: FloatArray) -> FloatArray:
     """A reading that the component does not reach is not spoilt by what is unknown there."""
     return np.where(lever == 0.0, 0.0, lever * term)
-
-
-def _reading_of(context: ReadingContext, rows: IntArray) -> ReadingContext:
-    return ReadingContext(context.along[rows], context.theta[rows], context.time[rows], context.temperature[rows])
