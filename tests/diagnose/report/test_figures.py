@@ -1,15 +1,24 @@
 """The arithmetic behind the figures, against closed forms."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from scipy.signal import lombscargle
 
 from tests.diagnose.report import builders
-from trueaxis.diagnose.report.figures.periodogram import FALSE_ALARM, _frequencies, _spectrum
+from trueaxis.diagnose.report.cloud import SHAPES, cloud, one_path
+from trueaxis.diagnose.report.figures.isolability import spread
+from trueaxis.diagnose.report.figures.periodogram import periodograms
 from trueaxis.diagnose.report.figures.whiteness import _autocorrelation
+from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.lines import envelope, lines_of, rounds_of, sample
-from trueaxis.diagnose.report.svg import picture
+from trueaxis.diagnose.report.spectrum import AT_ONCE, FALSE_ALARM, frequencies_of, harmonic, powers, spectrum_of
+from trueaxis.diagnose.report.svg import BLUE, ORANGE, picture
+from trueaxis.diagnose.result import Estimate
+from trueaxis.effects.library import BY_NAME
 
 
 def test_runs_are_sorted_into_lines_and_circles() -> None:
@@ -46,10 +55,10 @@ def test_a_sine_stands_at_its_period_and_noise_crosses_the_line_as_often_as_it_s
     rows = np.concatenate([one.rows for one in lines_of(data) if one.axis == 1])
     rng = np.random.default_rng(11)
     at = rng.uniform(0.0, 500.0, rows.size)
-    frequencies = _frequencies(at)
+    frequencies = frequencies_of(at)
     wave = np.zeros(data.run.size)
     wave[rows] = 0.001 * np.sin(2.0 * np.pi * at / 80.0 + 0.7)
-    found = _spectrum(replace(data, refitted=wave), rows, at, frequencies)
+    found = spectrum_of(replace(data, refitted=wave), rows, at, frequencies)
     assert 1.0 / frequencies[found.refitted.argmax()] == pytest.approx(80.0, rel=0.03)
     assert found.refitted.max() == pytest.approx(1.0, abs=0.02)
     assert found.extended.max() < found.line
@@ -57,10 +66,74 @@ def test_a_sine_stands_at_its_period_and_noise_crosses_the_line_as_often_as_it_s
     crossed = 0
     for _ in range(400):
         noise = rng.normal(size=data.run.size)
-        spectrum = _spectrum(replace(data, refitted=noise), rows, at, few)
+        spectrum = spectrum_of(replace(data, refitted=noise), rows, at, few)
         crossed += bool(spectrum.refitted.max() > spectrum.line)
     # binomial, mean 4 at 1 %; neighbouring frequencies are not quite independent
     assert crossed <= 400 * FALSE_ALARM * 4
+
+
+@pytest.mark.parametrize("equidistant", [False, True])
+def test_the_periodogram_over_targets_is_that_of_scipy_over_readings(equidistant: bool) -> None:
+    rng = np.random.default_rng(2)
+    targets = np.linspace(0.0, 475.0, 20) if equidistant else np.sort(rng.uniform(0.0, 500.0, 60))
+    at = rng.permutation(np.repeat(targets, 7))
+    values = rng.normal(size=(2, at.size))
+    frequencies = np.arange(4, 41 if equidistant else 2 * AT_ONCE + 50) / 4 / 500.0  # up to Nyquist; beyond two blocks
+    expected = [lombscargle(at, row, 2.0 * np.pi * frequencies, normalize=True) for row in values]
+    assert powers(at, values, frequencies) == pytest.approx(np.stack(expected), abs=1e-12)
+    assert powers(at, np.zeros((1, at.size)), frequencies).tolist() == [[0.0] * frequencies.size]
+
+
+def test_harmonics_as_far_as_the_extent_tells_them() -> None:
+    assert [harmonic(10.0 / k, 10.0, 500.0) for k in range(1, 6)] == [1, 2, 3, 4, 0]
+    assert harmonic(5.02, 10.0, 500.0) == 2  # 0.4 of 1/500 away
+    assert harmonic(5.03, 10.0, 500.0) == 0  # 0.6
+    assert harmonic(20.0, 10.0, 500.0) == 0  # a multiple of a period is none of its harmonics
+
+
+def test_the_peak_of_a_harmonic_names_its_cause() -> None:
+    diagnosis = builders.diagnosis("explained")
+    data = diagnosis.residuals
+    names = [one.name for one in BY_NAME["cyclic"].parameters]
+    parameters = tuple(Estimate(name, 90.0 if name == "pitch" else 0.001, 0.0001, "mm") for name in names)
+    cyclic = replace(builders.cause(builders.CYCLIC), parameters=parameters)
+    noise = data.extended
+    first, second = (0.002 * np.sin(2.0 * np.pi * data.positions[1] * k / 90.0) for k in (1, 2))
+    data = replace(data, refitted=noise + first, extended=noise + second)
+    told = {one.name: one for one in periodograms(replace(diagnosis, residuals=data, causes=(cyclic,)))}
+    assert "mm (the period of Cyclic in EYY), above the line" in told["period-Y"].caption
+    assert "mm (harmonic 2 of the period of Cyclic in EYY), above it" in told["period-Y"].caption
+    assert "Cyclic" not in told["period-X"].caption
+
+
+def test_names_are_moved_apart_no_farther_than_they_have_to() -> None:
+    assert spread(np.array([1.0, 5.0, 9.0]), 2.0, 0.0, 10.0).tolist() == [1.0, 5.0, 9.0]
+    assert spread(np.array([4.0, 4.0, 9.0]), 2.0, 0.0, 10.0) == pytest.approx([3.0, 5.0, 9.0])
+    assert spread(np.array([0.0, 0.5, 9.8]), 2.0, 0.0, 9.0) == pytest.approx([0.0, 2.0, 9.0])
+    assert spread(np.array([0.0, 1.0, 2.0]), 4.0, 0.0, 4.0) == pytest.approx(
+        [-2.0, 2.0, 6.0]
+    )  # no room: about the middle
+
+
+def test_a_cloud_is_one_element_with_a_marker_at_every_point() -> None:
+    x, y = np.array([0.0, 1.0, 2.0]), np.array([0.0, 4.0, 1.0])
+    triangle = one_path(np.column_stack([x, y]), np.array(SHAPES["^"]))
+    parts = triangle.to_polygons()
+    assert len(parts) == 3
+    assert np.asarray(parts[1])[:-1].mean(axis=0) == pytest.approx([1.0, 4.0 - 0.5 / 3.0])
+
+    def draw() -> Figure:
+        figure, (panel,) = stacked(2.0)
+        cloud(panel, x, y, "o", BLUE, BLUE, 2.0, "dots")
+        cloud(panel, x, y, "s", ORANGE, "none", 2.0, "squares")
+        panel.set_axis_off()
+        return figure
+
+    paths = re.findall(r'<path d="([^"]*)"[^>]*style="([^"]*)"', picture("name", "title", "alt", "caption", draw).svg)
+    dots = [d for d, style in paths if "var(--blue)" in style]
+    squares = [d for d, style in paths if "var(--orange)" in style]
+    assert [d.count("M") for d in dots] == [3]
+    assert [(d.count("M"), d.count("z")) for d in squares] == [(3, 3)]
 
 
 def test_the_autocorrelation_of_a_first_order_process() -> None:

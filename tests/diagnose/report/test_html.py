@@ -13,8 +13,10 @@ from jinja2 import meta
 
 from tests.diagnose.report import builders
 from tests.diagnose.report.page import Element, read
+from trueaxis.diagnose.report.formula import mathml
 from trueaxis.diagnose.report.html import TEMPLATE, report_html
 from trueaxis.diagnose.result import BoolArray, Diagnosis, Residuals, Verdict
+from trueaxis.effects.kind import Effect
 from trueaxis.template_folders import template_folders
 
 VERDICTS = get_args(Verdict)
@@ -101,7 +103,7 @@ def test_a_verdict_without_cause_names_none() -> None:
         assert not page(verdict).all("article")
         assert 'id="causes"' not in html(verdict)
     assert "odd in direction (3.00 \u00b5m RMS)" in page("unexplained_structure").text.replace("\u00a0", " ")
-    assert "by chance with a probability of 1e-08" in page("recalibrate").text
+    assert "by chance with a probability of 1 \u00d7 10\u207b\u2078" in page("recalibrate").text.replace("\u00a0", " ")
 
 
 def test_a_cause_is_told_with_all_that_belongs_to_it() -> None:
@@ -112,7 +114,7 @@ def test_a_cause_is_told_with_all_that_belongs_to_it() -> None:
         "positioning error of the X axis (EXX)",
         "Play or elastic wind-up in the drive",
         "width 6.10 \u00b5m \u00b1 0.20 \u00b5m (k = 2)",
-        "p = 1e-12",
+        "p = 1 \u00d7 10\u207b\u00b9\u00b2",
         "lower by 84 %",
         "Servo lag in EXX",
         "circles in XY at another feed, both directions",
@@ -136,7 +138,7 @@ def test_everything_found_is_in_the_page() -> None:
         "mill <3 & more>",
         "run X-2 has one outlier; it was left out",
         "no temperature channel in the circles",
-        "tell backlash EXX from servo_lag EXX",
+        "tell backlash in EXX from servo lag in EXX",
         "R2 0.96 -> 0.31",
         "whole runs left out, one at a time",
         "XY-500-ccw",
@@ -234,6 +236,83 @@ def kept(diagnosis: Diagnosis, chosen: BoolArray) -> Residuals:
     by_reading = "row run seq positions directions theta along reading given refitted extended whitened".split()
     rows = {name: getattr(data, name)[..., chosen] for name in by_reading}
     return replace(data, **rows, time=None, temperature=None, feed=None)
+
+
+def test_long_tables_say_that_they_scroll_and_print_in_full() -> None:
+    diagnosis = builders.diagnosis("explained")
+    outliers = tuple(replace(diagnosis.outliers[0], seq=k) for k in range(40))
+    root = read(report_html(replace(diagnosis, outliers=outliers)))
+    frames = {one.attributes["aria-label"]: one for one in root.all("div") if "aria-label" in one.attributes}
+    long, short = frames["Readings left out as outliers"], frames["Runs that would help"]
+    assert long.attributes["class"] == "scroll tall"
+    assert "40 rows: scroll" in long.all("caption")[0].text
+    assert short.attributes["class"] == "scroll"
+    assert "scroll" not in short.text
+    (style,) = root.all("style")
+    screen, _, paper = style.text.partition("@media print")
+    assert ".tall { max-height:" in screen
+    assert re.search(r"\.scroll[^}]*max-height: none", paper)
+    assert ".hint { display: none; }" in paper
+
+
+def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
+    diagnosis = builders.diagnosis("ambiguous")
+    (cause,) = diagnosis.causes
+    cause = replace(
+        cause,
+        effect=builders.LAG,
+        parameters=(replace(cause.parameters[0], value=-builders.WIDTH),),
+        separating="a line would tell servo_lag EXX from backlash EXX",
+        held_out_gain=-0.04,
+    )
+    outlier = replace(diagnosis.outliers[0], deviation=-0.0042, z=-9.3)
+    told = replace(
+        diagnosis,
+        causes=(cause,),
+        outliers=(outlier,),
+        absences=("without time_s: thermal_offset and warm_up cannot be seen",),
+        warnings=("servo_lag EXX and backlash EXX predict the same readings",),
+    )
+    root = read(report_html(told))
+    text = root.all("body")[0].text
+    assert "width \N{MINUS SIGN}6.10" in text.replace("\u00a0", " ")
+    assert "\N{MINUS SIGN}4.20 \N{MINUS SIGN}9.3" in text
+    assert not re.search(r"(?<![\w-])-\d", text)
+    assert "higher by 4" in text
+    assert "thermal offset and warm up cannot be seen" in text
+    assert "servo lag in EXX and backlash in EXX predict" in text
+    assert "would tell servo lag in EXX from backlash in EXX" in text
+    assert "without time_s:" in text  # the name of a column, to be typed so
+    assert text.count("servo_lag") == 1  # once, as a spec has it
+
+
+def test_the_formula_has_one_operator_for_adding_to() -> None:
+    formula = mathml(r"\delta_{x}(x) \;{+}{=}\; \mathit{amplitude}\,\cos(x + 1) = 0")
+    root = read(formula)
+    assert [one.text for one in root.all("mo") if one.text in "+=+="] == ["+=", "+", "="]
+    assert "amplitude" in [one.text for one in root.all("mi")]
+
+
+def test_what_is_left_stands_beside_the_noise_floor_held_out_and_not() -> None:
+    stages = next(one for one in page("explained").all("svg") if one.all("title")[0].attributes["id"] == "stages-title")
+    shown = [one.text for one in stages.all("text")]
+    for name in ("before: given", "before: refitted", "after: extended", "noise floor"):
+        assert shown.count(name) == 2
+    assert {"held out", "all readings kept"} <= set(shown)
+    assert shown.count("0.300") == 2
+
+
+def test_many_candidates_are_named_by_kind() -> None:
+    diagnosis = builders.diagnosis("explained")
+    kinds = {"cyclic": 60, "laser_scale": 1, "cross_axis": 40, "drift": 1, "thermal_offset": 8}
+    many = tuple(Effect(kind, runs=(f"{k}",)) for kind, count in kinds.items() for k in range(count))
+    told = read(report_html(replace(diagnosis, isolability=many, correlation=builders.correlation(110))))
+    figure = next(one for one in told.all("svg") if one.all("title")[0].attributes["id"] == "isolability-title")
+    names = [one.text for one in figure.all("text")]
+    assert names == ["cyclic (60)", "laser scale (1)", "cross axis (40)", "drift (1)", "thermal offset (8)"]
+    heights = [float(one.attributes["transform"].split()[-1].rstrip(")")) if "transform" in one.attributes
+               else float(one.attributes["y"]) for one in figure.all("text")]  # fmt: skip
+    assert np.diff(heights).min() > 7.5  # a name is so high
 
 
 def test_a_hundred_thousand_readings_and_a_hundred_candidates_stay_a_small_file() -> None:

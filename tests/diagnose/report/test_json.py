@@ -90,3 +90,11 @@ def test_the_noise_is_that_of_the_readings_and_not_of_the_instruments() -> None:
     loud = replace(diagnosis, noise=(replace(laser, white=0.004, correlated=0.003), replace(bar, white=0.0)))
     assert noise(loud) == pytest.approx(0.005 * math.sqrt(share))
     assert math.isnan(noise(replace(diagnosis, noise=())))
+
+
+def test_minus_signs_are_those_that_programs_read() -> None:
+    diagnosis = builders.diagnosis("explained")
+    (run,) = diagnosis.next_runs
+    told = diagnosis_json(replace(diagnosis, next_runs=(replace(run, gain="\N{MINUS SIGN}0.3 to 0.2"),)), None, None)
+    assert json.loads(told)["next_runs"][0]["gain"] == "-0.3 to 0.2"
+    assert "\N{MINUS SIGN}" not in told

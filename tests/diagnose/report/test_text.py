@@ -42,5 +42,5 @@ def test_an_own_kind_is_told_by_its_formula() -> None:
 
 def test_structure_without_a_cause_is_described() -> None:
     text = summary_text(builders.diagnosis("unexplained_structure"))
-    assert "looks like: odd in direction: structure that changes sign with the direction (3.00 um RMS, p 1e-09)" in text
+    assert "looks like: odd in direction: structure that changes sign with the direction (3.00 um RMS, p 1e-9)" in text
     assert "cause" not in text.replace("no cause is named", "")

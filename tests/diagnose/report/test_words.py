@@ -2,8 +2,16 @@ import math
 
 import pytest
 
-from trueaxis.diagnose.report.quantity import ascii_only, probability, quantity, with_expanded
-from trueaxis.diagnose.report.words import effect_title, enumerated, joint
+from trueaxis.diagnose.report.quantity import (
+    ascii_only,
+    equals_p,
+    percent,
+    probability,
+    quantity,
+    with_expanded,
+    written,
+)
+from trueaxis.diagnose.report.words import effect_title, enumerated, in_words, joint
 from trueaxis.effects.kind import Effect
 
 
@@ -32,7 +40,7 @@ def test_a_size_with_its_expanded_uncertainty(value: float, u: float, unit: str,
 def test_numbers_without_an_end() -> None:
     assert quantity(math.nan, "mm") == "unknown"
     assert ascii_only(quantity(0.0, "mm")) == "0 um"
-    assert probability(0.0) == "below 1e-300"
+    assert ascii_only(probability(0.0)) == "below 1e-300"
     assert probability(0.034) == "0.034"
 
 
@@ -66,3 +74,37 @@ def test_an_effect_in_words(effect: Effect, title: str, where: str) -> None:
 
 def test_lists_in_words() -> None:
     assert [enumerated(list("abc"[:n]), "or") for n in range(4)] == ["", "a", "a or b", "a, b or c"]
+
+
+def test_numbers_for_people_and_their_console_form() -> None:
+    for told, people, console in (
+        (written(-0.031, ".2g"), "\N{MINUS SIGN}0.031", "-0.031"),
+        (written(-0.001, ".2f"), "0.00", "0.00"),
+        (written(9.31, "+.1f"), "+9.3", "+9.3"),
+        (written(math.nan, ".2f"), "\N{EN DASH}", "-"),
+        (probability(2.34e-12), "2.3 \u00d7 10\u207b\u00b9\u00b2", "2.3e-12"),
+        (equals_p(2.34e-12), "p = 2.3 \u00d7 10\u207b\u00b9\u00b2", "p = 2.3e-12"),
+        (equals_p(0.0), "p below 1 \u00d7 10\u207b\u00b3\u2070\u2070", "p below 1e-300"),
+        (percent(-0.031), "\N{MINUS SIGN}3 %", "-3 %"),
+        (with_expanded(-0.0061, 0.0002, "mm"), "\N{MINUS SIGN}6.10 \u00b5m \u00b1 0.40 \u00b5m (k = 2)",
+         "-6.10 um +/- 0.40 um (k = 2)"),
+    ):  # fmt: skip
+        assert told.replace("\N{NO-BREAK SPACE}", " ") == people
+        assert ascii_only(told) == console
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (
+            "tell cross_axis EYY with Z from laser_cosine of Y4-1",
+            "tell cross axis in EYY with Z from laser cosine of Y4-1",
+        ),
+        ("backlash_slope EC0X and backlash EAX", "backlash slope in EC0X and backlash in EAX"),
+        ("without time_s: warm_up and my_own cannot be seen", "without time_s: warm up and my own cannot be seen"),
+        ("structure is left (0.31 um in all)", "structure is left (0.31 \u00b5m in all)"),
+        ("the run my_own_warm_up", "the run my_own_warm_up"),
+    ],
+)
+def test_labels_in_words_and_nothing_else(text: str, told: str) -> None:
+    assert in_words(text, {"my_own"}).replace("\N{NO-BREAK SPACE}", " ") == told

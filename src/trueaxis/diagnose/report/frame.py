@@ -9,7 +9,7 @@ RIGHT = 0.12
 BELOW = 0.46  # tick labels and a label
 LEGEND = 0.3
 TITLE = 0.24
-NAME = 0.071  # of a letter of a name at the size of the tick labels, on average
+NAME = 0.0084  # of a letter on average, for each point of its size
 
 
 def stacked(
@@ -45,6 +45,6 @@ def stacked(
     return figure, list(panels[:, 0])
 
 
-def room_for(names: list[str]) -> float:
-    """Inches on the left for tick labels that are names."""
-    return 0.16 + NAME * max((len(name) for name in names), default=0)
+def room_for(names: list[str], size: float = 8.5) -> float:
+    """Inches on the left for tick labels that are names, of this size in points."""
+    return 0.16 + NAME * size * max((len(name) for name in names), default=0)

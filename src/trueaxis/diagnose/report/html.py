@@ -14,10 +14,10 @@ from trueaxis.diagnose.report.figures.positions import positions
 from trueaxis.diagnose.report.figures.stages import stages
 from trueaxis.diagnose.report.figures.whiteness import whiteness
 from trueaxis.diagnose.report.formula import mathml
-from trueaxis.diagnose.report.quantity import UM, micrometres, percent, probability, with_expanded
+from trueaxis.diagnose.report.quantity import UM, equals_p, micrometres, percent, with_expanded, written
 from trueaxis.diagnose.report.svg import Picture
 from trueaxis.diagnose.report.tables import Table
-from trueaxis.diagnose.report.words import TITLES, effect_title, explanation, headline, joint
+from trueaxis.diagnose.report.words import TITLES, effect_title, explanation, headline, in_words, joint
 from trueaxis.diagnose.result import Cause, Diagnosis
 from trueaxis.template_folders import template_folders
 
@@ -58,6 +58,7 @@ def report_html(diagnosis: Diagnosis) -> str:
     """
     import jinja2  # noqa: PLC0415 - diagnosing without a report needs no templates
 
+    kinds = frozenset(one.effect.kind for one in diagnosis.limits)
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(template_folders()),
         undefined=jinja2.StrictUndefined,
@@ -73,11 +74,13 @@ def report_html(diagnosis: Diagnosis) -> str:
         headline=headline(diagnosis),
         explanation=explanation(diagnosis),
         key_figures=_key_figures(diagnosis),
-        warnings=diagnosis.warnings,
-        absences=diagnosis.absences,
+        warnings=[in_words(one, kinds) for one in diagnosis.warnings],
+        absences=[in_words(one, kinds) for one in diagnosis.absences],
         causes_title=_causes_title(diagnosis),
-        causes=[_cause(one, number) for number, one in enumerate(diagnosis.causes, 1)],
-        sections=[one for one in _sections(diagnosis) if one.pictures or any(table.rows for table in one.tables)],
+        causes=[_cause(one, number, kinds) for number, one in enumerate(diagnosis.causes, 1)],
+        sections=[
+            one for one in _sections(diagnosis, kinds) if one.pictures or any(table.rows for table in one.tables)
+        ],
     )
 
 
@@ -87,7 +90,8 @@ def _key_figures(diagnosis: Diagnosis) -> list[tuple[str, str]]:
         ("RMS as given", f"{micrometres(gain.rms.given)} {UM}"),
         ("RMS refitted", f"{micrometres(gain.rms.refitted)} {UM}"),
         ("RMS extended", f"{micrometres(gain.rms.extended)} {UM}"),
-        ("RMS held out", f"{micrometres(gain.held_out.extended)} {UM}"),
+        ("held out, refitted", f"{micrometres(gain.held_out.refitted)} {UM}"),
+        ("held out, extended", f"{micrometres(gain.held_out.extended)} {UM}"),
         ("noise floor", f"{micrometres(gain.floor)} {UM}"),
     ]
 
@@ -98,7 +102,7 @@ def _causes_title(diagnosis: Diagnosis) -> str:
     return "Causes" if len(diagnosis.causes) > 1 else "Cause"
 
 
-def _cause(cause: Cause, number: int) -> CauseText:
+def _cause(cause: Cause, number: int, kinds: frozenset[str]) -> CauseText:
     return CauseText(
         title=effect_title(cause.effect),
         joint=joint(cause.effect),
@@ -107,20 +111,25 @@ def _cause(cause: Cause, number: int) -> CauseText:
         parameters=tuple((one.name, with_expanded(one.value, one.u, one.unit)) for one in cause.parameters),
         facts=(
             ("explains", f"{micrometres(cause.rms)} {UM} RMS of the readings"),
-            ("evidence", f"{cause.evidence:.3g} (p = {probability(cause.p_value)})"),
-            ("held-out RMS", f"lower by {percent(cause.held_out_gain)}"),
-            ("same size everywhere", f"p = {probability(cause.homogeneous_p)}"),
+            ("evidence", f"{written(cause.evidence, '.3g')} ({equals_p(cause.p_value)})"),
+            ("held-out RMS", _change(cause.held_out_gain)),
+            ("same size everywhere", equals_p(cause.homogeneous_p)),
+            ("kind, as a spec has it", cause.effect.kind),
         ),
         rivals=tables.rivals(cause) if cause.rivals else None,
-        separating=cause.separating,
+        separating=in_words(cause.separating, kinds),
         remainder=cause.remainder,
         pictures=tuple(amplitudes(cause, number)),
     )
 
 
-def _sections(diagnosis: Diagnosis) -> list[Section]:
+def _change(gain: float) -> str:
+    return f"higher by {percent(-gain)}" if gain < 0.0 else f"lower by {percent(gain)}"
+
+
+def _sections(diagnosis: Diagnosis, kinds: frozenset[str]) -> list[Section]:
     return [
-        Section("next", "What to measure next", "", (), (tables.next_runs(diagnosis),)),
+        Section("next", "What to measure next", "", (), (tables.next_runs(diagnosis, kinds),)),
         Section("gain", "Before and after", "", tuple(stages(diagnosis)), (tables.circularity(diagnosis),)),
         Section(
             "residuals",

@@ -157,11 +157,13 @@ def _um(length: float) -> float:
 
 
 def _plain(value: Any) -> Any:
-    """Without NumPy's types and without numbers that JSON does not know."""
+    """Without NumPy's types, without numbers that JSON does not know, minus signs as programs have them."""
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [_plain(item) for item in value]
     if isinstance(value, np.generic):
         value = value.item()
+    if isinstance(value, str):
+        return value.replace("\N{MINUS SIGN}", "-")
     return None if isinstance(value, float) and not math.isfinite(value) else value

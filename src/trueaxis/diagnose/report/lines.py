@@ -71,6 +71,9 @@ def envelope(values: FloatArray, limit: int) -> IntArray:
     return np.array(sorted(kept), dtype=np.int64)
 
 
+THINNED = "Too many readings to draw all: a sample, and those farthest out."
+
+
 def sample(values: FloatArray, limit: int) -> IntArray:
     """Indices of `limit` values at most, in order: spread evenly over the rows, so that a cloud keeps its shape (the
     golden ratio falls into step with no number of targets or repeats), and a few for those farthest out.

@@ -1,6 +1,7 @@
 """Numbers as people write them: units of the workshop, uncertainties of two digits."""
 
 import math
+import re
 
 MICRO = "\N{MICRO SIGN}"
 UM = f"{MICRO}m"
@@ -30,6 +31,15 @@ _ASCII = str.maketrans(
         "\N{SUPERSCRIPT TWO}": "2",
     }
 )
+_MINUS = str.maketrans("-", "\N{MINUS SIGN}")
+_RAISED = str.maketrans(
+    "-0123456789",
+    "\N{SUPERSCRIPT MINUS}\N{SUPERSCRIPT ZERO}\N{SUPERSCRIPT ONE}\N{SUPERSCRIPT TWO}\N{SUPERSCRIPT THREE}"
+    "\N{SUPERSCRIPT FOUR}\N{SUPERSCRIPT FIVE}\N{SUPERSCRIPT SIX}\N{SUPERSCRIPT SEVEN}\N{SUPERSCRIPT EIGHT}"
+    "\N{SUPERSCRIPT NINE}",
+)
+_LOWERED = {raised: chr(plain) for plain, raised in _RAISED.items()}
+_TIMES_TEN = f"{NBSP}\N{MULTIPLICATION SIGN}{NBSP}10"
 
 
 def shown_in(size: float, unit: str) -> tuple[float, str]:
@@ -61,11 +71,8 @@ def with_expanded(value: float, u: float, unit: str) -> str:
     factor, small = shown_in(max(abs(value), COVERAGE_FACTOR * u), unit)
     expanded = COVERAGE_FACTOR * u * factor
     decimals = max(0, 1 - math.floor(math.log10(expanded)))
-    unit_text = f"{NBSP}{small}" if small else ""
-    return (
-        f"{value * factor:.{decimals}f}{unit_text} \N{PLUS-MINUS SIGN}{NBSP}{expanded:.{decimals}f}{unit_text} "
-        f"(k{NBSP}={NBSP}{COVERAGE_FACTOR:g})"
-    )
+    shown = [written(one, f".{decimals}f") + (f"{NBSP}{small}" if small else "") for one in (value * factor, expanded)]
+    return f"{shown[0]} \N{PLUS-MINUS SIGN}{NBSP}{shown[1]} (k{NBSP}={NBSP}{COVERAGE_FACTOR:g})"
 
 
 def micrometres(value: float) -> str:
@@ -74,25 +81,44 @@ def micrometres(value: float) -> str:
 
 
 def probability(p: float) -> str:
-    """`0.03`, `2e-12`; `below 1e-300` where it underflows."""
-    if math.isnan(p):
-        return "\N{EN DASH}"
-    return "below 1e-300" if p < 1e-300 else f"{p:.2g}"
+    """`0.03`; `2 x 10^-12` with signs of its own; `below` 10^-300 where it underflows."""
+    return f"below{NBSP}{written(1e-300, '.2g')}" if p < 1e-300 else written(p, ".2g")
+
+
+def equals_p(p: float) -> str:
+    """`p = 0.03`, `p below ...`."""
+    told = probability(p)
+    return f"p {told}" if told.startswith("below") else f"p{NBSP}={NBSP}{told}"
 
 
 def percent(share: float) -> str:
     """`84 %`."""
-    return f"{100.0 * share:.0f}{NBSP}%" if math.isfinite(share) else "\N{EN DASH}"
+    return f"{written(100.0 * share, '.0f')}{NBSP}%" if math.isfinite(share) else "\N{EN DASH}"
+
+
+def written(value: float, form: str) -> str:
+    """A number as people write it: a minus sign instead of a hyphen, powers of ten raised, no negative zero; a dash
+    where there is none.
+    """
+    if math.isnan(value):
+        return "\N{EN DASH}"
+    text = format(value, form)
+    digits, exponential, power = text.partition("e")
+    if exponential:
+        return f"{digits.translate(_MINUS)}{_TIMES_TEN}{str(int(power)).translate(_RAISED)}"
+    return (text.removeprefix("-") if not text.strip("-0.") else text).translate(_MINUS)
 
 
 def ascii_only(text: str) -> str:
-    """For a console of any encoding: um, +/-."""
+    """For a console of any encoding: um, +/-, 2e-12."""
+    raised = f"{_TIMES_TEN}([{''.join(map(chr, _LOWERED))}]+)"
+    text = re.sub(raised, lambda power: f"e{power.group(1).translate(_LOWERED)}", text)
     return text.translate(_ASCII).encode("ascii", "replace").decode()
 
 
 def _plain(value: float, digits: int) -> str:
     """So many digits, and no exponent where a plain number does."""
     if value == 0.0 or not 1e-4 <= abs(value) < 1e7:
-        return f"{value:.{digits}g}"
+        return written(value, f".{digits}g")
     decimals = max(0, digits - 1 - math.floor(math.log10(abs(value))))
-    return f"{value:.{decimals}f}"
+    return written(value, f".{decimals}f")

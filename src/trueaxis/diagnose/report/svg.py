@@ -122,8 +122,11 @@ def _named(body: str, name: str) -> str:
 
 
 def _shortened(body: str) -> str:
-    """Two decimals of a point are enough; line breaks and groups without attributes say nothing."""
+    """Two decimals of a point are enough; line breaks, spaces about commands, groups without attributes say nothing."""
     body = re.sub(r"<!--.*?-->", "", body, flags=re.DOTALL)
     body = re.sub(r">\s+<", "><", body).strip()
-    body = body.replace("\n", " ")
-    return re.sub(r"(>[^<]+<)|(\.\d\d)\d+", r"\1\2", body)  # in tags, never in what is read
+    parts = re.split("(>[^<]+<)", body)  # every other one is what is read, not a tag
+    for at in range(0, len(parts), 2):
+        tags = re.sub(r"(?<=\.\d\d)\d+", "", parts[at].replace("\n", " "))
+        parts[at] = re.sub(r"(?<=[\dz]) +(?=[MLz] )", "", tags).replace("L ", "L").replace("M ", "M")
+    return "".join(parts)

@@ -1,13 +1,15 @@
 """The tables of the report: numbers already written out."""
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 
-from trueaxis.diagnose.report.quantity import UM, micrometres, percent, probability, quantity
-from trueaxis.diagnose.report.words import effect_title
+from trueaxis.diagnose.report.quantity import NBSP, UM, micrometres, percent, probability, quantity, written
+from trueaxis.diagnose.report.words import effect_title, in_words
 from trueaxis.diagnose.result import Cause, Diagnosis
 
 R2 = "R\N{SUPERSCRIPT TWO}"
+MOST_IN_SIGHT = 12  # rows, each of up to two lines, before the frame of a table scrolls
 DASH = "\N{EN DASH}"
 
 
@@ -19,6 +21,11 @@ class Table:
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     numbers: frozenset[int] = frozenset()
+
+    @property
+    def long(self) -> bool:
+        """Whether it has more rows than fit its frame on the screen, and has to be scrolled."""
+        return len(self.rows) > MOST_IN_SIGHT
 
 
 def rivals(cause: Cause) -> Table:
@@ -46,7 +53,7 @@ def limits(diagnosis: Diagnosis) -> Table:
     number = {effect: str(k) for k, effect in enumerate(diagnosis.isolability, 1)}
     rows = []
     for one in diagnosis.limits:
-        nearest = DASH if one.nearest is None else f"{effect_title(one.nearest)} ({R2} {one.r2:.2f})"
+        nearest = DASH if one.nearest is None else f"{effect_title(one.nearest)} ({R2}{NBSP}{one.r2:.2f})"
         rows.append(
             (
                 effect_title(one.effect),
@@ -76,16 +83,19 @@ def checks(diagnosis: Diagnosis) -> Table:
 def outliers(diagnosis: Diagnosis) -> Table:
     """Readings left out, the farthest first."""
     rows = tuple(
-        (f"{one.run}, {one.seq}", micrometres(one.deviation), f"{one.z:+.1f}")
+        (f"{one.run}, {one.seq}", micrometres(one.deviation), written(one.z, "+.1f"))
         for one in sorted(diagnosis.outliers, key=lambda one: -abs(one.z))
     )
     head = ("run, seq", f"deviation ({UM})", "robust standard deviations")
     return Table("Readings left out as outliers", head, rows, frozenset({1, 2}))
 
 
-def next_runs(diagnosis: Diagnosis) -> Table:
-    """What to measure next."""
-    rows = tuple((one.run, one.purpose, one.gain) for one in diagnosis.next_runs)
+def next_runs(diagnosis: Diagnosis, kinds: Collection[str]) -> Table:
+    """What to measure next. kinds: whose names become words."""
+    rows = tuple(
+        (in_words(one.run, kinds), in_words(one.purpose, kinds), in_words(one.gain, kinds))
+        for one in diagnosis.next_runs
+    )
     return Table("Runs that would help", ("run", "purpose", "what it would tell"), rows)
 
 
@@ -111,7 +121,13 @@ def noise(diagnosis: Diagnosis) -> Table:
 def scan(diagnosis: Diagnosis) -> Table:
     """Every candidate, the strongest first."""
     rows = tuple(
-        (effect_title(one.effect), _short(one.evidence), probability(one.p_value), f"{one.tries:.3g}", str(one.freedom))
+        (
+            effect_title(one.effect),
+            _short(one.evidence),
+            probability(one.p_value),
+            written(one.tries, ".3g" if one.tries < 1e3 else ".0f"),
+            str(one.freedom),
+        )
         for one in sorted(diagnosis.scan, key=lambda one: -_first(one.evidence))
     )
     head = ("candidate", "evidence", "p", "effective tries", "d.o.f.")
@@ -121,7 +137,7 @@ def scan(diagnosis: Diagnosis) -> Table:
 
 
 def _short(value: float) -> str:
-    return f"{value:.2f}" if math.isfinite(value) else DASH
+    return written(value, ".2f") if math.isfinite(value) else DASH
 
 
 def _least(size: float, unit: str) -> str:

@@ -1,10 +1,12 @@
 """Effects and verdicts in plain words."""
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 
-from trueaxis.diagnose.report.quantity import probability, quantity, with_expanded
+from trueaxis.diagnose.report.quantity import NBSP, UM, probability, quantity, with_expanded
 from trueaxis.diagnose.result import Cause, Diagnosis, Verdict
 from trueaxis.effects.kind import Effect
+from trueaxis.effects.library import BY_NAME
 
 TITLES: dict[Verdict, str] = {
     "no_discrepancy": "No discrepancy",
@@ -47,6 +49,17 @@ def size_of(cause: Cause) -> str:
         return ""
     first = cause.parameters[0]
     return f"{first.name} {with_expanded(first.value, first.u, first.unit)}"
+
+
+def in_words(text: str, kinds: Iterable[str]) -> str:
+    """A text made for a console: `cross_axis EXX with Y` becomes `cross axis in EXX with Y`, um the unit's own sign."""
+    names = "|".join(sorted(map(re.escape, {*kinds, *BY_NAME}), key=len, reverse=True))
+
+    def spoken(match: re.Match[str]) -> str:
+        return match.group(1).replace("_", " ") + (" in " if match.group(2) else "")
+
+    text = re.sub(rf"\b({names})\b( (?=E[A-Z0-9]{{2,3}}\b))?", spoken, text)
+    return re.sub(r"(?<=\d) um\b", f"{NBSP}{UM}", text)
 
 
 def enumerated(words: Sequence[str], last: str = "and") -> str:

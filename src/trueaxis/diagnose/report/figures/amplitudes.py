@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from trueaxis.diagnose.report.frame import room_for, stacked
-from trueaxis.diagnose.report.quantity import COVERAGE_FACTOR, probability, shown_in
+from trueaxis.diagnose.report.quantity import COVERAGE_FACTOR, equals_p, shown_in
 from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.report.words import effect_title
 from trueaxis.diagnose.result import Cause
@@ -19,16 +19,16 @@ def amplitudes(cause: Cause, number: int) -> list[Picture]:
     if len(shown) < 2 or not cause.parameters:
         return []
     first = cause.parameters[0]
-    agree = probability(cause.homogeneous_p)
+    agree = equals_p(cause.homogeneous_p)
     left_out = f" The first {MOST_GROUPS} of {len(shown)}." if len(shown) > MOST_GROUPS else ""
     return [
         picture(
             f"amplitude-{number}",
             f"{first.name} by run",
             f"Forest plot of {first.name} of {effect_title(cause.effect)} in {len(shown)} groups of readings, each "
-            f"with its expanded uncertainty; p of one common value {agree}.",
+            f"with its expanded uncertainty; one common value: {agree}.",
             f"Each group alone, bars U (k = {COVERAGE_FACTOR:g}); band: all together. One common value: "
-            f"p = {agree}.{left_out}",
+            f"{agree}.{left_out}",
             lambda: _figure(cause),
         )
     ]

@@ -3,8 +3,9 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from trueaxis.diagnose.report.cloud import cloud
 from trueaxis.diagnose.report.frame import stacked
-from trueaxis.diagnose.report.lines import Round, rounds_of, sample
+from trueaxis.diagnose.report.lines import THINNED, Round, rounds_of, sample
 from trueaxis.diagnose.report.quantity import UM
 from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, Residuals
@@ -21,11 +22,14 @@ def around(diagnosis: Diagnosis) -> list[Picture]:
 
 
 def _picture(residuals: Residuals, plane: str, rounds: list[Round]) -> Picture:
+    most = max(sum(one.rows.size for one in rounds if one.turn == turn) for turn in _LOOK)
+    thinned = f" {THINNED}" if most > MOST_POINTS else ""
     return picture(
         f"around-{plane}",
         f"Residual around {plane} circles",
         f"Residual against polar angle of {len(rounds)} circles in {plane}, refitted above and extended model below.",
-        f"{len(rounds)} runs, both panels of one scale; steps at 0, 90, 180 and 270 deg are reversals of an axis.",
+        f"{len(rounds)} runs, both panels of one scale; steps at 0, 90, 180 and 270 deg are reversals of an axis."
+        f"{thinned}",
         lambda: _figure(residuals, rounds),
     )
 
@@ -45,16 +49,7 @@ def _figure(residuals: Residuals, rounds: list[Round]) -> Figure:
             order = np.argsort(theta, kind="stable")
             theta, left = theta[order], 1e3 * values[together][order]
             kept = sample(left, MOST_POINTS)
-            panel.plot(
-                theta[kept],
-                left[kept],
-                marker,
-                color=colour,
-                markerfacecolor=face,
-                markersize=2.4,
-                markeredgewidth=0.5,
-                label=label,
-            )
+            cloud(panel, theta[kept], left[kept], marker, colour, face, 2.4, label)
         panel.set_title(title)
         panel.set_ylabel(UM)
     panels[-1].set_xticks(range(0, 361, 90))

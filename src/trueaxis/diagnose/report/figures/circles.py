@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from trueaxis.diagnose.report.lines import Round, rounds_of
-from trueaxis.diagnose.report.quantity import UM
+from trueaxis.diagnose.report.quantity import NBSP, UM
 from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, RULE, SOFT, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
 
@@ -37,12 +37,14 @@ def _picture(residuals: Residuals, key: Key, rounds: list[Round], tick: float) -
     feed_text = f", {feed:g} mm/min" if feed >= 0.0 else ""
     left = [float(1e3 * residuals.extended[one.rows].std()) for one in rounds]
     named = ", ".join(f"{one.run} ({_LOOK[one.turn][2]})" for one in rounds)
+    every = max(_stride(one) for one in rounds)
+    thinned = f" Of {every} readings one is drawn." if every > 1 else ""
     return picture(
         f"circle-{plane}-{f'{feed:g}'.replace('.', '_').replace('-', 'n')}",
         f"Circle {plane}{feed_text}",
         f"Polar plot of radial deviations in {plane}{feed_text}: {named}, the extended model drawn over them; it "
         f"leaves {max(left):.2g} {UM} RMS at most.",
-        f"{named}. Magnified about the fitted circle, the darker one: a division is {tick:g} {UM}.",
+        f"{named}. Magnified about the fitted circle, the darker one: a division is {tick:g}{NBSP}{UM}.{thinned}",
         lambda: _figure(residuals, rounds, tick),
     )
 
@@ -60,7 +62,7 @@ def _figure(residuals: Residuals, rounds: list[Round], tick: float) -> Figure:
         colour, dash, label = _LOOK[one.turn]
         measured, model = _centred(residuals, one)
         theta = residuals.theta[one.rows]
-        stride = slice(None, None, max(1, theta.size // MOST_POINTS))
+        stride = slice(None, None, _stride(one))
         first = one.turn not in seen
         seen.add(one.turn)
         _trace(panel, theta[stride], measured[stride], tick, linestyle=dash, color=colour, linewidth=2.2, alpha=0.75,
@@ -69,6 +71,10 @@ def _figure(residuals: Residuals, rounds: list[Round], tick: float) -> Figure:
                linewidth=1.1 if one.turn < 0 else 0.7, label=f"model, {label}" if first else None)  # fmt: skip
     figure.legend(loc="lower center", ncols=2)
     return figure
+
+
+def _stride(one: Round) -> int:
+    return max(1, one.rows.size // MOST_POINTS)
 
 
 def _rings(panel: Axes, tick: float) -> None:

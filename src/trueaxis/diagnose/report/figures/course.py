@@ -3,9 +3,10 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from trueaxis.diagnose.report.cloud import cloud
 from trueaxis.diagnose.report.frame import stacked
-from trueaxis.diagnose.report.lines import sample
-from trueaxis.diagnose.report.quantity import UM
+from trueaxis.diagnose.report.lines import THINNED, sample
+from trueaxis.diagnose.report.quantity import UM, written
 from trueaxis.diagnose.report.svg import BLUE, GREEN, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
 
@@ -41,15 +42,18 @@ def _varies(values: FloatArray | None) -> bool:
 def _picture(residuals: Residuals, name: str, across: FloatArray, label: str) -> Picture:
     known = np.isfinite(across)
     correlated = [
-        round(float(np.corrcoef(across[known], values[known])[0, 1]), 2) + 0.0 if np.ptp(values[known]) > 0.0 else 0.0
+        written(float(np.corrcoef(across[known], values[known])[0, 1]) if np.ptp(values[known]) > 0.0 else 0.0, ".2f")
         for values in (residuals.refitted, residuals.extended)
     ]
+    drawn = np.bincount(residuals.run[known], minlength=len(residuals.runs))
+    most = max(int(drawn[np.array(residuals.instruments) == name].sum()) for name in _LOOK)
+    thinned = f" {THINNED}" if most > MOST_POINTS else ""
     return picture(
         f"course-{name}",
         f"Residual against {name}",
-        f"Residual against {name}, refitted above and extended model below; correlation {correlated[0]:.2f} before, "
-        f"{correlated[1]:.2f} after.",
-        f"Correlation with {name}: {correlated[0]:.2f} refitted, {correlated[1]:.2f} with the extended model.",
+        f"Residual against {name}, refitted above and extended model below; correlation {correlated[0]} before, "
+        f"{correlated[1]} after.",
+        f"Correlation with {name}: {correlated[0]} refitted, {correlated[1]} with the extended model.{thinned}",
         lambda: _figure(residuals, across, label),
     )
 
@@ -66,16 +70,7 @@ def _figure(residuals: Residuals, across: FloatArray, label: str) -> Figure:
             rows = rows[np.argsort(across[rows], kind="stable")]
             rows = rows[sample(values[rows], MOST_POINTS)]
             if rows.size:
-                panel.plot(
-                    across[rows],
-                    1e3 * values[rows],
-                    marker,
-                    color=colour,
-                    markerfacecolor=face,
-                    markersize=2.2,
-                    markeredgewidth=0.5,
-                    label=name,
-                )
+                cloud(panel, across[rows], 1e3 * values[rows], marker, colour, face, 2.2, name)
         panel.set_title(title)
         panel.set_ylabel(UM)
     panels[-1].set_xlabel(label)

@@ -4,8 +4,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from trueaxis.diagnose.report.cloud import DOT, cloud
 from trueaxis.diagnose.report.frame import stacked
-from trueaxis.diagnose.report.lines import Line, lines_of, sample
+from trueaxis.diagnose.report.lines import THINNED, Line, lines_of, sample
 from trueaxis.diagnose.report.quantity import UM
 from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SOFT, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, IntArray, Residuals
@@ -33,11 +34,7 @@ def _picture(residuals: Residuals, lines: list[Line], axis: int) -> Picture:
     thinned = rows.size > MOST_POINTS
     caption = (
         f"{rows.size} readings of {len(lines)} runs. "
-        + (
-            "Too many to draw all: a sample, and those farthest out. "
-            if thinned
-            else "A line joins one pass of a run. "
-        )
+        + (f"{THINNED} " if thinned else "A line joins one pass of a run. ")
         + "The upper panel has a scale of its own."
     )
     return picture(
@@ -90,16 +87,7 @@ def _draw(
         x = np.concatenate([part for one in passes for part in (residuals.positions[axis, one], gap)])
         y = np.concatenate([part for one in passes for part in (values[one], gap)])
         panel.plot(x, y, "-", color=colour, linewidth=0.5, alpha=0.55)
-    panel.plot(
-        residuals.positions[axis, points],
-        values[points],
-        marker,
-        color=colour,
-        markerfacecolor=face,
-        markersize=2.6,
-        markeredgewidth=0.6,
-        label=label,
-    )
+    cloud(panel, residuals.positions[axis, points], values[points], marker, colour, face, 2.6, label)
 
 
 def _passes(residuals: Residuals, rows: IntArray, axis: int, way: int) -> list[IntArray]:
@@ -115,7 +103,7 @@ def _still(panel: Axes, residuals: Residuals, lines: list[Line], axis: int, valu
     rows = rows[residuals.directions[axis, rows] == 0.0][:MOST_POINTS]
     if rows.size:
         x = residuals.positions[axis, rows]
-        panel.plot(x, values[rows], "o", color=SOFT, markersize=2.2, label="not moved yet")
+        cloud(panel, x, values[rows], DOT, SOFT, SOFT, 2.2, "not moved yet")
 
 
 def _rms(residuals: Residuals, stage: str, rows: IntArray) -> float:

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.stats import norm
 
+from trueaxis.diagnose.report.cloud import DOT, cloud
 from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
@@ -29,7 +30,12 @@ def whiteness(diagnosis: Diagnosis) -> list[Picture]:
             f"Quantiles of {whitened.size} whitened residuals against those of a normal distribution; "
             f"standard deviation {spread:.3g}.",
             f"On the line where the residuals are normal noise of the size of the repeats; standard deviation "
-            f"{spread:.3g}.",
+            f"{spread:.3g}."
+            + (
+                f" A selection of the {whitened.size} is drawn, evenly over the axis."
+                if whitened.size > MOST_POINTS
+                else ""
+            ),
             lambda: _quantiles(whitened),
         ),
         picture(
@@ -51,7 +57,7 @@ def _quantiles(whitened: FloatArray) -> Figure:
         np.searchsorted(expected, np.linspace(expected[0], expected[-1], MOST_POINTS)).clip(0, whitened.size - 1)
     )
     panel.plot(ends, ends, "--", color=INK, linewidth=0.9, label="noise as estimated")
-    panel.plot(expected[kept], whitened[kept], "o", color=BLUE, markersize=2.4, label="residuals")
+    cloud(panel, expected[kept], whitened[kept], DOT, BLUE, BLUE, 2.4, "residuals")
     panel.set_xlabel("normal quantile")
     panel.set_ylabel("whitened residual")
     figure.legend(loc="upper center", ncols=2)
