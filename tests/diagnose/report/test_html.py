@@ -327,4 +327,4 @@ def test_a_hundred_thousand_readings_and_a_hundred_candidates_stay_a_small_file(
         scan=tuple(replace(diagnosis.scan[0], effect=one) for one in many),
     )
     assert large.residuals.run.size > 3e5
-    assert len(report_html(large).encode()) < 3 * MEGABYTE
+    assert len(report_html(large).encode()) < 2 * MEGABYTE

@@ -4,7 +4,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 WIDTH = 4.4  # inches, 317 points: on a phone letters keep their size
-LEFT = 0.62  # for tick labels of five digits and a label
+LEFT = 0.7  # for tick labels of five digits with a sign, and a label
 RIGHT = 0.12
 BELOW = 0.46  # tick labels and a label
 LEGEND = 0.3

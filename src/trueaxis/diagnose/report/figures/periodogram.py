@@ -120,8 +120,10 @@ def _figure(spectrum: Spectrum, unit: str, periods: list[Period]) -> Figure:
         _marks(panel, spectrum, periods)
     else:
         _stems(panel, spectrum)
-    panel.axhline(spectrum.line, color=INK, linewidth=0.9, linestyle="--", label=f"false alarm {100 * FALSE_ALARM:g} %")
-    panel.set_ylabel("share of variance")
+    panel.axhline(
+        100.0 * spectrum.line, color=INK, linewidth=0.9, linestyle="--", label=f"false alarm {100 * FALSE_ALARM:g} %"
+    )
+    panel.set_ylabel("share of variance (%)")
     panel.set_ylim(bottom=0.0)
     figure.legend(loc="upper center", ncols=3)
     return figure
@@ -141,13 +143,15 @@ def _curves(panel: Axes, spectrum: Spectrum, across: FloatArray) -> None:
         (spectrum.extended, BLUE, (0, (4, 1.5)), "extended"),
     ):
         kept = envelope(power, MOST_POINTS)
-        panel.plot(across[kept], power[kept], linestyle=dash, color=colour, linewidth=0.9, label=label)
+        panel.plot(across[kept], 100.0 * power[kept], linestyle=dash, color=colour, linewidth=0.9, label=label)
 
 
 def _stems(panel: Axes, spectrum: Spectrum) -> None:
     lobes = 2.0 * np.pi * spectrum.frequencies
-    panel.vlines(lobes, 0.0, spectrum.refitted, color=ORANGE, linewidth=1.0)
-    panel.plot(lobes, spectrum.refitted, "D", color=ORANGE, markerfacecolor="none", markersize=3.2, label="refitted")
-    panel.plot(lobes, spectrum.extended, "o", color=BLUE, markersize=2.6, label="extended")
+    panel.vlines(lobes, 0.0, 100.0 * spectrum.refitted, color=ORANGE, linewidth=1.0)
+    panel.plot(
+        lobes, 100.0 * spectrum.refitted, "D", color=ORANGE, markerfacecolor="none", markersize=3.2, label="refitted"
+    )
+    panel.plot(lobes, 100.0 * spectrum.extended, "o", color=BLUE, markersize=2.6, label="extended")
     panel.set_xlim(0.0, HIGHEST_LOBE + 1.0)
     panel.set_xlabel("undulations per revolution")
