@@ -84,7 +84,7 @@ class Field:
         """Of readings less what is expected, (n,), mm."""
         effects = candidates(self.readings.model, self.readings.rows)
         white = self.whitening(values)
-        return Ground(self.readings, effects, self.whitening, self.base, white, self.freedom, lambda _: None)
+        return Ground(self.readings, effects, self.whitening, self.base, self.base, white, self.freedom, lambda _: None)
 
 
 @cache

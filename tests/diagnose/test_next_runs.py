@@ -72,7 +72,8 @@ def test_what_is_said_of_now_is_what_the_audit_says() -> None:
     for effect in (*PAIR, Effect("backlash", "EYX"), Effect("laser_cosine", runs=("X1",))):
         limit = limits[effect]
         if limit.nearest is not None:
-            found = told(outlook(prospect, effect), outlook(prospect, limit.nearest))
+            nearest = outlook_of(prospect, Placed(limit.nearest, limit.nearest_at))
+            found = told(outlook(prospect, effect), nearest)
             assert found.r2 == pytest.approx(limit.r2, abs=1e-6)
 
 

@@ -13,7 +13,7 @@ from scipy.stats import chi2
 from tests.hidden_effects import write_case
 from tests.machines import ROOT
 from trueaxis.cli import main
-from trueaxis.diagnose import checks, gain, imperfection, noise, procedure, screening, search, verdict
+from trueaxis.diagnose import checks_of_runs, gain, imperfection, noise, procedure, screening, search, verdict
 from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnose.base import DEGREE
 from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
@@ -154,12 +154,12 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
         f"R^2 > {CONFOUNDED}",
         f"log10(candidates / {search.FALSE_ALARMS})",
         f"needs {search.FURTHER:g} decades more",
-        f"evidence within {search.RIVAL:g} decades, or explains all but {100 * search.ALIKE:g} %",
+        f"evidence within {search.RIVAL:g} decades",
         f"{100 * imperfection.MODULATED:g} % that vary along the travel",
         f"second harmonic of {100 * imperfection.HARMONIC:g} %",
         f"{100 * imperfection.OTHERWISE[0]:g} % of what a constant {imperfection.OTHERWISE[1]} times",
-        f"times their number is below {checks.FALSE_ALARMS}",
-        f"{NAMES[checks.NOISY]} times the variance of\n  the others",
+        f"times their number is below {checks_of_runs.FALSE_ALARMS}",
+        f"{NAMES[checks_of_runs.NOISY]} times the variance of\n  the others",
         f"(p > {verdict.HOMOGENEOUS:.0e})".replace("e-04", "e-4"),
         f"is {100 * verdict.PRACTICALLY_ALL:g} % of all that is beyond noise; or\n    {100 * verdict.NEARLY_ALL:g} %",
         f"The last {100 * gain.HELD:g} % of the repeats",

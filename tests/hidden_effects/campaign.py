@@ -4,7 +4,7 @@
                                             [--write docs/diagnosis-power.md] [--log FILE.jsonl]
 
 --cases: trials per line of the tables (20); --clean: data sets without any effect (920). Scenarios and what is hidden
-in them: `power.trials`; grades: `power.grade`; how effects outside the library are sized: `power.matched`.
+in them: `power.trials`; grades: `power.grade`; how effects outside the library are sized: `power.outside_limit`.
 """
 
 import argparse
@@ -34,9 +34,11 @@ def bounds(case: Case) -> tuple[Bound, ...]:
     return bounds_of(case)
 
 
-def tried(trial: Trial) -> Result:
+def tried(trial: Trial) -> Result | None:
+    """None where nobody has an effect of that size."""
     try:
-        return Result(trial, said_of(diagnosed(trial.case)))
+        sized = trial.sized()
+        return None if sized is None else Result(sized, said_of(diagnosed(sized.case)))
     except Exception as error:  # a diagnosis that breaks down is a result, and no reason to lose the others
         traceback.print_exc()
         return Result(trial, Said(f"{FAILED}: {error!r}"))
@@ -47,8 +49,9 @@ def run(trials: Sequence[Trial], workers: int, log: Path | None = None) -> list[
     results = []
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
         for number, result in enumerate(pool.imap(tried, trials, chunksize=1), start=1):
-            results.append(result)
-            if log is not None:
+            if result is not None:
+                results.append(result)
+            if log is not None and result is not None:
                 with log.open("a") as file:
                     file.write(json.dumps(asdict(result) | {"grade": result.grade}, default=str) + "\n")
             if sys.stderr.isatty() or number % 50 == 0:

@@ -51,8 +51,8 @@ THERE_AND_BACK = [[0, 10, 30, 30, 20, 20, 0, 5], [0, 0, 0, 1, 1, 1, 1, 1], [7, 7
 def test_the_way_since_a_reversal_starts_where_the_axis_turned_and_a_dwell_adds_nothing() -> None:
     runs = (laser("a"), laser("b", X=3.0))
     context = context_of(runs, readings(runs, [THERE_AND_BACK, [[2, 1, 4], [0] * 3, [0] * 3]]))
-    assert context.since_reversal[0].tolist() == [INF, INF, INF, INF, 10, 10, 30, 5, INF, INF, 3]
-    assert context.since_reversal[1].tolist() == [INF] * 11
+    assert context.since_reversal[0].tolist() == [INF, 10, 30, 30, 10, 10, 30, 5, 0, 1, 3]
+    assert context.since_reversal[1].tolist() == [INF] * 3 + [1] * 5 + [INF] * 3
     assert context.directions[0].tolist() == [0, 1, 1, 1, -1, -1, -1, 1, -1, -1, 1]
     assert context.directions[2].tolist() == [1] * 8 + [0] * 3
     assert context.home is not None
@@ -153,6 +153,17 @@ def test_a_tilted_circle_is_seen_along_the_axis_of_its_least_extent() -> None:
     tilted = 80 * np.array([np.cos(angle) * np.cos(0.3), np.sin(angle), np.cos(angle) * np.sin(0.3)])
     np.testing.assert_allclose(polar_angle(tilted), np.arctan2(tilted[1], tilted[0]), atol=1e-14)
     assert polar_angle(np.array([[0.0], [5.0], [1.0]]))[0] == pytest.approx(np.pi / 2)
+
+
+@pytest.mark.parametrize(("bar", "angle"), [((0.0, 100.0, 0.0), np.pi / 2), ((0.0, 0.0, 100.0), 0.0)])
+def test_a_bar_that_stands_still_on_a_turning_table_has_one_polar_angle(
+    bar: tuple[float, float, float], angle: float
+) -> None:
+    """Positions are rounded: what is left of its motion has no direction to speak of."""
+    rounding = np.random.default_rng(1).uniform(-1e-6, 1e-6, (3, 90))
+    found = polar_angle(np.array(bar)[:, np.newaxis] + rounding)
+    assert found == pytest.approx(angle, abs=1e-6)
+    assert np.ptp(found) == 0.0
 
 
 def test_what_is_sensed_since_home_and_the_polar_angle_of_several_runs() -> None:

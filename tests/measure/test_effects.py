@@ -155,7 +155,8 @@ LINES: Hand = {
     "drift": ([effect("drift", "EXX", rate=1e-4)], 1e-4 * (TIME - TIME[0])),
     "reversal spike": (
         [effect("reversal_spike", "EXX", height=SIZE, decay=100.0)],
-        np.r_[np.zeros(5), -SIZE * np.exp(-(401.0 - X[5:]) / 100.0)],
+        # from home on as if it had turned there, and from where it turns back
+        SIZE * np.r_[0.0, np.exp(-(X[1:5] - HOME) / 100.0), -np.exp(-(401.0 - X[5:]) / 100.0)],
     ),
     "servo lag of standing axes": ([effect("servo_lag", "EXX", tau=1e-3)], np.zeros(9)),
     "cross axis": (

@@ -5,15 +5,15 @@ With M the projection that takes the whitened base away and s the whitened signa
 sqrt(21 / (lambda (1 - R^2))) is told from a rival with which the rest of its signature has the squared correlation R^2.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from trueaxis.diagnose.projection import Projection, orthonormal
-from trueaxis.diagnose.result import FloatArray, Limit, Observability
+from trueaxis.diagnose.result import FloatArray, IntArray, Limit, Observability
 from trueaxis.diagnose.search import Ground
-from trueaxis.diagnose.signatures import Signature, signature_of
+from trueaxis.diagnose.signatures import signature_of
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.identify.effects.unknowns import unit_in
 from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
@@ -34,68 +34,89 @@ class Audit:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Seen:
-    """A candidate that can be seen. basis: (n, k), of what the base leaves; strength: lambda per amplitude."""
+    """A candidate that can be seen. bases: (n, k) each, of what the base leaves at the points of its grid; strength:
+    lambda per amplitude, at the middle one.
+    """
 
     effect: Effect
-    basis: FloatArray
+    points: tuple[Mapping[str, float], ...]
+    bases: tuple[FloatArray, ...]
     strength: float
     share: float
+
+    @property
+    def middle(self) -> FloatArray:
+        """(n, k): the basis in the middle of the grid."""
+        return self.bases[len(self.bases) // 2]
 
 
 def audit(ground: Ground) -> Audit:
     """From the signatures of all candidates; the readings have no part in it, nor has what was found in them.
 
-    Candidates with searched parameters are represented by the middle of their grid.
+    A candidate with searched parameters is looked for in the middle of its grid; as a rival it may be anywhere on it.
     """
     plain = Projection(ground.base.basis)  # what a cause may do besides its form is known when it is found, not before
     seen: list[_Seen] = []
     limits: dict[Effect, Limit] = {}
-    signatures = [signature_of(ground.readings, effect) for effect in ground.effects]
-    columns = [_over_all(ground, one) for one in signatures]
-    ends = np.cumsum([one.shape[1] for one in columns])
-    left_of = np.split(plain.rest(np.hstack(columns)), ends[:-1], axis=1) if columns else []
-    for effect, signature, whole, rest in zip(ground.effects, signatures, columns, left_of, strict=True):
-        squares, left = float(np.sum(whole**2)), float(np.sum(rest**2))
+    for effect in ground.effects:
+        signature = signature_of(ground.readings, effect)
+        shown = ground.knows(signature).shown
+        _, count, k = shown.shape
+        whole = np.zeros((ground.values.size, count * k))
+        whole[signature.support] = shown.reshape(-1, count * k)
+        rest = plain.rest(whole)
+        parts = [slice(place * k, (place + 1) * k) for place in range(count)]
+        middle = parts[count // 2]
+        squares, left = float(np.sum(whole[:, middle] ** 2)), float(np.sum(rest[:, middle] ** 2))
         share = left / squares if squares > 0.0 else 0.0
         if signature.missing or share <= UNOBSERVABLE:
             limits[effect] = _unobservable(ground, effect, share, signature.missing)
-        else:
-            seen.append(_Seen(effect, orthonormal(rest), left / whole.shape[1], share))
-    correlation = _correlations([one.basis for one in seen])
+            continue
+        points = signature.points if count > 1 else signature.points[len(signature.points) // 2 :][:1]
+        seen.append(_Seen(effect, points, tuple(_basis(rest[:, part]) for part in parts), left / k, share))
+    r2, place_of = _alike(seen)
     for place, one in enumerate(seen):
-        others = correlation[place].copy()
+        others = r2[place].copy()
         others[place] = -1.0
         nearest = int(np.argmax(others))
-        rival = seen[nearest].effect if len(seen) > 1 else None
-        limits[one.effect] = _limit(ground, one, rival, max(float(others[nearest]), 0.0))
+        rival = seen[nearest] if len(seen) > 1 else None
+        limits[one.effect] = _limit(ground, one, rival, max(float(others[nearest]), 0.0), int(place_of[place, nearest]))
+    correlation = np.maximum(r2, r2.T)
     return Audit(tuple(limits[effect] for effect in ground.effects), tuple(one.effect for one in seen), correlation)
 
 
-def _over_all(ground: Ground, signature: Signature) -> FloatArray:
-    """(n, k): the whitened signature in the middle of its grid, over all rows."""
-    found = np.zeros((ground.values.size, signature.columns.shape[2]))
-    found[signature.support] = ground.knows(signature).middle
-    return found
+def _basis(columns: FloatArray) -> FloatArray:
+    """Orthonormal; one column of zeros where nothing is left."""
+    found = orthonormal(columns)
+    return found if found.shape[1] else np.zeros((columns.shape[0], 1))
 
 
-def _correlations(bases: Sequence[FloatArray]) -> FloatArray:
+def _alike(seen: Sequence[_Seen]) -> tuple[FloatArray, IntArray]:
+    """(g, g): R^2 of each candidate in the middle of its grid with each other where that is most like it, and where."""
+    found, places = np.eye(len(seen)), np.zeros((len(seen), len(seen)), dtype=np.int64)
+    if seen:
+        every = _correlations([one.middle for one in seen], [basis for one in seen for basis in one.bases])
+        ends = np.cumsum([len(one.bases) for one in seen])
+        for column, part in enumerate(np.split(every, ends[:-1], axis=1)):
+            places[:, column] = np.argmax(part, axis=1)
+            found[:, column] = part.max(axis=1)
+    return found, places
+
+
+def _correlations(bases: Sequence[FloatArray], others: Sequence[FloatArray]) -> FloatArray:
     """Largest squared canonical correlation of each two subspaces."""
-    if not bases:
-        return np.zeros((0, 0))
-    everything = np.hstack(bases)
-    gram = everything.T @ everything
-    ends = np.cumsum([0, *(one.shape[1] for one in bases)])
-    sizes = np.diff(ends)
-    found = np.add.reduceat(np.add.reduceat(gram**2, ends[:-1], axis=0), ends[:-1], axis=1)
+    gram = np.hstack(bases).T @ np.hstack(others)
+    rows, columns = (np.cumsum([0, *(one.shape[1] for one in each)]) for each in (bases, others))
+    found = np.add.reduceat(np.add.reduceat(gram**2, rows[:-1], axis=0), columns[:-1], axis=1)
     # of a single column the sum of squares is the squared correlation; of two planes it is more than the largest one
-    planes = np.flatnonzero(sizes > 1)
-    for i in planes:
-        for j in planes:
-            found[i, j] = np.linalg.norm(gram[ends[i] : ends[i + 1], ends[j] : ends[j + 1]], 2) ** 2
-    return np.minimum(found, 1.0)
+    for i in np.flatnonzero(np.diff(rows) > 1):
+        for j in np.flatnonzero(np.diff(columns) > 1):
+            part = gram[rows[i] : rows[i + 1], columns[j] : columns[j + 1]]
+            found[i, j] = np.linalg.norm(part, 2) ** 2
+    return np.asarray(np.minimum(found, 1.0))
 
 
-def _limit(ground: Ground, one: _Seen, nearest: Effect | None, r2: float) -> Limit:
+def _limit(ground: Ground, one: _Seen, nearest: _Seen | None, r2: float, place: int) -> Limit:
     kind = ground.readings.model.machine.kinds[one.effect.kind]
     name, unit = size_of(kind, one.effect)
     detection = float(np.sqrt(DETECTION / one.strength))
@@ -103,7 +124,9 @@ def _limit(ground: Ground, one: _Seen, nearest: Effect | None, r2: float) -> Lim
     if any(each.role == "root" for each in kind.parameters):
         detection, isolation = float(np.sqrt(detection)), float(np.sqrt(isolation))
     state: Observability = "confounded" if r2 > CONFOUNDED else "observable"
-    return Limit(one.effect, name, unit, detection, max(detection, isolation), one.share, nearest, r2, state)
+    rival, at = (None, {}) if nearest is None else (nearest.effect, nearest.points[place])
+    isolation = max(detection, isolation)
+    return Limit(one.effect, name, unit, detection, isolation, one.share, rival, r2, state, nearest_at=at)
 
 
 def _unobservable(ground: Ground, effect: Effect, share: float, missing: str) -> Limit:

@@ -1,28 +1,24 @@
 """Is there structure left? Classes of structure that need no cause, tested on what the final model leaves."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import legendre
-from scipy.stats import norm
 
+from trueaxis.diagnose.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_fit, noisy_run
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection, orthonormal
-from trueaxis.diagnose.result import Check, FloatArray
+from trueaxis.diagnose.result import BoolArray, Check, FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
 from trueaxis.diagnose.whiten import Whitening
 
-FALSE_ALARMS = 0.005  # share of clean data sets in which one check or other may fire
 DEGREE = 6
 LOBES = 10
+RIPPLE = 30  # lobes of a circle, half periods on a line: up to so many, beyond the coarse ones
 BINS = 6
-TELLING = 0.2  # share of a reading's variance that the model leaves, below which its residual is no measure of noise
-FEWEST = 12  # such readings of a run, for its noise to be compared
-NOISY = 4.0  # times the variance of the other runs, from which a run stands out
-MEDIAN_SQUARE = 0.454936  # of a standard normal variable
-LESS_EFFICIENT = 2.72  # variance of an estimate by the median of squares, over that by their mean
+COURSE = "changes while a run is taken, alike in all"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,38 +56,9 @@ def run_checks(
         rms = float(np.sqrt(beyond * np.mean((sigma * (basis @ inside)) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
         found.append(Check(one.name, one.meaning, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
-    found.append(_noisy_runs(rows, projection, residual, sigma))
+    found += [noisy_run(rows, projection, residual, sigma), humming_run(rows, projection, residual, sigma)]
+    found.append(lack_of_fit(rows, projection, residual, sigma, freedom))
     return tuple(found)
-
-
-def _noisy_runs(rows: Rows, projection: Projection, residual: FloatArray, sigma: FloatArray) -> Check:
-    """A run with far more noise than the others of its instrument: something was going on meanwhile.
-
-    By medians, which neither outliers nor heavy tails move; that of squares varies more than their mean. Readings that
-    the model has nearly used up say nothing of their noise, nor do runs with few others.
-    """
-    left = 1.0 - np.sum(projection.basis**2, axis=1)
-    telling = left > TELLING
-    power, count = np.full(len(rows.runs), np.nan), np.zeros(len(rows.runs))
-    for index in rows.present:
-        mine = rows.of_run(index)
-        there = telling[mine]
-        if np.count_nonzero(there) >= FEWEST:
-            squares = residual[mine][there] ** 2 / left[mine][there]
-            power[index], count[index] = float(np.median(squares)) / MEDIAN_SQUARE, squares.size
-    ratio, usual = np.ones(len(rows.runs)), np.ones(len(rows.runs))
-    for name in dict.fromkeys(run.instrument for run in rows.runs):
-        same = np.array([run.instrument == name for run in rows.runs]) & np.isfinite(power)
-        if same.any():
-            usual[same] = max(float(np.median(power[same])), 1e-300)
-            ratio[same] = power[same] / usual[same]
-    z = (ratio - 1.0) / np.sqrt(2.0 * LESS_EFFICIENT / np.maximum(count, 1.0))
-    worst = int(np.argmax(z))
-    p_value = min(1.0, float(norm.sf(z[worst])) * len(rows.runs))
-    excess = max(ratio[worst] - 1.0, 0.0) * usual[worst] * count[worst] / rows.size
-    rms = float(np.sqrt(excess)) * float(np.mean(sigma[rows.of_run(worst)])) if excess > 0.0 else 0.0
-    fired = p_value < FALSE_ALARMS and float(ratio[worst]) > NOISY
-    return Check("runs, noise", "one run is much noisier than the others", p_value, fired, rms)
 
 
 def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:
@@ -106,7 +73,7 @@ def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:
         yield from _of_circles(rows, theta, mine)
 
 
-def _led_by(rows: Rows, axis: int) -> FloatArray:
+def _led_by(rows: Rows, axis: int) -> BoolArray:
     """Rows of runs in which this axis moves most."""
     found = np.zeros(rows.size, dtype=bool)
     for index in rows.present:
@@ -116,7 +83,7 @@ def _led_by(rows: Rows, axis: int) -> FloatArray:
     return found
 
 
-def _of_lines(rows: Rows, axis: int, name: str, mine: FloatArray) -> Iterator[Structure]:
+def _of_lines(rows: Rows, axis: int, name: str, mine: BoolArray) -> Iterator[Structure]:
     at, way = rows.positions[axis], rows.directions[axis]
     scaled = 2.0 * (at - at[mine].min()) / max(float(np.ptp(at[mine])), 1e-300) - 1.0
     curve = legendre.legvander(np.where(mine, scaled, 0.0), 2 * DEGREE) * mine[:, np.newaxis]
@@ -135,12 +102,7 @@ def _of_lines(rows: Rows, axis: int, name: str, mine: FloatArray) -> Iterator[St
             "depends on the position, otherwise on each line",
             np.hstack([curve[:, 1 : DEGREE + 1] * line[:, np.newaxis] for line in lines]),
         )
-    course = np.zeros((rows.size, 3))
-    for index in rows.present:
-        part = rows.of_run(index)
-        if mine[part].any():
-            course[part] = legendre.legvander(np.linspace(-1.0, 1.0, part.stop - part.start), 4)[:, 2:]
-    yield Structure(f"{title}, in the course of a run", "changes while a run is taken, alike in all", course)
+    yield Structure(f"{title}, in the course of a run", COURSE, _course(rows, mine))
     if rows.temperature is not None and np.isfinite(rows.temperature[mine]).all():
         warm = rows.temperature - rows.temperature[mine].mean()
         yield Structure(
@@ -149,6 +111,8 @@ def _of_lines(rows: Rows, axis: int, name: str, mine: FloatArray) -> Iterator[St
             np.stack([warm, warm * scaled, warm**2, warm**2 * scaled, warm * way, warm * warm * way], axis=1)
             * mine[:, np.newaxis],
         )
+    waves = _waves(np.pi * 0.5 * (scaled + 1.0), range(2 * DEGREE + 1, RIPPLE + 1)) * mine[:, np.newaxis]
+    yield Structure(f"{title}, ripple between directions", "ripple that turns with the direction", waves * odd)
     bins = _bins(scaled, 2 * BINS)
     yield Structure(
         f"{title}, locally",
@@ -157,22 +121,39 @@ def _of_lines(rows: Rows, axis: int, name: str, mine: FloatArray) -> Iterator[St
     )
 
 
+def _course(rows: Rows, mine: BoolArray) -> FloatArray:
+    """(n, 3): polynomials of the place in each run, beyond a slope, which is noise."""
+    found = np.zeros((rows.size, 3))
+    for index in rows.present:
+        part = rows.of_run(index)
+        if mine[part].any():
+            found[part] = legendre.legvander(np.linspace(-1.0, 1.0, part.stop - part.start), 4)[:, 2:]
+    return found
+
+
+def _waves(angle: FloatArray, orders: Iterable[int]) -> FloatArray:
+    """(n, 2 orders): cosines and sines of multiples of an angle."""
+    return np.stack([part(k * angle) for k in orders for part in (np.cos, np.sin)], axis=1)
+
+
 def _bins(scaled: FloatArray, count: int) -> FloatArray:
     edge = np.clip(((scaled + 1.0) / 2.0 * count).astype(int), 0, count - 1)
     return np.asarray(np.eye(count)[edge])
 
 
-def _of_circles(rows: Rows, theta: FloatArray, mine: FloatArray) -> Iterator[Structure]:
-    angle = np.where(mine, theta, 0.0)
-    lobes = np.stack([part(k * angle) for k in range(LOBES + 1) for part in (np.cos, np.sin)][:1] + [
-        part(k * angle) for k in range(1, LOBES + 1) for part in (np.cos, np.sin)
-    ], axis=1) * mine[:, np.newaxis]  # fmt: skip
+def _of_circles(rows: Rows, theta: FloatArray, mine: BoolArray) -> Iterator[Structure]:
+    angle, inside = np.where(mine, theta, 0.0), mine[:, np.newaxis]
+    lobes = np.hstack([np.ones((rows.size, 1)), _waves(angle, range(1, LOBES + 1))]) * inside
+    ripple = _waves(angle, range(LOBES + 1, RIPPLE + 1)) * inside
     sense = _sense(rows, theta)[:, np.newaxis]
     title = "circles of " + _plane(rows, mine)
     yield Structure(f"{title}, lobes", "lobes common to both directions", lobes[:, 1:])
+    yield Structure(f"{title}, ripple", "ripple common to both directions", ripple)
+    yield Structure(f"{title}, in the course of a run", COURSE, _course(rows, mine))
     both = np.unique(sense[mine]).size > 1
     if both:
         yield Structure(f"{title}, lobes by direction", "lobes that change sign with the direction", lobes * sense)
+        yield Structure(f"{title}, ripple by direction", "ripple that changes sign with the direction", ripple * sense)
     feeds = _feeds(rows, mine)
     if feeds is not None:
         fast = feeds[:, np.newaxis]
@@ -196,7 +177,7 @@ def _of_circles(rows: Rows, theta: FloatArray, mine: FloatArray) -> Iterator[Str
     yield Structure(f"{title}, after reversals", "a course after each reversal", near * mine[:, np.newaxis])
 
 
-def _since_turn(rows: Rows, axis: int, mine: FloatArray) -> FloatArray:
+def _since_turn(rows: Rows, axis: int, mine: BoolArray) -> FloatArray:
     found = np.full(rows.size, np.inf)
     for index in np.unique(rows.run[mine]):
         part = rows.of_run(int(index))
@@ -219,7 +200,7 @@ def _sense(rows: Rows, theta: FloatArray) -> FloatArray:
     return found
 
 
-def _feeds(rows: Rows, mine: FloatArray) -> FloatArray | None:
+def _feeds(rows: Rows, mine: BoolArray) -> FloatArray | None:
     if rows.feed is None:
         return None
     feed = rows.feed[mine]
@@ -230,5 +211,5 @@ def _feeds(rows: Rows, mine: FloatArray) -> FloatArray | None:
     return found
 
 
-def _plane(rows: Rows, mine: FloatArray) -> str:
+def _plane(rows: Rows, mine: BoolArray) -> str:
     return "".join(name for name, at in zip(rows.axes, rows.positions, strict=True) if np.ptp(at[mine]) > 0.0)

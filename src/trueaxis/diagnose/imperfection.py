@@ -3,44 +3,67 @@
 No play is the same all along a screw, no structure follows the thermometer at once, no periodic error is a pure
 cosine. Where an effect is large, such differences are larger than the noise: taken for structure they would bring
 further names, all false, or take the right one back. So each cause, once found, adds what its own form may lack to
-the covariance of the readings, with the standard deviations below as shares of the effect.
+the covariance of the readings, with the standard deviations below as shares of the effect. What of that these readings
+cannot tell from the effect itself says nothing against its being there, only of how large it is.
 """
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.polynomial import legendre
 
+from trueaxis.diagnose.projection import orthonormal
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.signatures import Memory, Readings, parameter_signature
 from trueaxis.effects.expression import names, parse
+from trueaxis.effects.variables import VARIABLES
 
 MODULATED = 0.1  # along the travel, in time, with the speed, from one instrument to another
+UNREAD = 1.0  # from one instrument to another, of what decays from a reversal: where a line turns is not read
 FLANK = 1.0, (0.3, 1.0)  # of what turns with the direction, right after a reversal; ways over which it is taken up, mm
-LAG = 1.0, (250.0, 1000.0, 4000.0)  # of what follows the temperature; time constants, s
+LAG = 3**-0.5, (250.0, 1000.0, 4000.0)  # of what follows the temperature; by one of these time constants, s
 HARMONIC = 0.2  # second harmonic of what is periodic
 OTHERWISE = 0.3, 1.6  # of what decays, with its constant so many times larger or smaller
 SAMPLES = 500  # of the course of the temperature
 
 
-def imperfections(readings: Readings, causes: Sequence[Fitted]) -> FloatArray:
-    """(n, k), mm: what the causes may do besides, each column one standard deviation."""
-    found = [_beside(column, one.signal) for one in causes for column in _of_one(readings, one)]
-    return np.stack(found, axis=1) if found else np.zeros((readings.rows.size, 0))
+@dataclass(frozen=True, slots=True, eq=False)
+class Imperfection:
+    """columns: (n, k), as `seen`, what the causes may do besides, each one standard deviation; beside: (n, k), of them
+    what no change of the causes' sizes would do.
+    """
+
+    columns: FloatArray
+    beside: FloatArray
 
 
-def _beside(column: FloatArray, signal: FloatArray) -> FloatArray:
-    """What of a column is not the signal itself: its size is no imperfection, it is what is sought."""
-    square = float(signal @ signal)
-    return column - signal * (float(signal @ column) / square) if square > 0.0 else column
+def imperfection(
+    readings: Readings, causes: Sequence[Fitted], seen: Callable[[FloatArray], FloatArray]
+) -> Imperfection:
+    """seen: what of columns (n, k), mm, the base leaves, whitened."""
+    columns, beside = ([np.zeros((readings.rows.size, 0))] for _ in range(2))
+    for one in causes:
+        besides = list(imperfections(readings, one))
+        if besides:
+            columns.append(seen(np.stack(besides, axis=1)))
+            _, derivatives = parameter_signature(readings, one.effect, one.values)
+            form = orthonormal(seen(derivatives[:, [each.role != "grid" for each in one.kind.parameters]]))
+            beside.append(columns[-1] - form @ (form.T @ columns[-1]))
+    return Imperfection(np.hstack(columns), np.hstack(beside))
 
 
-def _of_one(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
+def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
+    """(n,), mm, each: what a cause may do besides, one standard deviation."""
     rows, signal = readings.rows, cause.signal
     used = {each.name for each in names(parse(cause.kind.expression))} if cause.kind.expression else set()
-    scales = [rows.positions[rows.axes.index(axis)] for axis in _axes(cause) if axis in rows.axes]
+    scales = []
+    if used & set(VARIABLES) - {
+        "t",
+        "T",
+    }:  # what only time or temperature drive would be of another kind if it varied along the travel
+        scales += [rows.positions[rows.axes.index(axis)] for axis in _axes(cause) if axis in rows.axes]
     if rows.time is not None and np.isfinite(rows.time).all():
         scales.append(rows.time)
     if "v" in used:
@@ -53,7 +76,7 @@ def _of_one(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     for instrument in dict.fromkeys(run.instrument for run in rows.runs):
         mine = np.array([run.instrument == instrument for run in rows.runs])[rows.run]
         if mine.any() and not mine.all():
-            yield MODULATED * np.where(mine, signal, 0.0)
+            yield (UNREAD if "d" in used else MODULATED) * np.where(mine, signal, 0.0)
     if "direction" in used and cause.effect.component:
         share, ways = FLANK
         since = readings.context.since_reversal[rows.axes.index(cause.effect.component[-1])]

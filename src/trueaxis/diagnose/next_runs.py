@@ -140,7 +140,8 @@ def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
     by_run: dict[str, list[tuple[Limit, Separation]]] = {}
     for one in islice(families.values(), MOST_FAMILIES):
         assert one.nearest is not None
-        pair = [outlook_of(prospect, _middle(prospect, effect)) for effect in (one.effect, one.nearest)]
+        places = (_middle(prospect, one.effect), Placed(one.nearest, one.nearest_at))
+        pair = [outlook_of(prospect, place) for place in places]
         best = separation(prospect, pair[0], pair[1:])
         kind = kinds[one.effect.kind]
         if best is not None and not (kind.place == "point" and isolable(kind, best.after) > FARTHEST_POINT):

@@ -192,6 +192,8 @@ def _of_set(
     nuisance = [np.ones(order.size), ramp(order.size)]
     if instrument == "ballbar" and np.unique(rows.target[np.concatenate(passes)]).size > order.size:
         angle = theta[first]
+        if np.ptp(angle) == 0.0:  # the table turns, and the bar stands still on it
+            angle = 2.0 * np.pi * (ramp(order.size) + 0.5)
         nuisance += [np.cos(LAG * angle), np.sin(LAG * angle)]
     columns = _independent(np.stack(nuisance, axis=1))
     across = len({int(rows.run[one[0]]) for one in passes}) == len(passes)
@@ -199,9 +201,10 @@ def _of_set(
 
 
 def _independent(columns: FloatArray) -> FloatArray:
-    scaled = columns / np.maximum(np.ptp(columns, axis=0), np.abs(columns).max(axis=0) * 1e-3)
+    size = np.maximum(np.ptp(columns, axis=0), np.abs(columns).max(axis=0) * 1e-3)
+    scaled = columns / np.where(size > 0.0, size, 1.0)
     keep: list[int] = []
-    for index in range(columns.shape[1]):
+    for index in np.flatnonzero(columns.any(axis=0)).tolist():
         if np.linalg.matrix_rank(scaled[:, [*keep, index]], tol=1e-6) > len(keep):
             keep.append(index)
     return np.asarray(scaled[:, keep])

@@ -13,7 +13,7 @@ from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.gain import fitted_left, gain_of, held_out, of_instruments
-from trueaxis.diagnose.imperfection import imperfections
+from trueaxis.diagnose.imperfection import imperfection
 from trueaxis.diagnose.noise_of_runs import noise_of_runs
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.refit import Fitted, refit
@@ -61,14 +61,14 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     noise = noise_of_runs(rows, readings.reading, values, options.noise_um)
     standing = standing_effects(readings)
     free = np.hstack([base.columns, refitted_columns(readings, standing)])
-    ground, found, causes = _searched(readings, free, values, noise, options, imperfections(readings, standing))
+    ground, found, causes = _searched(readings, free, values, noise, options, standing)
     if causes:
         signals = np.sum([one.signal for one in causes], axis=0)
         again = noise_of_runs(rows, readings.reading, values - signals, options.noise_um)
         if _changed(noise, again):
             noise = again
-        chance = imperfections(readings, (*standing, *causes))
-        ground, found, causes = _searched(readings, free, values, noise, options, chance, found.causes)
+        named = (*standing, *causes)
+        ground, found, causes = _searched(readings, free, values, noise, options, named, found.causes)
     options.progress("checks")
     theta = readings.reading.theta
     groups = _amplitudes(ground, causes)
@@ -133,22 +133,22 @@ def _searched(
     values: FloatArray,
     noise: Sequence[NoiseOf],
     options: DiagnoseOptions,
-    chance: FloatArray,
+    known: Sequence[Fitted],
     start: Sequence[Found] = (),
 ) -> tuple[Ground, Search, tuple[Fitted, ...]]:
     rows = readings.rows
     white = whitening(rows.run, [noise[index] for index in rows.present])
     projection = Projection(orthonormal(white(free)))
-    if chance.shape[1]:
-        projection = projection.softened(white(chance))
+    chance = imperfection(readings, known, lambda columns: projection.rest(white(columns)))
     ground = Ground(
         readings=readings,
         effects=candidates(readings.model, rows),
         whitening=white,
-        base=projection,
+        base=projection.softened(chance.beside),
         values=white(values),
         freedom=freedom_of(white),
         progress=options.progress,
+        wide=projection.softened(chance.columns),
     )
     found = search(ground, start)
     return ground, found, refit(ground, found.causes)

@@ -83,6 +83,8 @@ class Projection:
 
     def softened(self, columns: FloatArray) -> "Projection":
         """With further chance in the readings: columns (n, k), whitened, each times its standard deviation."""
+        if columns.shape[1] == 0:
+            return self
         left = columns - self.basis @ (self.basis.T @ columns)
         q, r = np.linalg.qr(left)
         turned, deviation, _ = np.linalg.svd(r)

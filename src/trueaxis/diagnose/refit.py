@@ -42,8 +42,8 @@ def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
     covariance = np.zeros((int(ends[-1]), int(ends[-1])))
     for _ in range(STEPS):
         signals, jacobian = _linearised(ground.readings, effects, values)
-        left = ground.base.rest(ground.whitening(jacobian))
-        residual = ground.base.rest(ground.values - ground.whitening(signals.sum(axis=1)))
+        left = ground.wide.rest(ground.whitening(jacobian))
+        residual = ground.wide.rest(ground.values - ground.whitening(signals.sum(axis=1)))
         step, covariance = _solved(left, residual)
         values = _improved(ground, effects, values, np.split(step, ends[1:-1]), within)
         spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
@@ -53,8 +53,8 @@ def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
     spread = np.sqrt(np.diag(covariance))
     spread = np.where(spread > 0.0, spread, np.nan)
     return tuple(
-        Fitted(effect, kind, values[k], spread[ends[k] : ends[k + 1]], signals[:, k])
-        for k, (effect, kind) in enumerate(zip(effects, kinds, strict=True))
+        Fitted(effect, kind, values[k], u, signals[:, k])
+        for k, (effect, kind, u) in enumerate(zip(effects, kinds, np.split(spread, ends[1:-1]), strict=True))
     )
 
 
@@ -98,7 +98,7 @@ def _improved(
 
 def _squares(ground: Ground, effects: Sequence[Effect], values: Sequence[FloatArray]) -> float:
     signals, _ = _linearised(ground.readings, effects, values)
-    rest = ground.base.rest(ground.values - ground.whitening(signals.sum(axis=1)))
+    rest = ground.wide.rest(ground.values - ground.whitening(signals.sum(axis=1)))
     return float(rest @ rest)
 
 

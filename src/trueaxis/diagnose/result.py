@@ -1,6 +1,7 @@
 """What a diagnosis comes to: plain records, from which report and diagnosis.json are written."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -56,7 +57,8 @@ class Limit:
     threshold of the evidence half the time; isolation: what is told from its nearest rival; share: |M s|^2 / |s|^2, the
     part of the signature that the base does not hold (M projects out the base); nearest: the candidate most like it,
     and r2, the squared correlation of what the base leaves of both. state: `observable`, `confounded` (r2 above 0.95)
-    or `unobservable`; reason: why it is unobservable.
+    or `unobservable`; reason: why it is unobservable; nearest_at: searched parameters of the nearest where it is most
+    alike.
     """
 
     effect: Effect
@@ -69,6 +71,7 @@ class Limit:
     r2: float
     state: Observability
     reason: str = ""
+    nearest_at: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

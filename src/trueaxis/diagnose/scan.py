@@ -15,6 +15,7 @@ from trueaxis.effects.kind import Effect
 from trueaxis.identify.effects.variable_projection import UNOBSERVABLE, explained
 
 WORTH_A_LOOK = 14.0  # of a statistic, below which nobody asks how sure the noise is
+SMALL = 16  # points of a grid
 FAR = 100.0  # a statistic from which the number of tries does not matter
 LN10 = float(np.log(10.0))
 
@@ -24,13 +25,14 @@ class Prepared:
     """What of a candidate stays the same whatever the readings are and whichever causes are found.
 
     total, gram: (points, k, k), the whitened signature times itself, before and after the base is taken away; length:
-    of the curve along the grid; middle: (n_support, k), the whitened signature in the middle of the grid.
+    of the curve along the grid; shown: (n_support, points shown, k), the whitened signature at all points of a small
+    grid, in the middle of a large one, whose points are not alike.
     """
 
     total: FloatArray
     gram: FloatArray
     length: float
-    middle: FloatArray
+    shown: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -81,7 +83,8 @@ def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Pr
     full = white.reshape(size, points, k)
     total = _gram(full)
     gram = total - _gram(held)
-    return Prepared(total, gram, _length(full, held, gram), full[:, points // 2].copy())
+    shown = slice(None) if points <= SMALL else slice(points // 2, points // 2 + 1)
+    return Prepared(total, gram, _length(full, held, gram), full[:, shown].copy())
 
 
 def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:

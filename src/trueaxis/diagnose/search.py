@@ -16,7 +16,6 @@ from trueaxis.effects.kind import Effect
 
 FALSE_ALARMS = 0.005  # share of clean data sets in which one candidate or other may reach the threshold
 RIVAL = 2.0  # decades of evidence within which a candidate remains in the running
-ALIKE = 0.02  # share of what the best explains by which a rival may fall short: no real effect has the exact form
 MOST_CAUSES = 4
 FURTHER = 2.0  # decades more that a further cause needs: what the first one leaves is not noise alone
 ZOOM = 7  # points per zoom of a grid, twice
@@ -51,13 +50,15 @@ class Search:
 class Ground:
     """What is searched on: candidates, whitened readings less what is expected, noise and base.
 
-    known: of candidates scanned before.
+    wide: the base with all that the forms of the causes leave open, for their sizes; known: of candidates scanned
+    before.
     """
 
     readings: Readings
     effects: tuple[Effect, ...]
     whitening: Whitening
     base: Projection
+    wide: Projection
     values: FloatArray
     freedom: Freedom
     progress: Progress
@@ -163,10 +164,13 @@ def _with_tries(scan: Scanned, tries: float) -> Scanned:
 
 
 def _with(ground: Ground, causes: Sequence[Found]) -> Projection:
-    found = ground.base
-    if causes:
-        found = found.extended(np.hstack([whitened_columns(ground, one.signature) for one in causes]))
-    return found
+    return ground.base.extended(cause_columns(ground, causes)) if causes else ground.base
+
+
+def cause_columns(ground: Ground, causes: Sequence[Found]) -> FloatArray:
+    """(n, k): the signatures of all causes, whitened."""
+    nothing = np.zeros((ground.values.size, 0))
+    return np.hstack([nothing, *(whitened_columns(ground, one.signature) for one in causes)])
 
 
 def whitened_columns(ground: Ground, signature: Signature) -> FloatArray:
@@ -217,14 +221,11 @@ def _with_rivals(ground: Ground, causes: Sequence[Found], index: int, first: tup
         scans = tuple(one for one in first if one.effect not in taken)
     rivals = []
     for one in scans:
-        if not _may_rival(one, mine.scan, WORTH_ZOOMING if one.point else 1.0 - ALIKE):
+        least = mine.scan.preference - RIVAL
+        if one.preference < least and not (one.point and one.statistic > WORTH_ZOOMING * mine.scan.statistic):
             continue
         closer = zoomed(ground, residual, one).scan
-        if _may_rival(closer, mine.scan, 1.0 - ALIKE) and closer.evidence >= ground.threshold - RIVAL:
+        if closer.preference >= least and closer.evidence >= ground.threshold - RIVAL:
             rivals.append(closer)
     rivals.sort(key=lambda one: -one.preference)
     return replace(mine, rivals=tuple(rivals))
-
-
-def _may_rival(one: Scanned, best: Scanned, share: float) -> bool:
-    return one.preference >= best.preference - RIVAL or one.statistic >= share * best.statistic

@@ -5,15 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.diagnose.audit import ISOLATION
+from trueaxis.diagnose.audit import CONFOUNDED, ISOLATION
 from trueaxis.diagnose.menu import FurtherRun
 from trueaxis.diagnose.prospect import TIMES, Outlook, Prospect
 from trueaxis.diagnose.result import FloatArray
-from trueaxis.diagnose.search import ALIKE
 from trueaxis.effects.kind import Kind
 from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
 
-APART = 1.5 * ALIKE  # of 1 - R^2, from which two candidates no longer pass for one
+APART = 1.0 - CONFOUNDED  # of 1 - R^2, from which two candidates no longer pass for one
 WORTH = 2.0  # times as much information about the difference as now, for a run to be proposed
 NEARLY_BEST = 1.2  # times the information of an easier run, which a better one must have to be taken instead
 

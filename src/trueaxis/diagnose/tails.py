@@ -6,7 +6,7 @@ from scipy.special import betaln, chdtrc, fdtrc, gammaln
 SMALLEST = 1e-290  # of a probability that is told to all its digits
 
 
-def log_f_tail(value: float, k: int, freedom: float) -> float:
+def log_f_tail(value: float, k: float, freedom: float) -> float:
     """Natural logarithm of the probability that F with (k, freedom) degrees of freedom exceeds a value.
 
     SciPy gives up where the probability itself underflows; there the leading term of the incomplete beta function is

@@ -4,10 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from trueaxis.diagnose.checks_of_runs import LACK_OF_FIT
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import Check, Verdict
-from trueaxis.diagnose.search import Ground, Search
+from trueaxis.diagnose.search import Ground, Search, cause_columns
 from trueaxis.effects.expression import names, parse
 
 HOMOGENEOUS = 1e-4  # p value below which the amplitudes of a cause are not one
@@ -16,8 +17,9 @@ CLASSES = (  # words in the name of a check, and variables of the causes that ma
     ("direction", {"direction", "d", "v"}),
     ("reversals", {"direction", "d"}),
     ("locally", {"direction", "d"}),
+    ("one period", {"direction", "d", "q", "s"}),  # cycles of one run
     ("feed", {"v"}),
-    ("course", {"t", "T", "d", "direction"}),
+    ("course", {"d", "direction"}),
     ("temperature", {"t", "T"}),
     ("by line", {"s_b", "q_b", "along", "t", "T"}),
 )
@@ -35,17 +37,17 @@ def explained_share(
     """Share that the causes have of the whitened squares beyond those of noise.
 
     standing: those the model has already; hard: the base without them, where there are any. What is left is that of the
-    checks that fired or, if more, of all residuals.
+    checks that fired or, if more, of all residuals, forms taken as exact.
     """
     if not causes and not standing:
         return 0.0
     hard = hard or Projection(ground.base.basis)
     nothing = np.zeros(ground.values.size)
     before = hard.rest(ground.values + ground.whitening(sum((one.signal for one in standing), nothing)))
-    after = hard.rest(ground.values - ground.whitening(sum((one.signal for one in causes), nothing)))
+    after = Projection(ground.base.basis).extended(cause_columns(ground, found.causes)).rest(ground.values)
     explained = float(before @ before) - float(after @ after)
     freedom = found.residual.size - found.projection.rank
-    left = max([float(found.residual @ found.residual) - freedom, 0.0, *(one.excess for one in checks if one.fired)])
+    left = max([float(after @ after) - freedom, 0.0, *(one.excess for one in checks if one.fired)])
     return explained / (explained + left) if explained > 0.0 else 0.0
 
 
@@ -58,6 +60,7 @@ def names_stand(
     quite the form of the kind.
     """
     fired = [check for check in checks if check.fired]
+    fired = [check for check in fired if check.name != LACK_OF_FIT] or fired  # of what kind it is, others say
     one_size = all(p > HOMOGENEOUS for p in homogeneous_p) or share >= PRACTICALLY_ALL
     if not fired or share >= PRACTICALLY_ALL:
         return one_size

@@ -64,7 +64,8 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
     """The context of every row, with that of its run's home.
 
     Directions are those of the rows. The distance since the last reversal is that of the commanded positions, from the
-    reading before the direction changed. Laser and probe read standing axes; a ball bar is read on the way: its
+    reading before the direction changed. Laser and probe read standing axes, which come to the first target of a run
+    from a reversal beyond it (ISO 230-1, approach from one side); a ball bar is read on the way: its
     velocities have the feed along the tangent of the path or, where no feed is given, follow from the times. Home is
     where laser and probe were zeroed before they read: no axis has moved or turned back yet, and time and temperature
     are those of the run's first row.
@@ -83,19 +84,21 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
         if mine.size == 0:
             continue
         path = rows.positions[:, mine]
-        since[:, mine] = distance_since_reversal(directions[:, mine], path)
+        standing = runs[rows.run[mine[0]]].instrument != "ballbar"
+        since[:, mine] = distance_since_reversal(directions[:, mine], path, turned_before=standing)
         home_time[mine], home_temperature[mine] = time[mine[0]], temperature[mine[0]]
-        if runs[rows.run[mine[0]]].instrument == "ballbar":
+        if not standing:
             velocity[:, mine] = path_velocity(rows.axes, path, feed[mine], time[mine])
     home = Context.at_rest(shape[0], count, home_time, home_temperature)
     return Context(directions, velocity, since, time, temperature, home)
 
 
-def distance_since_reversal(directions: FloatArray, path: FloatArray) -> FloatArray:
+def distance_since_reversal(directions: FloatArray, path: FloatArray, *, turned_before: bool = False) -> FloatArray:
     """(n_axes, n): the way of each axis since its direction changed last, mm or deg; infinite before the first change.
 
     directions: (n_axes, n), +1, -1, or 0, which changes nothing; path: (n_axes, n), both in the order of reading. The
-    change is taken to have happened at the reading before the first one with the new direction.
+    change is taken to have happened at the reading before the first one with the new direction. turned_before: the
+    first direction of an axis is a change, too.
     """
     rows = np.arange(path.shape[1])
     last = np.maximum.accumulate(np.where(directions != 0.0, rows, 0), axis=1)
@@ -106,6 +109,9 @@ def distance_since_reversal(directions: FloatArray, path: FloatArray) -> FloatAr
     turned = np.maximum.accumulate(np.where(changed, rows, 0), axis=1)
     before = np.take_along_axis(way, np.maximum(turned - 1, 0), axis=1)
     found: FloatArray = np.where(turned > 0, way - before, np.inf)
+    if turned_before:
+        first = np.maximum(np.argmax(directions != 0.0, axis=1) - 1, 0)[:, np.newaxis]
+        found = np.where((turned == 0) & (held != 0.0), way - np.take_along_axis(way, first, axis=1), found)
     return found
 
 

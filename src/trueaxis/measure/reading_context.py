@@ -14,6 +14,8 @@ from trueaxis.runtime.context import ReadingContext
 
 __all__ = ["ReadingContext", "along", "polar_angle", "reading_context_of", "run_reading_context", "theta"]
 
+STILL = 1e-4  # of its length, by which the ends of a bar that does not turn may move in rounded positions
+
 
 def reading_context_of(machine: MeasuredMachine, runs: Sequence[Run], rows: Rows) -> ReadingContext:
     """The reading context of every row; `along` is NaN for ball bars, `theta` for laser and probe."""
@@ -68,9 +70,14 @@ def theta(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArr
 def polar_angle(bar: npt.NDArray[np.float64]) -> FloatArray:
     """Polar angle of vectors (3, n) in the plane of two frame axes along which they extend most, (n,), rad.
 
-    Right-handed: from X to Y, from Y to Z, from Z to X.
+    Right-handed: from X to Y, from Y to Z, from Z to X. A bar that stands still, but for rounded positions, has one
+    angle: its own in XY, or 0 where it is upright.
     """
-    extent = np.ptp(bar, axis=1)
+    extent, length = np.ptp(bar, axis=1), float(np.linalg.norm(bar, axis=0).max(initial=0.0))
+    if extent.max() < STILL * length:
+        x, y, _ = bar.mean(axis=1)
+        still = float(np.arctan2(y, x)) if np.hypot(x, y) > STILL * length else 0.0
+        return np.full(bar.shape[1], still)
     across = 2 - int(np.argmin(extent[::-1]))  # the last one of equals, so that a single point lies in XY
     one, other = (across + 1) % 3, (across + 2) % 3
     angle: FloatArray = np.arctan2(bar[other], bar[one])

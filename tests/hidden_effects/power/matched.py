@@ -1,10 +1,10 @@
-"""The size at which an effect outside the library is as plain as one inside at so many times its limit.
+"""The size at which an effect is as plain as one of other searched parameters at so many times its limit.
 
 An effect of the library at m times its detection limit has a signature whose norm, in standard deviations of the
 noise and with everything that smooth component errors, location errors and nuisance can imitate projected out, is
-m sqrt(27). Effects outside are scaled to the same norm, by a projection of the generator's own: Chebyshev polynomials
-of degree 12 for each component error, sensitivities by finite differences, an offset and a slope per run, the place
-of each plane's ball.
+m sqrt(27). Effects of other periods or constants are scaled to the same norm, by a projection of the generator's own:
+Chebyshev polynomials of degree 12 for each component error, sensitivities by finite differences, an offset and a slope
+per run, the place of each plane's ball.
 """
 
 from collections.abc import Sequence

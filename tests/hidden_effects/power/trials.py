@@ -12,6 +12,7 @@ from tests.hidden_effects.hidden import OF_SETUP, Hidden
 from tests.hidden_effects.power.bench import Bound
 from tests.hidden_effects.power.grade import Name
 from tests.hidden_effects.power.matched import matched_size
+from tests.hidden_effects.power.outside_limit import outside_limit
 
 TIMES = (0.3, 1.0, 3.0, 10.0)
 OUTSIDE_TIMES = 5.0
@@ -19,7 +20,8 @@ LARGEST = {"point_offset": 20.0, "laser_cosine": 0.02, "servo_lag": 0.01}  # siz
 LARGEST_LINEAR, LARGEST_ANGULAR = 0.1, 3e-4  # mm, rad
 SHAPED = ("cyclic", "warm_up", "reversal_spike")  # the signature depends on more than the size
 ROOTS = ("laser_cosine",)  # the readings go with the square of the parameter
-RATES = ("thermal_expansion", "thermal_offset", "drift", "laser_scale")
+SPANS = {"thermal_expansion": 1800.0, "thermal_offset": 3.0, "drift": 2e4, "laser_scale": 1000.0}
+# mm K, K, s, mm: what a rate comes to in a campaign is bounded as other sizes are
 NOISES = tuple(kind for kind in noise.KINDS if kind != "none")
 
 Bounds = Callable[[Case], Sequence[Bound]]
@@ -27,12 +29,26 @@ Bounds = Callable[[Case], Sequence[Bound]]
 
 @dataclass(frozen=True)
 class Trial:
-    """row: the line of the table that it counts in; truth: names that would be right."""
+    """row: the line of the table that it counts in; truth: names that would be right; times: of its limit, in the
+    readings of the case itself, that its one effect is still to be made; 0 where the size is set.
+    """
 
     scenario: str
     row: str
     case: Case
     truth: tuple[Name, ...] = ()
+    times: float = 0.0
+
+    def sized(self) -> "Trial | None":
+        """With the effect of its size; None where nobody has one of that size."""
+        if self.times == 0.0:
+            return self
+        (effect,) = self.case.effects
+        size = self.times * outside_limit(self.case)
+        if size > LARGEST_LINEAR:
+            return None
+        effect = replace(effect, size=float(np.copysign(size, effect.size)))
+        return replace(self, case=replace(self.case, effects=(effect,)), times=0.0)
 
 
 def clean(count: int, bounds: Bounds) -> Iterator[Trial]:
@@ -59,10 +75,15 @@ def reduced(count: int, bounds: Bounds) -> Iterator[Trial]:
 
 
 def confounded(count: int, bounds: Bounds) -> Iterator[Trial]:
-    """An effect that the audit can detect and not isolate at ten times its detection limit: a set, never one name."""
+    """An effect at ten times its detection limit and a third of its isolation limit or less: a set, never one name."""
     setting = Case(1)
     for kind, of_kind in _by_kind(bounds(setting), "confounded").items():
-        found = [bound for bound in of_kind if _amplitude(bound, bound.isolation / bound.detection) > 10.0]
+        found = [
+            bound
+            for bound in of_kind
+            if _amplitude(bound, bound.isolation / bound.detection) > 30.0
+            and _effect(bound, 10.0 * bound.detection / _limit(bound), 0) is not None
+        ]
         if not found:
             continue
         for n in range(count):
@@ -109,16 +130,15 @@ def pairs(count: int, bounds: Bounds) -> Iterator[Trial]:
 
 
 def outsiders(count: int, bounds: Bounds) -> Iterator[Trial]:
-    """Effects of no kind of the library, as plain as one of the library at five times its detection limit."""
+    """Effects of no kind of the library, at five times what tells them from all that are of one."""
     setting = Case(1)
     for kind in outside.KINDS:
         for n in range(count):
             source = np.random.default_rng([80_000, n])
             component = str(source.choice(["EXX", "EYY", "EZZ", "EYX", "EXZ", "EZY"]))
-            effect = Hidden(kind, component if kind in outside.OF_COMPONENTS else "", shape=n)
-            size = matched_size(setting, effect, OUTSIDE_TIMES) * source.choice((-1.0, 1.0))
-            if abs(size) < LARGEST_LINEAR:
-                yield Trial("outside", kind, _case(setting, 80_000 + n, replace(effect, size=float(size))))
+            sign = float(source.choice((-1.0, 1.0)))
+            effect = Hidden(kind, component if kind in outside.OF_COMPONENTS else "", size=sign, shape=n)
+            yield Trial("outside", kind, _case(setting, 80_000 + n, effect), times=OUTSIDE_TIMES)
 
 
 def tampered(count: int, bounds: Bounds) -> Iterator[Trial]:
@@ -158,8 +178,9 @@ SCENARIOS: Mapping[str, Callable[[int, Bounds], Iterator[Trial]]] = {
 def _scaled(scenario: str, setting: Case, kinds: Mapping[str, Sequence[Bound]], count: int) -> Iterator[Trial]:
     for kind, found in kinds.items():
         for times in TIMES:
-            for n in range(count):
-                bound = found[n % len(found)]
+            possible = [bound for bound in found if _effect(bound, times, 0) is not None]
+            for n in range(count if possible else 0):
+                bound = possible[n % len(possible)]
                 seed = 20_000 + 1000 * sorted(kinds).index(kind) + n
                 effect = _effect(bound, times, seed)
                 if effect is not None and kind in SHAPED:
@@ -205,10 +226,9 @@ def _limit(bound: Bound) -> float:
 
 
 def _largest(bound: Bound) -> float:
-    if bound.name.kind in RATES:
-        return np.inf
     angular = bound.name.component[1:2] in ("A", "B", "C")
-    return LARGEST.get(bound.name.kind, LARGEST_ANGULAR if angular else LARGEST_LINEAR)
+    largest = LARGEST.get(bound.name.kind, LARGEST_ANGULAR if angular else LARGEST_LINEAR)
+    return largest / SPANS.get(bound.name.kind, 1.0)
 
 
 def _case(setting: Case, seed: int, effect: Hidden) -> Case:

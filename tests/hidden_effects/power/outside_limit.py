@@ -1,0 +1,83 @@
+"""From what size on an effect outside the library is told from all that are inside, as the audit says it of those.
+
+With M the projection that takes the saturated base away and s the whitened signature of the generator's own effect,
+lambda = |M s|^2; R^2 is the share of it that up to four candidates of the library explain, taken one after another as
+the search takes them. Below sqrt(21 / (lambda (1 - R^2))) nobody could know it from those; where R^2 is over 0.95 it is
+confounded with them, and in these data not outside the library at all.
+"""
+
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from tests.hidden_effects.case import Case, generate
+from tests.hidden_effects.hidden import Hidden
+from tests.hidden_effects.machine import Array
+from tests.hidden_effects.power.bench import kernels_of
+from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
+from trueaxis.diagnose.base import base_of
+from trueaxis.diagnose.candidates import candidates
+from trueaxis.diagnose.freedom import freedom_of
+from trueaxis.diagnose.noise_of_runs import noise_of_runs
+from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.rows import Rows, rows_of
+from trueaxis.diagnose.search import MOST_CAUSES, Ground, scan_all, whitened_columns, zoomed
+from trueaxis.diagnose.signatures import readings_of
+from trueaxis.diagnose.temperature import smoothed
+from trueaxis.diagnose.whiten import whitening
+from trueaxis.measure.data import read_data
+from trueaxis.measure.reading_model import expected_readings
+from trueaxis.runtime.model import MachineModel, load_model
+
+UNIT = 1e-3  # mm or rad, of the signature
+CLOSEST = 5  # candidates whose searched parameters are looked at between the points of their grids
+
+
+def outside_limit(case: Case) -> float:
+    """The size of the effect of a case at its isolation limit, positive; infinite where it is not outside."""
+    (effect,) = case.effects
+    ground = _ground(replace(case, effects=()))
+    signature = _exact(case, replace(effect, size=UNIT)) - _exact(case)
+    white = ground.whitening(signature)
+    of_unit = float(np.sum(ground.base.rest(white) ** 2))
+    if of_unit < 1e-9 * float(white @ white):
+        return np.inf
+    ground = replace(ground, values=white)
+    base = ground.base
+    for _ in range(MOST_CAUSES):
+        residual = ground.left(base)
+        closest = sorted(scan_all(ground, residual, ground.effects), key=lambda one: -one.statistic)[:CLOSEST]
+        best = max((zoomed(ground, residual, one) for one in closest), key=lambda one: one.scan.statistic)
+        base = base.extended(whitened_columns(ground, best.signature))
+    left = float(np.sum(base.rest(white) ** 2))
+    if left < (1.0 - CONFOUNDED) * of_unit:
+        return np.inf
+    return UNIT * float(np.sqrt(max(DETECTION / of_unit, ISOLATION / left)))
+
+
+def _exact(case: Case, *effects: Hidden) -> Array:
+    """(n,), mm, without noise, in the order of the diagnosis."""
+    rows, _ = _rows(replace(case, noise="none", given="exact", effects=effects))
+    return np.asarray(rows.reading)
+
+
+def _rows(case: Case) -> tuple[Rows, MachineModel]:
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        generate(case).write(folder)
+        model = load_model(folder / "machine.toml", folder / "errors.json", kernels_of(folder / "machine.toml"))
+        return rows_of(smoothed(read_data(folder / "data", model.machine))), model
+
+
+def _ground(case: Case) -> Ground:
+    """What the diagnosis of data without effects searches on."""
+    rows, model = _rows(case)
+    readings = readings_of(model, rows)
+    values = rows.reading - expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
+    noise = noise_of_runs(rows, readings.reading, values, None)
+    white = whitening(rows.run, [noise[index] for index in rows.present])
+    base = Projection(orthonormal(white(base_of(model, rows).columns)))
+    effects = candidates(model, rows)
+    return Ground(readings, effects, white, base, base, white(values), freedom_of(white), lambda _: None)
