@@ -50,9 +50,9 @@ class Signature:
 
 
 class Memory:
-    """What need not be made again: signatures as long as there is room, and the terms made last.
+    """What need not be made again, as long as there is room: signatures of small grids, and terms.
 
-    Terms of one kind on one axis are the same for all component errors of the axis.
+    Terms of one kind on one axis are the same for all component errors of the axis; the last ones are kept in any case.
     """
 
     ROOM = 1 << 27  # bytes
@@ -60,8 +60,7 @@ class Memory:
     def __init__(self) -> None:
         self.signatures: dict[Effect, Signature] = {}
         self._left = self.ROOM
-        self._key: object = None
-        self._terms: FloatArray | None = None
+        self._terms: dict[object, FloatArray] = {}
 
     def keep(self, signature: Signature) -> None:
         """Keep the signature of a candidate on its whole grid, unless it would take too much of the room."""
@@ -72,15 +71,17 @@ class Memory:
 
     def terms(self, effect: Effect, points: object) -> FloatArray | None:
         """(n, points times amplitudes), or None."""
-        return self._terms if self._key == _term_key(effect, points) else None
+        return self._terms.get(_term_key(effect, points))
 
     def keep_terms(self, effect: Effect, points: object, terms: FloatArray) -> None:
-        """Keep these instead of those before."""
-        self._key, self._terms = _term_key(effect, points), terms
+        """Keep these, too, or instead of those before."""
+        if terms.nbytes + sum(one.nbytes for one in self._terms.values()) > self.ROOM:
+            self._terms.clear()
+        self._terms[_term_key(effect, points)] = terms
 
 
-def _term_key(effect: Effect, points: object) -> object:
-    return effect.kind, (effect.component or "")[-1:], effect.axis, points
+def _term_key(effect: Effect, points: object) -> tuple[object, ...]:
+    return effect.kind, (effect.component or "")[-1:], effect.axis, repr(points)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -24,11 +24,14 @@ class Name:
 
 @dataclass(frozen=True)
 class Said:
-    """verdict; sets: of each cause the name and its rivals', the name first; sizes: first parameter of each cause."""
+    """verdict; sets: of each cause the name and its rivals', the name first; sizes, u: first parameter of each cause
+    and its standard uncertainty.
+    """
 
     verdict: str
     sets: tuple[tuple[Name, ...], ...] = ()
     sizes: tuple[float, ...] = ()
+    u: tuple[float, ...] = ()
     checks: tuple[str, ...] = ()
 
 

@@ -44,6 +44,9 @@ def targets(results: Sequence[Result]) -> list[Target]:
         add(f"observable, {times:g} times the limit: one name, right", f">= {least:.0%}", chosen, good, least, 1.0)
     inside = [r for r in results if r.trial.scenario in ("single", "reduced", "pairs", "confounded", "separated")]
     add("effects of the library: a wrong name", "< 1 %", inside, [r.grade == "wrong" for r in inside], 0.0, 0.00999)
+    named = [r for r in single if r.grade == "unique" and r.said.u]
+    held = [abs(abs(r.said.sizes[0]) - abs(r.trial.case.effects[0].size)) <= 2.0 * r.said.u[0] for r in named]
+    add("named alone: its size is within U (k = 2)", "about 95 %", named, held, 0.9, 1.0)
     clean = _of(results, "clean")
     add("nothing hidden: a false name", "< 1 %", clean, [bool(r.said.sets) for r in clean], 0.0, 0.00999)
     told = [r.said.verdict == "unexplained_structure" for r in clean]
