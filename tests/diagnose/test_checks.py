@@ -32,7 +32,8 @@ def test_p_values_are_uniform_but_for_the_number_of_checks() -> None:
     draws = [checked(where, noise(where, seed)) for seed in range(60)]
     count = len(list(structures(where.readings.rows, where.readings.reading.theta)))
     # of p values multiplied by their number those below 1 are known: of each check one in so many, evenly spread
-    told = np.array([[one.p_value for one in checks if one.name != "runs, noise"] for checks in draws])
+    of_classes = ("lines of", "circles of")
+    told = np.array([[one.p_value for one in checks if one.name.startswith(of_classes)] for checks in draws])
     assert told.shape[1] > 20
     below = told[told < 0.999]
     assert below.size == pytest.approx(told.size / count, abs=4 * np.sqrt(told.size / count))
@@ -56,6 +57,9 @@ PLANTED: dict[str, Callable[[Rows, FloatArray], FloatArray]] = {
     "lines of Z, in the course of a run": lambda rows, _: (rows.seq / 42.0 - 0.5) ** 2,
     "lines of X, with temperature": lambda rows, _: (known(rows.temperature) - 20.0) * rows.positions[0] / 540.0,
     "circles of XY, lobes by direction": lambda rows, theta: np.cos(4 * theta) * sense(rows),
+    "lines of Y, ripple between directions": lambda rows, _: rows.directions[1] * np.cos(rows.positions[1] / 9.0),
+    "circles of YZ, ripple by direction": lambda rows, theta: np.sin(23 * theta) * sense(rows),
+    "circles of XY, in the course of a run": lambda rows, _: np.cos(rows.seq / 12.0) * 0.3,
     "circles of XY, lobes by feed": lambda rows, theta: np.cos(5 * theta) * (known(rows.feed) > 2000.0),
     "circles of YZ, at reversals": lambda rows, _: rows.directions[1],
     "circles of XZ, after reversals": lambda rows, _: np.exp(-rows.context.since_reversal[0] / 5) * rows.directions[0],
@@ -63,7 +67,7 @@ PLANTED: dict[str, Callable[[Rows, FloatArray], FloatArray]] = {
 
 
 def axes_of(name: str) -> set[str]:
-    return set(name.split(" ")[2].strip(",")) if " of " in name else set()
+    return set(name.split(" ")[2].strip(",")) if name.startswith(("lines of", "circles of")) else set()
 
 
 @pytest.mark.parametrize("name", PLANTED)
@@ -92,6 +96,33 @@ def test_a_run_that_is_three_times_as_noisy_is_told() -> None:
     values = noise(where, 8)
     values[where.readings.rows.of_run(3)] *= 3.0
     assert "runs, noise" in [one.name for one in checked(where, values) if one.fired]
+
+
+def fired_in(where: Field, values: FloatArray) -> list[str]:
+    return [one.name for one in checked(where, values) if one.fired]
+
+
+def test_a_run_that_hums_is_told_and_named() -> None:
+    where = field(SMALL, WHITE)
+    values = noise(where, 9)
+    mine = where.readings.rows.of_run(2)
+    values[mine] += 1.8 * SIGMA * np.sin(0.9 * np.arange(mine.stop - mine.start))
+    (found,) = [one for one in checked(where, values) if one.name == "runs, one period"]
+    assert found.fired
+    assert f"run {where.readings.rows.runs[2].id} " in found.meaning
+    # a drift of the same size is the noise of a run
+    values = noise(where, 9)
+    values[mine] += 1.8 * SIGMA * np.linspace(-1.0, 1.0, mine.stop - mine.start)
+    assert "runs, one period" not in fired_in(where, values)
+
+
+def test_what_no_class_has_is_more_than_repeats_differ_by() -> None:
+    """The same at every repeat, without any order in it: nothing but the comparison with repeats can tell."""
+    where = field(SMALL, WHITE)
+    rows = where.readings.rows
+    at_target = np.random.default_rng(4).standard_normal(int(rows.target.max()) + 1)[rows.target]
+    assert "all readings, lack of fit" in fired_in(where, noise(where, 7) + 0.9 * SIGMA * at_target)
+    assert "all readings, lack of fit" not in fired_in(where, noise(where, 7))
 
 
 def test_what_the_base_can_take_up_fires_nothing() -> None:

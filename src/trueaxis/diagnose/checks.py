@@ -12,7 +12,7 @@ from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.result import BoolArray, Check, FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
-from trueaxis.diagnose.whiten import Whitening
+from trueaxis.diagnose.whiten import Whitening, ramp
 
 DEGREE = 6
 LOBES = 10
@@ -35,10 +35,14 @@ def run_checks(
 ) -> tuple[Check, ...]:
     """All checks. residual: (n,), whitened, model projected out; p values multiplied by the number of checks.
 
-    rms of a check: about what the structure comes to, mm, its share of the noise taken away.
+    rms of a check: about what the structure comes to, mm, its share of the noise taken away. Slopes of runs are left
+    out: how large they are by chance few repeats tell, and one slope in a class of many columns would pass for
+    structure.
     """
     classes = list(structures(rows, theta))
     sigma = np.repeat([one.sigma for one in whitening.noise], np.diff(whitening.starts))
+    projection = projection.extended(whitening(_slopes(rows, whitening)))
+    residual = residual - projection.causes @ (projection.causes.T @ residual) if projection.causes.size else residual
     found = []
     for one in classes:
         white = whitening(one.columns)
@@ -59,6 +63,16 @@ def run_checks(
     found += [noisy_run(rows, projection, residual, sigma), humming_run(rows, projection, residual, sigma)]
     found.append(lack_of_fit(rows, projection, residual, sigma, freedom))
     return tuple(found)
+
+
+def _slopes(rows: Rows, whitening: Whitening) -> FloatArray:
+    """(n, runs): the slope of each run that has one by chance."""
+    sloping = [index for index, noise in zip(rows.present, whitening.noise, strict=True) if noise.slope > 0.0]
+    found = np.zeros((rows.size, len(sloping)))
+    for place, index in enumerate(sloping):
+        part = rows.of_run(index)
+        found[part, place] = ramp(part.stop - part.start)
+    return found
 
 
 def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:

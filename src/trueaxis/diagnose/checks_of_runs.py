@@ -9,7 +9,7 @@ from trueaxis.diagnose.result import Check, FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
 
-FALSE_ALARMS = 0.005  # share of clean data sets in which one check or other may fire
+FALSE_ALARMS = 1e-3  # share of clean data sets in which one check or other may fire
 TELLING = 0.2  # share of a reading's variance that the model leaves, below which its residual is no measure of noise
 FEWEST = 12  # such readings of a run, for its noise to be compared
 NOISY = 4.0  # times the variance of the other runs, from which a run stands out
@@ -27,7 +27,7 @@ def noisy_run(rows: Rows, projection: Projection, residual: FloatArray, sigma: F
     By medians, which neither outliers nor heavy tails move; that of squares varies more than their mean. Readings that
     the model has nearly used up say nothing of their noise, nor do runs with few others.
     """
-    left = 1.0 - np.sum(projection.basis**2, axis=1)
+    left = projection.left
     telling = left > TELLING
     power, count = np.full(len(rows.runs), np.nan), np.zeros(len(rows.runs))
     for index in rows.present:
@@ -57,7 +57,7 @@ def humming_run(rows: Rows, projection: Projection, residual: FloatArray, sigma:
     The largest line of each run's periodogram by its place in the run, as a share of all lines, tested as R. A. Fisher
     did (Proc. R. Soc. A 125, 1929): the run's own scatter is the measure.
     """
-    left = 1.0 - np.sum(projection.basis**2, axis=1)
+    left = projection.left
     least, loudest, rms = 1.0, rows.present[0], 0.0
     for index in rows.present:
         mine = rows.of_run(index)
@@ -80,7 +80,7 @@ def lack_of_fit(rows: Rows, projection: Projection, residual: FloatArray, sigma:
 
     Tails heavier than normal make the estimates vary more than the test believes: a little more is no finding.
     """
-    left = 1.0 - np.sum(projection.basis**2, axis=1)
+    left = projection.left
     instrument = np.array([run.instrument for run in rows.runs])[rows.run]
     names = np.unique(instrument)
     worst, p_value, rms, excess = "", 1.0, 0.0, 0.0

@@ -33,6 +33,12 @@ class Projection:
         """Number of combinations that are free."""
         return int(self.basis.shape[1]) + int(self.causes.shape[1] if self.causes.size else 0)
 
+    @property
+    def left(self) -> FloatArray:
+        """(n,): share of each reading's variance that is free neither by the base nor by causes."""
+        found = 1.0 - np.sum(self.basis**2, axis=1)
+        return np.asarray(found - np.sum(self.causes**2, axis=1) if self.causes.size else found)
+
     def rest(self, columns: FloatArray) -> FloatArray:
         """What is left of columns (n,) or (n, k), independent and of variance 1 where it is noise alone."""
         left = columns - self.basis @ (self.basis.T @ columns)

@@ -4,8 +4,9 @@ from typing import get_args
 import pytest
 
 from tests.diagnose.report import builders
+from trueaxis.diagnose.checks_of_runs import LACK_OF_FIT
 from trueaxis.diagnose.report.text import summary_text
-from trueaxis.diagnose.result import Verdict
+from trueaxis.diagnose.result import Check, Verdict
 from trueaxis.effects.kind import Effect
 
 
@@ -44,3 +45,13 @@ def test_structure_without_a_cause_is_described() -> None:
     text = summary_text(builders.diagnosis("unexplained_structure"))
     assert "looks like: odd in direction: structure that changes sign with the direction (3.00 um RMS, p 1e-9)" in text
     assert "cause" not in text.replace("no cause is named", "")
+
+
+def test_of_many_classes_the_largest_are_named_and_the_others_counted() -> None:
+    """One structure makes many fire; that all together is too much is the least telling of them."""
+    diagnosis = builders.diagnosis("unexplained_structure")
+    checks = [Check(f"class {k}", "seen so", 1e-9, fired=True, rms=k * 1e-3) for k in range(1, 8)]
+    checks.append(Check(LACK_OF_FIT, "too much", 1e-9, fired=True, rms=1.0))
+    lines = [line for line in summary_text(replace(diagnosis, checks=tuple(checks))).splitlines() if "looks" in line]
+    assert [line.split(": ")[1] for line in lines[:5]] == [f"class {k}" for k in (7, 6, 5, 4, 3)]
+    assert lines[5:] == ["looks like: 3 more classes, smaller or the same seen otherwise (report.html)"]

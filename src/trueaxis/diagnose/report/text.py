@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from trueaxis.diagnose.report.quantity import ascii_only, micrometres, percent, probability, with_expanded
-from trueaxis.diagnose.report.words import effect_title, headline, joint
+from trueaxis.diagnose.report.words import effect_title, headline, joint, largest_structures
 from trueaxis.diagnose.result import Cause, Diagnosis
 from trueaxis.effects.library import BY_NAME
 
@@ -18,11 +18,13 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
     for number, cause in enumerate(diagnosis.causes, 1):
         yield from _cause(number, cause)
     if diagnosis.verdict == "unexplained_structure":
+        shown, more = largest_structures(diagnosis)
         yield from (
             f"looks like: {one.name}: {one.meaning} ({micrometres(one.rms)} um RMS, p {probability(one.p_value)})"
-            for one in diagnosis.checks
-            if one.fired
+            for one in shown
         )
+        if more:
+            yield f"looks like: {more} more classes, smaller or the same seen otherwise (report.html)"
     gain = diagnosis.gain
     for what, stage in (("RMS", gain.rms), (f"held-out RMS ({gain.split})", gain.held_out)):
         yield (

@@ -3,8 +3,9 @@
 import re
 from collections.abc import Iterable, Sequence
 
+from trueaxis.diagnose.checks_of_runs import LACK_OF_FIT
 from trueaxis.diagnose.report.quantity import NBSP, UM, probability, quantity, with_expanded
-from trueaxis.diagnose.result import Cause, Diagnosis, Verdict
+from trueaxis.diagnose.result import Cause, Check, Diagnosis, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 
@@ -15,6 +16,7 @@ TITLES: dict[Verdict, str] = {
     "ambiguous": "Ambiguous",
     "unexplained_structure": "Unexplained structure",
 }
+MOST_STRUCTURES = 5  # named in a line
 _ABOUT = {"A": "X", "B": "Y", "C": "Z"}
 
 
@@ -121,9 +123,18 @@ def _detail(diagnosis: Diagnosis) -> str:
         p = probability(diagnosis.recalibration_p)
         return f"The values given would look so stale by chance with a probability of {p}."
     if diagnosis.verdict == "unexplained_structure":
-        fired = [f"{one.name} ({quantity(one.rms, 'mm')} RMS)" for one in diagnosis.checks if one.fired]
-        return f"It looks like: {enumerated(fired)}." if fired else ""
+        shown, more = largest_structures(diagnosis)
+        said = [f"{one.name} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
+        said += [f"{more} more classes, listed under the checks"] if more else []
+        return f"It looks like: {enumerated(said)}." if said else ""
     return ""
+
+
+def largest_structures(diagnosis: Diagnosis) -> tuple[list[Check], int]:
+    """The classes that fired, the largest ones first; how many more there are. One structure makes many fire."""
+    fired = [one for one in diagnosis.checks if one.fired]
+    fired.sort(key=lambda one: (one.name == LACK_OF_FIT, -one.rms))
+    return fired[:MOST_STRUCTURES], len(fired[MOST_STRUCTURES:])
 
 
 def short_title(effect: Effect, longest: int = 26) -> str:
