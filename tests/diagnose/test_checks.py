@@ -59,7 +59,7 @@ PLANTED: dict[str, Callable[[Rows, FloatArray], FloatArray]] = {
     "circles of XY, lobes by direction": lambda rows, theta: np.cos(4 * theta) * sense(rows),
     "lines of Y, ripple between directions": lambda rows, _: rows.directions[1] * np.cos(rows.positions[1] / 9.0),
     "circles of YZ, ripple by direction": lambda rows, theta: np.sin(23 * theta) * sense(rows),
-    "circles of XY, in the course of a run": lambda rows, _: np.cos(rows.seq / 12.0) * 0.3,
+    "circles of XY, in the course of a run": lambda rows, _: (rows.seq / 36 - 1) ** 3 - 0.6 * (rows.seq / 36 - 1),
     "circles of XY, lobes by feed": lambda rows, theta: np.cos(5 * theta) * (known(rows.feed) > 2000.0),
     "circles of YZ, at reversals": lambda rows, _: rows.directions[1],
     "circles of XZ, after reversals": lambda rows, _: np.exp(-rows.context.since_reversal[0] / 5) * rows.directions[0],

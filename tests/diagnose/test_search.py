@@ -44,7 +44,7 @@ def test_a_further_cause_needs_two_decades_more(beyond: float, alone: bool, furt
 
 def test_threshold_is_that_of_all_candidates() -> None:
     found = ground(signal(X, 1.0))
-    assert found.threshold == pytest.approx(np.log10(len(found.effects) / 0.005))
+    assert found.threshold == pytest.approx(np.log10(len(found.effects) / 1e-4))
 
 
 def test_without_one_cause_the_others_stay_and_its_part_is_left() -> None:
