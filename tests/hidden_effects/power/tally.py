@@ -71,10 +71,27 @@ def targets(results: Sequence[Result]) -> list[Target]:
     return found
 
 
+HOW = (
+    "- **single**, **reduced**, **pairs**: effects that the audit calls observable, at multiples of the size from which",
+    "  it tells them from their nearest rival. None comes to more than 0.1 mm or 0.3 mrad.",
+    "- **confounded**: at ten times the size from which they are detected, a third or less of that from which they are",
+    "  told apart.",
+    "- **outside**: of no kind of the library, at five times the size from which they are told from up to four",
+    "  candidates that imitate them best. What four imitate to 95 % in these data is not outside, and left out.",
+    "- Grades: [grade.py](../tests/hidden_effects/power/grade.py); scenarios:",
+    "  [trials.py](../tests/hidden_effects/power/trials.py).",
+)
+
+
 def page(results: Sequence[Result], command: str) -> str:
     """Markdown: targets, then every scenario row by row."""
     lines = ["# Power of the diagnosis", "", f"Measured by `{command}` on data of `tests/hidden_effects`, an exact"]
-    lines += ["generator that shares no code with the package; upper limits are one-sided, 95 %, Clopper-Pearson.", ""]
+    lines += [
+        "generator that shares no code with the package; upper limits are one-sided, 95 %, Clopper-Pearson.",
+        "",
+        *HOW,
+        "",
+    ]
     lines += ["| | wanted | measured | of | upper limit | met |", "|---|---|---|---|---|---|"]
     for one in targets(results):
         upper = f"{upper_limit(one.count, one.of):.2%}"
