@@ -72,8 +72,8 @@ def targets(results: Sequence[Result]) -> list[Target]:
 
 
 HOW = (
-    "- **single**, **reduced**, **pairs**: effects that the audit calls observable, at multiples of the size from which",
-    "  it tells them from their nearest rival. None comes to more than 0.1 mm or 0.3 mrad.",
+    "- **single**, **reduced**, **pairs**: effects that the audit calls observable, at multiples of the size from",
+    "  which it tells them from their nearest rival. None comes to more than 0.1 mm or 0.3 mrad.",
     "- **confounded**: at ten times the size from which they are detected, a third or less of that from which they are",
     "  told apart.",
     "- **outside**: of no kind of the library, at five times the size from which they are told from up to four",
