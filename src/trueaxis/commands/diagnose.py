@@ -109,6 +109,7 @@ def run(args: argparse.Namespace) -> int:
 
 def _read(args: argparse.Namespace) -> _Given:
     from trueaxis.diagnose.extended_spec import moved_spec  # noqa: PLC0415
+    from trueaxis.diagnose.rows import rows_of  # noqa: PLC0415
 
     found: list[Fault] = []
     if args.out.exists() and not args.out.is_dir():
@@ -133,6 +134,9 @@ def _read(args: argparse.Namespace) -> _Given:
     if measured.data.readings.planned.all():
         remedy = "take them, or make some with simulate"
         found.append(Fault(str(args.data), "column reading", "is a plan: there is no reading in it", remedy))
+    elif not found and rows_of(measured.data).size == 0:
+        problem = "in none of them is it known from where all moving axes came, away from a reversal"
+        found.append(Fault(str(args.data), "readings", problem, "columns dir_X ..., or more readings a run"))
     if found:
         raise InputError(found)
     errors = measured.known or ErrorValues(machine.name)

@@ -179,6 +179,8 @@ def _of_circles(rows: Rows, theta: FloatArray, mine: BoolArray) -> Iterator[Stru
                 lobes * fast * sense,
             )
     moving = [axis for axis in range(len(rows.axes)) if np.ptp(rows.positions[axis, mine]) > 0.0]
+    if not moving:
+        return
     quarter = np.hstack([rows.directions[axis][:, np.newaxis] * mine[:, np.newaxis] for axis in moving])
     yield Structure(f"{title}, at reversals", "steps where an axis turns round", quarter)
     near = np.hstack(

@@ -131,4 +131,7 @@ def gain_of(everything: Left, held: Left, rows_held: BoolArray, split: str, floo
 
 
 def _stage(left: Left, rows: BoolArray) -> Stage:
+    """NaN of no rows at all."""
+    if not rows.any():
+        return Stage(np.nan, np.nan, np.nan)
     return Stage(*(float(np.sqrt(np.mean(part[rows] ** 2))) for part in (left.given, left.refitted, left.extended)))

@@ -35,8 +35,15 @@ def noise_of_runs(
         if found is None:
             found = estimate_noise(_courses(rows, reading, values, instrument), instrument)
             found = found and replace(found, origin="nothing is repeated, taken from the course of each run")
-        of[instrument] = found or NoiseOf(instrument, SMALLEST, 0.0, 0.0, 0.0, 1.0, "unknown: too few readings")
+        of[instrument] = found or _unknown(rows, values, instrument)
     return tuple(of[run.instrument] for run in rows.runs)
+
+
+def _unknown(rows: Rows, values: FloatArray, instrument: str) -> NoiseOf:
+    """All that is there may be noise, where there are too few readings to know."""
+    mine = np.array([run.instrument == instrument for run in rows.runs])[rows.run]
+    size = float(np.sqrt(np.mean(values[mine] ** 2))) if mine.any() else 0.0
+    return NoiseOf(instrument, max(size, SMALLEST), 0.0, 0.0, 0.0, 1.0, "unknown: too few readings")
 
 
 def _single_targets(rows: Rows, values: FloatArray, instrument: str) -> NoiseOf | None:

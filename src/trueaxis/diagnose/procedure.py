@@ -45,13 +45,15 @@ class DiagnoseOptions:
 
 
 def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions | None = None) -> Diagnosis:
-    """What the model gets wrong of the data, and why. Raises InputError where there are too few readings.
+    """What the model gets wrong of the data, and why. Raises ValueError where no reading can be used.
 
     Cost: linear in the number of readings, times rank of the base (hundreds) times the points of all grids.
     """
     options = options or DiagnoseOptions()
     options.progress("reading")
     rows = rows_of(smoothed(data))
+    if rows.size == 0:
+        raise ValueError("no reading can be used: plans, or taken beside reversals, or directions are unknown")
     values = rows.reading - _expected(model, rows)
     keep, off = outliers(rows, values)
     rows, values = rows.only(keep), values[keep]

@@ -78,7 +78,7 @@ def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Pr
     The cost grows with the readings that it reaches times rank of the base times points of the grid.
     """
     size, points, k = signature.columns.shape
-    white = whitening.part(signature.support, signature.columns.reshape(size, -1))
+    white = whitening.part(signature.support, signature.columns.reshape(size, points * k))
     held = (base.of(signature.support).T @ white).reshape(-1, points, k)
     full = white.reshape(size, points, k)
     total = _gram(full)

@@ -232,7 +232,7 @@ def _of_component(
     columns *= lever
     if not np.isfinite(columns).all():
         columns[lever[:, 0] == 0.0] = 0.0  # what the component does not reach is not spoilt by what is unknown there
-    return columns.reshape(support.size, len(points), -1)
+    return columns.reshape(support.size, len(points), columns.shape[1] // len(points))
 
 
 def _of_reading(
@@ -243,7 +243,7 @@ def _of_reading(
     context = readings.reading.of(support)
     columns = _columns(kind, points, lambda vector: reading_term(model.kernels, model.machine, effect, vector, context))
     columns = np.where(mine[:, np.newaxis], columns, 0.0)
-    return columns.reshape(mine.size, len(points), -1)
+    return columns.reshape(mine.size, len(points), columns.shape[1] // len(points))
 
 
 def _of_point(readings: Readings, effect: Effect, support: IntArray) -> FloatArray:

@@ -31,12 +31,12 @@ class Whitening:
         return self.part(np.arange(int(self.starts[-1])), columns)
 
     def part(self, rows: IntArray, columns: FloatArray) -> FloatArray:
-        """Columns (n_rows, k) or (n_rows,) of some rows whitened; rows: ascending, those of whole runs.
+        """Columns (n_rows, k) or (n_rows,) of some rows whitened; rows: ascending, those of whole runs, or none.
 
         Runs of one length and noise are done at once, short ones by one matrix: a factorisation each would cost more
         than the work.
         """
-        flat = columns.reshape(columns.shape[0], -1)
+        flat = columns if columns.ndim == 2 else columns[:, np.newaxis]
         found = np.empty_like(flat, dtype=np.float64)
         for noise, at in self._alike(rows):
             if at.shape[1] <= SHORT:
@@ -60,7 +60,7 @@ class Whitening:
     def _alike(self, rows: IntArray) -> list[tuple[NoiseOf, IntArray]]:
         """Runs of one noise and length among the rows: their places in them, (n_runs, size)."""
         begins = np.searchsorted(rows, self.starts[:-1])
-        there = (begins < rows.size) & (rows[np.minimum(begins, rows.size - 1)] == self.starts[:-1])
+        there = np.isin(self.starts[:-1], rows)
         alike: dict[tuple[int, NoiseOf], list[int]] = {}
         for index in np.flatnonzero(there):
             size = int(self.starts[index + 1] - self.starts[index])

@@ -1,0 +1,59 @@
+"""A run or less: nothing breaks down, and where nothing can be known nothing is said to be there."""
+
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.diagnose.prepared import Prepared, prepared
+from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
+from tests.hidden_effects.hidden import Hidden
+from trueaxis.diagnose.procedure import diagnose
+from trueaxis.diagnose.result import Diagnosis
+from trueaxis.measure.data import MeasuredData
+
+CASE = Case(
+    seed=3, design=Design(lines=1, repeats=1, targets=41, samples=160), effects=(Hidden("cyclic", "EXX", size=2e-3),)
+)
+
+
+def first_of(given: Prepared, run: str, count: int) -> MeasuredData:
+    """The first readings of one run, and nothing else."""
+    readings = given.data.readings
+    index = readings.run_ids.index(run)
+    mine = np.flatnonzero(readings.run == index)
+    keep = mine[np.argsort(readings.seq[mine])][:count]
+    cut: dict[str, Any] = {
+        one.name: value[..., keep]
+        for one in fields(readings)
+        if isinstance(value := getattr(readings, one.name), np.ndarray)
+    }
+    runs = tuple(each for each in given.data.setup.runs if each.id == run)
+    cut["run"] = np.zeros(keep.size, dtype=np.int64)
+    return MeasuredData(replace(given.data.setup, runs=runs), replace(readings, run_ids=(run,), **cut))
+
+
+def found(run: str, count: int) -> Diagnosis:
+    given = prepared(CASE)
+    return diagnose(given.model, first_of(given, run, count))
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 8])
+@pytest.mark.parametrize("run", ["X1", "XY-F1000-ccw"])
+def test_of_readings_whose_noise_nobody_knows_nothing_is_said(run: str, count: int) -> None:
+    one = found(run, count)
+    assert one.verdict == "no_discrepancy"
+    assert one.causes == ()
+    assert [each.origin for each in one.noise] == ["unknown: too few readings"]
+
+
+def test_one_circle_without_repeats_may_show_a_period_as_its_course_tells_the_noise() -> None:
+    one = found("XY-F1000-ccw", 160)
+    assert [cause.effect.label for cause in one.causes] == ["cyclic EXX"]
+    assert one.noise[0].origin.startswith("nothing is repeated")
+
+
+def test_one_line_names_nothing_that_is_not_there() -> None:
+    assert {cause.effect.label for cause in found("X1", 82).causes} <= {"cyclic EXX"}
