@@ -4,6 +4,7 @@ from collections import Counter
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from tests.diagnose.prepared import SMALL, field, prepared
 from tests.hidden_effects.case import Case
@@ -140,3 +141,14 @@ def test_neighbouring_pitches_are_close_enough_to_miss_nothing() -> None:
             fitted = column @ np.linalg.lstsq(column, truth, rcond=None)[0]
             power.append(fitted @ fitted / (truth @ truth))
         assert max(power) > WORTH_ZOOMING + 0.1
+
+
+@pytest.mark.parametrize(("machine", "axis", "shortest"), [("table_mill", "X", 4.6), ("gantry", "X", 6.1)])
+def test_a_long_axis_is_searched_for_the_pitches_that_screws_have(machine: str, axis: str, shortest: float) -> None:
+    """A hundred and twenty periods fit into a short axis only."""
+    rows = field(SMALL, machine=machine).readings.rows
+    kind = field(SMALL, machine=machine).readings.model.machine.kinds["cyclic"]
+    pitches = [point["pitch"] for point in grid_of(kind, Effect("cyclic", f"E{axis}{axis}"), rows)]
+    assert min(pitches) < shortest
+    steps = np.diff(1.0 / np.array(pitches)) * float(np.ptp(rows.positions[rows.axes.index(axis)]))
+    assert steps == pytest.approx(0.5, rel=1e-6)

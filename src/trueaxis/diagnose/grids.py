@@ -8,8 +8,10 @@ import numpy as np
 from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.effects.kind import Effect, Kind, Parameter
+from trueaxis.spec.machine import LINEAR
 
-PERIODS = 120  # per range of the axis: the shortest pitch searched
+PERIODS = 120  # per range of the axis: the shortest pitch searched ...
+PITCH_MM = 6.0  # ... or this one, on linear axes so long that it is the shorter: screws are no coarser for being long
 FEWEST_PERIODS = 2.0
 STEPS_PER_PERIOD = 2  # of frequency, per 1/range; what lies between is looked at where the evidence is best
 TIMES = 6  # time constants, from a twentieth of the time covered to twice it
@@ -40,8 +42,9 @@ def _values(parameter: Parameter, effect: Effect, rows: Rows) -> list[float]:
         return [1.0]
     if parameter.grid == "reversal":
         return _geometric(span / 2000.0, span / 20.0, WAYS)
-    count = int((PERIODS - FEWEST_PERIODS) * STEPS_PER_PERIOD) + 1
-    return [float(span / periods) for periods in np.linspace(FEWEST_PERIODS, PERIODS, count)]
+    most = max(PERIODS, round(span / PITCH_MM)) if effect.component[2] in LINEAR else PERIODS
+    count = int((most - FEWEST_PERIODS) * STEPS_PER_PERIOD) + 1
+    return [float(span / periods) for periods in np.linspace(FEWEST_PERIODS, most, count)]
 
 
 def _geometric(low: float, high: float, count: int) -> list[float]:
