@@ -134,3 +134,14 @@ class TestSoft:
         base, chance, values = self.parts()
         hard = Projection(orthonormal(base))
         assert hard.softened(1e-7 * chance).rest(values) == pytest.approx(hard.rest(values), abs=1e-12)
+
+
+def test_what_divide_and_conquer_gives_up_on_is_decomposed_otherwise(monkeypatch: pytest.MonkeyPatch) -> None:
+    def gives_up(matrix: np.ndarray) -> None:
+        raise np.linalg.LinAlgError("SVD did not converge")
+
+    columns = np.random.default_rng(3).standard_normal((30, 4)) @ np.diag([1.0, 1e-3, 1.0, 0.0])
+    expected = orthonormal(columns)
+    monkeypatch.setattr(np.linalg, "svd", gives_up)
+    found = orthonormal(columns)
+    assert found @ found.T == pytest.approx(expected @ expected.T, abs=1e-12)

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
+from scipy.linalg import svd
 
 from trueaxis.diagnose.base import RANK
 from trueaxis.diagnose.result import FloatArray, IntArray
@@ -93,7 +94,7 @@ class Projection:
             return self
         left = columns - self.basis @ (self.basis.T @ columns)
         q, r = np.linalg.qr(left)
-        turned, deviation, _ = np.linalg.svd(r)
+        turned, deviation, _ = decomposed(r)
         kept = deviation > SLIGHT
         shrink = 1.0 - 1.0 / np.sqrt(1.0 + deviation[kept] ** 2)
         return Projection(self.basis, q @ turned[:, : deviation.size][:, kept], shrink)
@@ -110,6 +111,15 @@ KEPT = 1 << 26  # bytes
 SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
 
 
+def decomposed(matrix: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Singular value decomposition: where LAPACK's divide and conquer gives up, by its older routine."""
+    try:
+        left, singular, right = np.linalg.svd(matrix)
+    except np.linalg.LinAlgError:
+        left, singular, right = svd(matrix, lapack_driver="gesvd")
+    return left, singular, right
+
+
 def orthonormal(columns: FloatArray) -> FloatArray:
     """(n, rank): an orthonormal basis of what columns (n, p) span; the triangular factor tells the rank.
 
@@ -120,6 +130,6 @@ def orthonormal(columns: FloatArray) -> FloatArray:
     if scaled.shape[1] == 0:
         return np.zeros((columns.shape[0], 0))
     q, r = np.linalg.qr(scaled)
-    left, singular, _ = np.linalg.svd(r)
+    left, singular, _ = decomposed(r)
     rank = int(np.count_nonzero(singular > RANK * singular[0]))
     return np.asarray(q @ left[:, :rank])

@@ -18,7 +18,7 @@ from scipy.linalg import cholesky, solve_triangular
 
 from trueaxis.diagnose.base import RANK, base_of
 from trueaxis.diagnose.menu import FurtherRun, menu
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.projection import Projection, decomposed, orthonormal
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.search import Ground
@@ -97,7 +97,7 @@ def prospect_of(ground: Ground) -> Prospect:
     scale[unseen] = np.maximum(np.linalg.norm(white[:, unseen], axis=0), 1e-300)
     white /= scale
     q, r = np.linalg.qr(white[:size])
-    left, singular, right = np.linalg.svd(r)
+    left, singular, right = decomposed(r)
     rank = int(np.count_nonzero(singular > RANK * singular[0]))
     innovations = []
     for part, one in zip(parts, noises, strict=True):
