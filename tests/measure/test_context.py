@@ -128,6 +128,15 @@ def test_a_feed_is_that_of_the_linear_axes_and_turning_axes_keep_their_time() ->
     assert np.isnan(alone).all()  # a feed in mm/min tells nothing of an axis that turns alone
 
 
+def test_while_a_table_turns_the_times_tell_velocities() -> None:
+    """The feed may be that of the tool over the table, on which it stands still as both turn about one centre."""
+    angle = np.linspace(0.0, 1.0, 201)
+    path = np.array([80.0 * np.cos(angle), 80.0 * np.sin(angle), 0.0 * angle, np.degrees(angle)])
+    found = path_velocity(("X", "Y", "Z", "C"), path, np.full(201, 600.0), 4.0 * angle)
+    np.testing.assert_allclose(np.linalg.norm(found[:3], axis=0), 20.0, rtol=1e-4)
+    np.testing.assert_allclose(found[3], np.degrees(0.25), rtol=1e-12)
+
+
 @pytest.mark.parametrize("feed", [0.0, 600.0, NAN])
 def test_a_path_that_stands_or_turns_back(feed: float) -> None:
     path = np.array([[0, 0, 0, 1, 0.0], [0] * 5, [0] * 5])

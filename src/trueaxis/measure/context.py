@@ -119,14 +119,15 @@ def path_velocity(axes: Sequence[str], path: FloatArray, feed: FloatArray, time:
     """(n_axes, n): velocity of each axis along a path of commanded positions, mm/s or deg/s.
 
     path: (n_axes, n), in the order of reading, about evenly spaced; feed: (n,), mm/min, of the linear axes together;
-    time: (n,), s, asked where the feed is NaN. 0 where the path stands or turns back, NaN where neither is known.
+    time: (n,), s, asked where the feed is NaN or a rotary axis turns: a control may mean the feed of the tool over the
+    workpiece there. 0 where the path stands or turns back, NaN where neither is known.
     """
-    linear = [row for row, axis in enumerate(axes) if axis in "XYZ"]
-    steps = _differences(path)
+    linear = np.array([axis in "XYZ" for axis in axes])
+    steps, passed = _differences(path), _differences(time[np.newaxis])[0]
     length = np.linalg.norm(steps[linear], axis=0)
     standing = ~steps.any(axis=0)
-    fed = feed > 0.0
-    duration = np.divide(length * SECONDS, feed, out=_differences(time[np.newaxis])[0], where=fed)
+    fed = (feed > 0.0) & ~(steps[~linear].any(axis=0) & (passed > 0.0))
+    duration = np.divide(length * SECONDS, feed, out=passed, where=fed)
     found: FloatArray = np.divide(steps, duration, out=np.full_like(steps, np.nan), where=duration > 0.0)
     found[:, standing & fed] = 0.0
     return found
