@@ -140,3 +140,15 @@ def test_a_time_constant_that_is_hardly_told_does_not_make_the_fit_worse() -> No
         after = float(np.sum(ground.base.rest(ground.values - ground.whitening(one.signal)) ** 2))
         assert np.isfinite(one.values).all()
         assert after <= before * (1.0 + 1e-9)
+
+
+def test_a_pitch_stays_by_the_one_that_the_search_found() -> None:
+    """Half a period over the range of the axis farther off it would be another: in noise a fit may well go there."""
+    where = field()
+    for seed in range(5):
+        ground = where.ground(drawn_noise(np.random.default_rng(seed), WHITE, where.readings.rows.size)[:, 0])
+        (start,) = found_of(ground, [Effect("cyclic", "EXX")])
+        (one,) = refit(ground, [start])
+        pitch = dict(zip([each.name for each in one.kind.parameters], one.values, strict=True))["pitch"]
+        span = float(np.ptp(where.readings.rows.positions[0]))
+        assert abs(span / pitch - span / start.scan.point["pitch"]) <= 0.5 + 1e-9

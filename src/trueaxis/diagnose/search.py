@@ -14,9 +14,7 @@ from trueaxis.diagnose.signatures import Readings, Signature, signature_of
 from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
 
-FALSE_ALARMS = (
-    1e-4  # a candidate reaches the threshold in this share of clean data; no noise is quite of the form assumed
-)
+FALSE_ALARMS = 1e-4  # share of clean data in which a candidate reaches the threshold, were noise just as assumed
 RIVAL = 2.0  # decades of evidence within which a candidate remains in the running
 MOST_CAUSES = 4
 FURTHER = 2.0  # decades more that a further cause needs: what the first one leaves is not noise alone
