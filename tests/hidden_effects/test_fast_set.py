@@ -39,7 +39,7 @@ def results() -> list[Result]:
         *trials_of("clean", 8),
         *of_one_machine(),
         *islice(trials_of("outside"), None, None, 2),
-        *(trial for trial in separated if trial.row.startswith(("laser_scale", "drift"))),
+        *(trial for trial in separated if trial.row.startswith(("laser_scale", "laser_cosine"))),
         *trials_of("tampered"),
         *trials_of("values"),
     ]

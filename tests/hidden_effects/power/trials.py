@@ -99,7 +99,6 @@ def separated(count: int, bounds: Bounds) -> Iterator[Trial]:
     pairs = {
         "laser_scale": (scale, replace(scale, gauge=True), Name("laser_scale")),
         "ballbar_length": (scale, replace(scale, gauge=True), Name("ballbar_length")),
-        "drift": (replace(scale, temperature="linear"), scale, Name("drift", "ECY")),
         "laser_cosine": (replace(scale, lines=3), replace(scale, lines=6), Name("laser_cosine", runs=_line("X1"))),
     }
     for kind, (without, with_it, name) in pairs.items():
@@ -144,15 +143,16 @@ def outsiders(count: int, bounds: Bounds) -> Iterator[Trial]:
 def tampered(count: int, bounds: Bounds) -> Iterator[Trial]:
     """Sound data named rightly, the same data spoilt: the name must go."""
     setting = Case(1)
-    wanted = {"swap_directions": Name("backlash", "EZZ"), "shuffle_time": Name("drift", "ECY")}
-    for how, name in wanted.items():
-        bound = next((one for one in bounds(setting) if one.name == name), None)
-        effects = [_effect(bound, 10.0, 90_000 + n) if bound is not None else None for n in range(count)]
-        for n, effect in enumerate(effects):
+    observable = _by_kind(bounds(setting), "observable")
+    for how, kind, times in (("swap_directions", "backlash", 10.0), ("shuffle_time", "drift", 3.0)):
+        possible = [one for one in observable[kind] if _effect(one, times, 0) is not None]
+        for n in range(count if possible else 0):
+            bound = possible[n % len(possible)]
+            effect = _effect(bound, times, 90_000 + n)
             if effect is not None:
                 sound = _case(setting, 90_000 + n, effect)
-                yield Trial("tampered", f"{name.kind}, sound", sound, (name,))
-                yield Trial("tampered", f"{name.kind}, {how}", replace(sound, tamper=how), (name,))
+                yield Trial("tampered", f"{kind}, sound", sound, (bound.name,))
+                yield Trial("tampered", f"{kind}, {how}", replace(sound, tamper=how), (bound.name,))
 
 
 def values(count: int, bounds: Bounds) -> Iterator[Trial]:
