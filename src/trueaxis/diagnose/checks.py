@@ -12,7 +12,7 @@ from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.result import BoolArray, Check, FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
-from trueaxis.diagnose.whiten import Whitening, ramp
+from trueaxis.diagnose.whiten import Whitening
 
 DEGREE = 6
 LOBES = 10
@@ -41,7 +41,7 @@ def run_checks(
     """
     classes = list(structures(rows, theta))
     sigma = np.repeat([one.sigma for one in whitening.noise], np.diff(whitening.starts))
-    projection = projection.extended(whitening(_slopes(rows, whitening)))
+    projection = projection.extended(_slopes(rows, whitening))
     residual = residual - projection.causes @ (projection.causes.T @ residual) if projection.causes.size else residual
     found = []
     for one in classes:
@@ -66,12 +66,12 @@ def run_checks(
 
 
 def _slopes(rows: Rows, whitening: Whitening) -> FloatArray:
-    """(n, runs): the slope of each run that has one by chance."""
+    """(n, runs): the slope of each run that has one by chance, whitened."""
     sloping = [index for index, noise in zip(rows.present, whitening.noise, strict=True) if noise.slope > 0.0]
-    found = np.zeros((rows.size, len(sloping)))
+    found, ramps = np.zeros((rows.size, len(sloping))), whitening.ramps()
     for place, index in enumerate(sloping):
         part = rows.of_run(index)
-        found[part, place] = ramp(part.stop - part.start)
+        found[part, place] = ramps[part]
     return found
 
 

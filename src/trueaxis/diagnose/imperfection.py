@@ -59,10 +59,8 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     rows, signal = readings.rows, cause.signal
     used = {each.name for each in names(parse(cause.kind.expression))} if cause.kind.expression else set()
     scales = []
-    if used & set(VARIABLES) - {
-        "t",
-        "T",
-    }:  # what only time or temperature drive would be of another kind if it varied along the travel
+    # what time or temperature alone drive would be of another kind if it varied along the travel
+    if used & VARIABLES.keys() - {"t", "T"}:
         scales += [rows.positions[rows.axes.index(axis)] for axis in _axes(cause) if axis in rows.axes]
     if rows.time is not None and np.isfinite(rows.time).all():
         scales.append(rows.time)

@@ -37,7 +37,7 @@ class Prepared:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Residual:
-    """What is left to be explained. base: with the causes found; values: (n,), whitened, as the base tells them.
+    """What is left to be explained. base: with the causes found.
 
     back: (n, 1 + causes), values and causes taken back through the whitening: their product with a signature is that of
     the whitened ones, for a fraction of the cost.
@@ -45,7 +45,6 @@ class Residual:
 
     whitening: Whitening
     base: Projection
-    values: FloatArray
     freedom: Freedom
     back: FloatArray
 
@@ -89,8 +88,8 @@ def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Pr
 
 def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:
     """values: (n,), whitened; base: with the causes found; freedom: of the noise estimate."""
-    told = base.told(values)
-    return Residual(whitening, base, told, freedom, whitening.back(np.column_stack([told, base.inner_causes])))
+    back = whitening.back(np.column_stack([base.told(values), base.inner_causes]))
+    return Residual(whitening, base, freedom, back)
 
 
 def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanned:
