@@ -10,7 +10,7 @@ from trueaxis.diagnose.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.result import BoolArray, Check, FloatArray
-from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.rows import Rows, place_of
 from trueaxis.diagnose.tails import log_f_tail
 from trueaxis.diagnose.whiten import Whitening
 
@@ -160,7 +160,7 @@ def _of_circles(rows: Rows, theta: FloatArray, mine: BoolArray) -> Iterator[Stru
     lobes = np.hstack([np.ones((rows.size, 1)), _waves(angle, range(1, LOBES + 1))]) * inside
     ripple = _waves(angle, range(LOBES + 1, RIPPLE + 1)) * inside
     sense = _sense(rows, theta)[:, np.newaxis]
-    title = "circles of " + _plane(rows, mine)
+    title = place_of(rows, mine)
     yield Structure(f"{title}, lobes", "lobes common to both directions", lobes[:, 1:])
     yield Structure(f"{title}, ripple", "ripple common to both directions", ripple)
     yield Structure(f"{title}, in the course of a run", COURSE, _course(rows, mine))
@@ -225,7 +225,3 @@ def _feeds(rows: Rows, mine: BoolArray) -> FloatArray | None:
     found = np.zeros(rows.size)
     found[mine] = (feed - feed.mean()) / np.ptp(feed)
     return found
-
-
-def _plane(rows: Rows, mine: BoolArray) -> str:
-    return "".join(name for name, at in zip(rows.axes, rows.positions, strict=True) if np.ptp(at[mine]) > 0.0)

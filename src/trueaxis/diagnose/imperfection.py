@@ -54,6 +54,19 @@ def imperfection(
     return Imperfection(np.hstack(columns), np.hstack(beside))
 
 
+def taken_up(
+    readings: Readings, causes: Sequence[Fitted], seen: Callable[[FloatArray], FloatArray], left: FloatArray
+) -> FloatArray:
+    """(n,), mm: the likeliest of what the causes may do besides, where they leave (n,), mm, of the readings."""
+    besides = [column for one in causes for column in imperfections(readings, one)]
+    if not besides:
+        return np.zeros_like(left)
+    columns = np.stack(besides, axis=1)
+    white, rest = seen(columns), seen(left[:, np.newaxis])[:, 0]
+    share = np.linalg.solve(white.T @ white + np.eye(columns.shape[1]), white.T @ rest)
+    return np.asarray(columns @ share)
+
+
 def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     """(n,), mm, each: what a cause may do besides, one standard deviation."""
     rows, signal = readings.rows, cause.signal

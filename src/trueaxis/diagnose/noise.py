@@ -15,7 +15,7 @@ from scipy.linalg import solve_banded
 from scipy.stats import beta, chi2
 
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
-from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.rows import Rows, place_of
 from trueaxis.diagnose.whiten import differenced, ramp, tridiagonal, whitened
 
 LAG = 2  # harmonic of a circle by which servo lag makes two feeds differ
@@ -26,6 +26,7 @@ _CORRELATIONS = (0.3, 0.5, 0.65, 0.8, 0.9, 0.95, 0.98)
 _SHAPES = ((0.0, 0.0), *((share, correlation) for correlation in _CORRELATIONS for share in _SHARES))
 FEWEST_RUNS = 4  # for a slope's variance
 KEPT = 2.0 / 3.0  # of the slopes, the smallest: what warms or creeps may tilt the runs of one axis, all the more
+REPEATS = "repeats"  # where noise comes from
 TOLD = 0.4  # of the degrees of freedom, that are left by it
 
 
@@ -34,13 +35,23 @@ class Contrast:
     """A difference of passes over the same targets, of the variance of one reading.
 
     values: (n,) mm, in the order of reading; nuisance: (n, k), what is projected out, the slope in time second.
-    across_runs: whether the passes are of different runs.
+    across_runs: whether the passes are of different runs; place: where they were taken, see `place_of`. warming: (2,),
+    the same difference of the slopes that the temperature and its square have in them, where it was read.
     """
 
     instrument: str
     values: FloatArray
     nuisance: FloatArray
     across_runs: bool
+    place: str = ""
+    warming: FloatArray | None = None
+
+    def slope(self, noise: NoiseOf) -> tuple[float, float]:
+        """Slope in time, mm over a run, and the variance that noise without slopes of runs makes of it."""
+        white = whitened(replace(noise, slope=0.0), np.hstack([self.nuisance, self.values[:, np.newaxis]]))
+        inverse = np.linalg.pinv(white[:, :-1].T @ white[:, :-1])
+        coefficient = inverse @ (white[:, :-1].T @ white[:, -1])
+        return float(coefficient[1]), float(inverse[1, 1])
 
 
 def contrasts(rows: Rows, values: FloatArray, theta: FloatArray) -> tuple[Contrast, ...]:
@@ -100,7 +111,7 @@ def _profiled(
     instrument: str, share: float, correlation: float, freedom: float, stacks: list[tuple[FloatArray, FloatArray]]
 ) -> tuple[NoiseOf, float]:
     """The noise of this shape that the contrasts make likeliest, and its restricted log-likelihood."""
-    unit = NoiseOf(instrument, float(np.sqrt(1.0 - share)), float(np.sqrt(share)), correlation, 0.0, freedom, "repeats")
+    unit = NoiseOf(instrument, float(np.sqrt(1.0 - share)), float(np.sqrt(share)), correlation, 0.0, freedom, REPEATS)
     squares = determinant = 0.0
     for values, nuisance in stacks:
         count = values.shape[1]
@@ -126,21 +137,14 @@ def _slow(noise: NoiseOf) -> float:
 
 def _slope(mine: Sequence[Contrast], noise: NoiseOf) -> tuple[float, float]:
     """Standard deviation of the slopes of runs, mm over a run, beyond what the other noise makes of them; freedom."""
-    squares, variances = [], []
-    for one in mine:
-        if not one.across_runs:
-            continue
-        white = whitened(noise, np.hstack([one.nuisance, one.values[:, np.newaxis]]))
-        inverse = np.linalg.pinv(white[:, :-1].T @ white[:, :-1])
-        coefficient = inverse @ (white[:, :-1].T @ white[:, -1])
-        squares.append(float(coefficient[1] ** 2))
-        variances.append(float(inverse[1, 1]))
-    if len(squares) < FEWEST_RUNS:
+    of_runs = [one.slope(noise) for one in mine if one.across_runs]
+    if len(of_runs) < FEWEST_RUNS:
         return 0.0, 0.0
-    kept = max(int(KEPT * len(squares)), 1)
-    order = np.argsort(np.array(squares) / np.array(variances))[:kept]
-    excess = float(np.mean(np.array(squares)[order])) / _smallest(kept, len(squares)) - float(np.mean(variances))
-    return float(np.sqrt(max(excess, 0.0))), TOLD * len(squares)
+    slopes, variances = np.array(of_runs).T
+    kept = max(int(KEPT * slopes.size), 1)
+    order = np.argsort(slopes**2 / variances)[:kept]
+    excess = float(np.mean(slopes[order] ** 2)) / _smallest(kept, slopes.size) - float(np.mean(variances))
+    return float(np.sqrt(max(excess, 0.0))), TOLD * slopes.size
 
 
 @cache
@@ -184,10 +188,10 @@ def _of_set(
     order = target[first]
     if np.unique(order).size != order.size or order.size < FEWEST:
         return []
-    table = np.empty((len(passes), order.size))
+    at = np.empty((len(passes), order.size), dtype=np.int64)
     for index, one in enumerate(passes):
-        place = {int(number): int(at) for number, at in zip(target[one], one, strict=True)}
-        table[index] = values[[place[int(number)] for number in order]]
+        where = {int(number): int(row) for number, row in zip(target[one], one, strict=True)}
+        at[index] = [where[int(number)] for number in order]
     instrument = rows.runs[rows.run[first[0]]].instrument
     nuisance = [np.ones(order.size), ramp(order.size)]
     if instrument == "ballbar" and np.unique(rows.target[np.concatenate(passes)]).size > order.size:
@@ -197,7 +201,22 @@ def _of_set(
         nuisance += [np.cos(LAG * angle), np.sin(LAG * angle)]
     columns = _independent(np.stack(nuisance, axis=1))
     across = len({int(rows.run[one[0]]) for one in passes}) == len(passes)
-    return [Contrast(instrument, values_of, columns, across) for values_of in _helmert(len(passes)) @ table]
+    place = place_of(rows, np.concatenate(passes))
+    difference = _helmert(len(passes))
+    warming = _warming(rows, at)
+    return [
+        Contrast(instrument, row @ values[at], columns, across, place, None if warming is None else row @ warming)
+        for row in difference
+    ]
+
+
+def _warming(rows: Rows, at: IntArray) -> FloatArray | None:
+    """(n_passes, 2): slopes of the temperature and of its square over each pass, degC and degC^2; at: its rows."""
+    if rows.temperature is None or not np.isfinite(rows.temperature[at]).all():
+        return None
+    warm = rows.temperature[at] - np.nanmean(rows.temperature)
+    along = ramp(at.shape[1])
+    return np.stack([warm @ along, warm**2 @ along], axis=1) / float(along @ along)
 
 
 def _independent(columns: FloatArray) -> FloatArray:

@@ -11,13 +11,14 @@ from trueaxis.diagnose.audit import audit
 from trueaxis.diagnose.base import Base, base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
+from trueaxis.diagnose.checks_of_repeats import checks_of_repeats
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.gain import fitted_left, gain_of, held_out, of_instruments
-from trueaxis.diagnose.imperfection import imperfection
+from trueaxis.diagnose.imperfection import imperfection, taken_up
 from trueaxis.diagnose.noise_of_runs import noise_of_runs
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.refit import Fitted, refit
-from trueaxis.diagnose.result import AmplitudeOf, Diagnosis, FloatArray, NoiseOf
+from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.screening import outliers
 from trueaxis.diagnose.search import Found, Ground, Search, search, with_rivals, without
@@ -72,24 +73,23 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         named = (*standing, *causes)
         ground, found, causes = _searched(readings, free, values, noise, options, named, found.causes)
     options.progress("checks")
-    theta = readings.reading.theta
     groups = _amplitudes(ground, causes)
     while len(causes) > 1 and min(p for _, p in groups) < HOMOGENEOUS:
         # a further cause that is not one everywhere is none, and says nothing against the others
         found = without(ground, found, max(k for k, (_, p) in enumerate(groups) if p < HOMOGENEOUS))
         causes = refit(ground, found.causes)
         groups = _amplitudes(ground, causes)
-    checks = run_checks(rows, theta, ground.whitening, found.projection, found.residual, ground.freedom)
+    checks = _checks(ground, found.projection, found.residual, values, causes)
     hard = Projection(orthonormal(ground.whitening(base.columns))) if standing else None
-    share = explained_share(ground, found, causes, checks, standing, hard)
-    stand = names_stand(share, (*standing, *causes), checks, [p for _, p in groups])
+    homogeneous_p = [p for _, p in groups]
+    share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
+    stand = names_stand(share, (*standing, *causes), checks, homogeneous_p)
     if stand:
         options.progress("rivals")
         found = with_rivals(ground, found)
     elif causes:
         causes, groups = (), ()
-        left = ground.base.rest(ground.values)
-        checks = run_checks(rows, theta, ground.whitening, ground.base, left, ground.freedom)
+        checks = _checks(ground, ground.base, ground.base.rest(ground.values), values, causes)
     options.progress("gain")
     held, split = held_out(rows)
     everything = fitted_left(base, ground.whitening, values, causes, np.ones_like(held))
@@ -119,6 +119,17 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             stale_p=stale_p,
         )
     )
+
+
+def _checks(
+    ground: Ground, projection: Projection, residual: FloatArray, values: FloatArray, causes: Sequence[Fitted]
+) -> tuple[Check, ...]:
+    rows, theta = ground.readings.rows, ground.readings.reading.theta
+    found = run_checks(rows, theta, ground.whitening, projection, residual, ground.freedom)
+    left = values - sum((one.signal for one in causes), np.zeros_like(values))
+    hard = Projection(ground.base.basis)
+    left -= taken_up(ground.readings, causes, lambda columns: hard.rest(ground.whitening(columns)), left)
+    return found + checks_of_repeats(rows, left, theta, ground.whitening.noise)
 
 
 def _amplitudes(ground: Ground, causes: Sequence[Fitted]) -> tuple[tuple[tuple[AmplitudeOf, ...], float], ...]:

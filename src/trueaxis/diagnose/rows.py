@@ -113,6 +113,14 @@ def rows_of(data: MeasuredData) -> Rows:
     return _with_passes(everything)
 
 
+def place_of(rows: Rows, mine: BoolArray | IntArray) -> str:
+    """Where some rows were taken: "lines of X" by the axis that moves most, "circles of XY" by all that move."""
+    span = np.ptp(rows.positions[:, mine], axis=1)
+    if rows.runs[rows.run[mine][0]].instrument == "ballbar":
+        return "circles of " + "".join(name for name, way in zip(rows.axes, span, strict=True) if way > 0.0)
+    return "lines of " + (rows.axes[int(np.argmax(span))] if span.max() > 0.0 else "no axis")
+
+
 def _setups(runs: Sequence[Run], run: IntArray, positions: FloatArray) -> IntArray:
     """(n_runs,): the same number for runs that differ in their zero alone; for ball bars also the plane counts."""
     known: dict[object, int] = {}

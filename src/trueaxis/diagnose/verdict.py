@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.stats import chi2
 
 from trueaxis.diagnose.checks_of_runs import LACK_OF_FIT
 from trueaxis.diagnose.projection import Projection
@@ -21,6 +22,7 @@ CLASSES = (  # words in the name of a check, and variables of the causes that ma
     ("feed", {"v"}),
     ("course", {"d", "direction"}),
     ("temperature", {"t", "T"}),
+    ("repeats", {"t", "T"}),
     ("by line", {"s_b", "q_b", "along", "t", "T"}),
 )
 NEARLY_ALL = 0.9  # share of what was to be explained from which a remainder of that class does not take the name back
@@ -31,13 +33,15 @@ def explained_share(
     found: Search,
     causes: Sequence[Fitted],
     checks: Sequence[Check],
+    homogeneous_p: Sequence[float],
     standing: Sequence[Fitted] = (),
     hard: Projection | None = None,
 ) -> float:
     """Share that the causes have of the whitened squares beyond those of noise.
 
-    standing: those the model has already; hard: the base without them, where there are any. What is left is that of the
-    checks that fired or, if more, of all residuals, forms taken as exact.
+    standing: those the model has already; hard: the base without them, where there are any. What is left is the most of
+    what the checks that fired say, what all residuals come to, forms taken as exact, and what a cause has more at one
+    place than at the others.
     """
     if not causes and not standing:
         return 0.0
@@ -47,7 +51,8 @@ def explained_share(
     after = Projection(ground.base.basis).extended(cause_columns(ground, found.causes)).rest(ground.values)
     explained = float(before @ before) - float(after @ after)
     freedom = found.residual.size - found.projection.rank
-    left = max([float(after @ after) - freedom, 0.0, *(one.excess for one in checks if one.fired)])
+    uneven = [float(chi2.isf(max(p, 1e-300), 1)) for p in homogeneous_p if p <= HOMOGENEOUS]
+    left = max([float(after @ after) - freedom, 0.0, *uneven, *(one.excess for one in checks if one.fired)])
     return explained / (explained + left) if explained > 0.0 else 0.0
 
 
