@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.stats import norm
 
 from tests.diagnose.prepared import SIGMA, field
 from trueaxis.diagnose.refit import Fitted, refit
@@ -63,9 +64,14 @@ def test_share_is_that_of_the_squares_beyond_noise() -> None:
     explained = np.sum(where.base.rest(where.whitening(causes[0].signal)) ** 2)
     left = 0.25 * explained
     # a least-squares fit leaves what is orthogonal to it: squares of the readings less squares left are its own
-    assert explained_share(ground, found, causes, [check(PERIOD, excess=left)]) == pytest.approx(0.8, rel=1e-3)
-    assert explained_share(ground, found, causes, [check(PERIOD, fired=False, excess=left)]) > 0.99
-    assert explained_share(ground, found, (), []) == 0.0
+    assert explained_share(ground, found, causes, [check(PERIOD, excess=left)], [0.5]) == pytest.approx(0.8, rel=1e-3)
+    assert explained_share(ground, found, causes, [check(PERIOD, fired=False, excess=left)], [0.5]) > 0.99
+    assert explained_share(ground, found, (), [], []) == 0.0
+    # of a size that differs from place to place, what it has more at one of them is left: its squared deviation
+    apart = 0.25 * explained
+    p = 2.0 * norm.sf(np.sqrt(apart)) if apart < 1300.0 else 1e-300
+    expected = explained / (explained + min(apart, 1367.5))
+    assert explained_share(ground, found, causes, [], [p]) == pytest.approx(expected, rel=1e-2)
 
 
 def test_verdicts() -> None:

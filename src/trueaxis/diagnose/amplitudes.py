@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.stats import norm
+from scipy.special import ndtr
 
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import AmplitudeOf, FloatArray
@@ -43,7 +43,7 @@ def amplitudes_of(ground: Ground, causes: Sequence[Fitted], index: int) -> tuple
         share, u, excess, excess_u = solved
         found.append(AmplitudeOf(_name(ground, group), share * size, u * abs(size)))
         z = excess / np.hypot(excess_u, TOLERANCE)
-        worst = min(worst, float(2.0 * norm.sf(abs(z))) * len(groups))
+        worst = min(worst, float(2.0 * ndtr(-abs(z))) * len(groups))
     return tuple(found), min(worst, 1.0)
 
 

@@ -8,7 +8,7 @@ from numpy.polynomial import legendre
 
 from trueaxis.diagnose.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_fit, noisy_run
 from trueaxis.diagnose.freedom import Freedom
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.result import BoolArray, Check, FloatArray
 from trueaxis.diagnose.rows import Rows, place_of
 from trueaxis.diagnose.tails import log_f_tail
@@ -45,19 +45,13 @@ def run_checks(
     residual = residual - projection.causes @ (projection.causes.T @ residual) if projection.causes.size else residual
     found = []
     for one in classes:
-        white = whitening(one.columns)
-        size = np.linalg.norm(white, axis=0)
-        left = projection.rest(white)
-        kept = left[:, np.linalg.norm(left, axis=0) > 1e-4 * np.maximum(size, 1e-300)]
-        basis = orthonormal(kept)
-        k = basis.shape[1]
+        fitted, k = projection.explained(whitening(one.columns), residual)
         if k == 0:
             continue
-        inside = basis.T @ residual
-        statistic = float(inside @ inside)
-        log_p = log_f_tail(statistic / k, k, freedom.of(basis)) + np.log(len(classes))
+        statistic = float(fitted @ fitted)
+        log_p = log_f_tail(statistic / k, k, freedom.of_readings) + np.log(len(classes))
         beyond = max(statistic - k, 0.0) / statistic if statistic > 0.0 else 0.0
-        rms = float(np.sqrt(beyond * np.mean((sigma * (basis @ inside)) ** 2)))
+        rms = float(np.sqrt(beyond * np.mean((sigma * fitted) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
         found.append(Check(one.name, one.meaning, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
     found += [noisy_run(rows, projection, residual, sigma), humming_run(rows, projection, residual, sigma)]

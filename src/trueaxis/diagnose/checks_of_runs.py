@@ -1,7 +1,7 @@
 """Is a run unlike the others, in its noise or by one period in it? Is all together more than repeats differ by?"""
 
 import numpy as np
-from scipy.stats import norm
+from scipy.special import ndtr
 
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection
@@ -44,7 +44,7 @@ def noisy_run(rows: Rows, projection: Projection, residual: FloatArray, sigma: F
             ratio[same] = power[same] / usual[same]
     z = (ratio - 1.0) / np.sqrt(2.0 * LESS_EFFICIENT / np.maximum(count, 1.0))
     worst = int(np.argmax(z))
-    p_value = min(1.0, float(norm.sf(z[worst])) * len(rows.runs))
+    p_value = min(1.0, float(ndtr(-z[worst])) * len(rows.runs))
     excess = max(ratio[worst] - 1.0, 0.0) * usual[worst] * count[worst] / rows.size
     rms = float(np.sqrt(excess)) * float(np.mean(sigma[rows.of_run(worst)])) if excess > 0.0 else 0.0
     fired = p_value < FALSE_ALARMS and float(ratio[worst]) > NOISY

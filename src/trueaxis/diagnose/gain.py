@@ -73,28 +73,33 @@ def fitted_left(
     Whitened columns keep rows of one run together, so the weights of a run of which a part is held back are those of
     white noise of its size.
     """
+    columns, ends = _stages(base, causes)
     own = base.columns[:, base.plan.count :]
-    nuisance = [base.columns[:, base.plan.of_instruments], own]
-    machine = base.columns[:, : base.plan.of_machine]
-    signals = [one.signal[:, np.newaxis] for one in causes]
-    weights = 1.0 / _sizes(whitening)
-    given, _ = _left(values, np.hstack(nuisance), own, weights, train)
-    refitted, _ = _left(values, np.hstack([machine, *nuisance]), own, weights, train)
-    extended = refitted
-    if causes:
-        extended, _ = _left(values, np.hstack([machine, *nuisance, *signals]), own, weights, train)
-    return Left(given, refitted, extended)
+    left = []
+    for coefficient in _fitted(values, columns, ends, 1.0 / _sizes(whitening), train):
+        rest = values - columns[:, : coefficient.size] @ coefficient
+        for column in own.T if not train.all() else ():
+            mine = column != 0.0
+            # a run of which a part is fitted has its offset from there: what drifts within the run must show
+            if mine.any() and not (mine & train).any():
+                rest[mine] -= np.mean(rest[mine])
+        left.append(rest)
+    return Left(*left)
 
 
 def of_instruments(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted]) -> FloatArray:
     """(n,), mm: what offsets, slopes and centres of the instruments account for beside this base and the causes."""
-    own = base.columns[:, base.plan.count :]
-    nuisance = np.hstack([base.columns[:, base.plan.of_instruments], own])
-    signals = [one.signal[:, np.newaxis] for one in causes]
-    columns = np.hstack([nuisance, base.columns[:, : base.plan.of_machine], *signals])
+    columns, ends = _stages(base, causes)
     everything = np.ones(values.size, dtype=bool)
-    _, fitted = _left(values, columns, own, 1.0 / _sizes(whitening), everything)
-    return np.asarray(nuisance @ fitted[: nuisance.shape[1]])
+    *_, fitted = _fitted(values, columns, ends[-1:], 1.0 / _sizes(whitening), everything)
+    return np.asarray(columns[:, : ends[0]] @ fitted[: ends[0]])
+
+
+def _stages(base: Base, causes: Sequence[Fitted]) -> tuple[FloatArray, tuple[int, int, int]]:
+    """Columns of the instruments, of the machine and of the causes, in this order, and where each part ends."""
+    of_instruments, of_machine = base.columns[:, base.of_instruments], base.columns[:, : base.plan.of_machine]
+    columns = np.hstack([of_instruments, of_machine, *(one.signal[:, np.newaxis] for one in causes)])
+    return columns, (of_instruments.shape[1], base.columns.shape[1], columns.shape[1])
 
 
 def _sizes(whitening: Whitening) -> FloatArray:
@@ -102,27 +107,24 @@ def _sizes(whitening: Whitening) -> FloatArray:
     return np.repeat([one.sigma for one in whitening.noise], counts)
 
 
-def _left(
-    values: FloatArray, columns: FloatArray, own: FloatArray, weights: FloatArray, train: BoolArray
-) -> tuple[FloatArray, FloatArray]:
-    """(n,) what is left, and the coefficient of each column."""
+def _fitted(
+    values: FloatArray, columns: FloatArray, ends: Sequence[int], weights: FloatArray, train: BoolArray
+) -> list[FloatArray]:
+    """(end,) each: coefficients of so many of the first columns, from one factorisation of all."""
     weighted = columns[train] * weights[train, np.newaxis]
     size = np.linalg.norm(weighted, axis=0)
-    kept = size > 0.0
-    coefficient = np.zeros(columns.shape[1])
-    if kept.any():
-        q, r = np.linalg.qr(weighted[:, kept] / size[kept])
-        solved = np.linalg.lstsq(r, q.T @ (values[train] * weights[train]), rcond=RANK)[0]
-        coefficient[kept] = solved / size[kept]
-    rest = values - columns @ coefficient
-    if train.all():
-        return rest, coefficient
-    for column in own.T:
-        mine = column != 0.0
-        # a run of which a part is fitted has its offset from there: what drifts within the run must show
-        if mine.any() and not (mine & train).any():
-            rest[mine] -= np.mean(rest[mine])
-    return rest, coefficient
+    kept = np.flatnonzero(size)
+    q, r = np.linalg.qr(weighted[:, kept] / size[kept])
+    along = q.T @ (values[train] * weights[train])
+    found = []
+    for end in ends:
+        there = kept[kept < end]
+        coefficient = np.zeros(end)
+        if there.size:
+            solved = np.linalg.lstsq(r[: there.size, : there.size], along[: there.size], rcond=RANK)[0]
+            coefficient[there] = solved / size[there]
+        found.append(coefficient)
+    return found
 
 
 def gain_of(everything: Left, held: Left, rows_held: BoolArray, split: str, floor: float) -> Gain:

@@ -12,7 +12,7 @@ from functools import cache
 
 import numpy as np
 from scipy.linalg import solve_banded
-from scipy.stats import beta, chi2
+from scipy.special import betaln, chdtri
 
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, place_of
@@ -152,8 +152,9 @@ def _smallest(kept: int, count: int) -> float:
     """Expected mean of the smallest `kept` of `count` squares of standard normal variables (order statistics)."""
     share = np.linspace(0.0, 1.0, 4001)[1:-1]
     order = np.arange(1, kept + 1)[:, np.newaxis]
-    density = beta.pdf(share, order, count + 1 - order)
-    return float(np.mean(np.trapezoid(chi2.ppf(share, 1) * density, share)))
+    above = count + 1 - order
+    density = np.exp((order - 1) * np.log(share) + (above - 1) * np.log1p(-share) - betaln(order, above))
+    return float(np.mean(np.trapezoid(chdtri(1, 1.0 - share) * density, share)))
 
 
 def _by(number: IntArray) -> Iterator[IntArray]:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import f as f_distribution
+from scipy.special import fdtrc
 
 from trueaxis.diagnose.amplitudes import amplitudes_of
 from trueaxis.diagnose.audit import audit
@@ -181,4 +181,4 @@ def _stale(ground: Ground, base: Base) -> float:
     k = ground.base.rank - nuisance.rank
     if k <= 0:
         return 1.0
-    return float(f_distribution.sf(float(within @ within) / k, k, ground.freedom.of_readings))
+    return float(fdtrc(k, ground.freedom.of_readings, float(within @ within) / k))

@@ -42,8 +42,7 @@ class Projection:
 
     def rest(self, columns: FloatArray) -> FloatArray:
         """What is left of columns (n,) or (n, k), independent and of variance 1 where it is noise alone."""
-        left = columns - self.basis @ (self.basis.T @ columns)
-        left = self._rooted(left - self.basis @ (self.basis.T @ left))
+        left = self._rooted(columns - self.basis @ (self.basis.T @ columns))
         return np.asarray(left - self.causes @ (self.causes.T @ left)) if self.causes.size else left
 
     @cached_property
@@ -70,11 +69,28 @@ class Projection:
             if part.nbytes + sum(one.nbytes for one in self._parts.values()) > KEPT:
                 self._parts.clear()
             self._parts[key] = part
+            return part
         return self._parts[key]
 
     def told(self, values: FloatArray) -> FloatArray:
         """(n,): the vector whose product with a column is that of what is left of both."""
         return np.asarray(values - self.inner @ (self.inner.T @ values))
+
+    def explained(self, columns: FloatArray, residual: FloatArray) -> tuple[FloatArray, int]:
+        """(n,), what columns (n, k) explain of what is left of the readings, (n,), and by how many combinations.
+
+        From products of the columns, for a quarter of what an orthonormal basis costs.
+        """
+        held = self.inner.T @ columns
+        whole = np.sum(columns**2, axis=0)
+        gram = columns.T @ columns - held.T @ held
+        kept = np.diag(gram) > LEAST**2 * whole
+        size = np.sqrt(np.diag(gram)[kept])
+        values, vectors = np.linalg.eigh(gram[np.ix_(kept, kept)] / np.outer(size, size))
+        told = values > TOLD * values.max(initial=0.0)
+        turned = vectors[:, told] / np.sqrt(values[told]) / size[:, np.newaxis]
+        inside = turned.T @ (columns[:, kept].T @ self._rooted(residual))
+        return self.rest(columns[:, kept] @ (turned @ inside)), int(np.count_nonzero(told))
 
     def extended(self, columns: FloatArray) -> "Projection":
         """The projection that takes further columns (n, k) away, too: causes that are named."""
@@ -84,6 +100,7 @@ class Projection:
         kept = more[:, left > RANK * size]
         if kept.shape[1] == 0:
             return self
+        kept -= self.basis @ (self.basis.T @ kept)  # of what is left of a column hardly any, rounding is a part
         fresh = orthonormal(kept / np.linalg.norm(kept, axis=0))
         causes = np.hstack([self.causes, fresh]) if self.causes.size else fresh
         return Projection(self.basis, self.soft, self.shrink, causes)
@@ -108,6 +125,8 @@ class Projection:
 
 
 KEPT = 1 << 26  # bytes
+LEAST = 1e-4  # share of a column's length that must be left of it, for it to explain anything
+TOLD = 1e-6  # of the largest eigenvalue of products of columns, below which rounding is all there is
 SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.stats import chi2
+from scipy.special import chdtri
 
 from trueaxis.diagnose.checks_of_runs import LACK_OF_FIT
 from trueaxis.diagnose.projection import Projection
@@ -51,7 +51,7 @@ def explained_share(
     after = Projection(ground.base.basis).extended(cause_columns(ground, found.causes)).rest(ground.values)
     explained = float(before @ before) - float(after @ after)
     freedom = found.residual.size - found.projection.rank
-    uneven = [float(chi2.isf(max(p, 1e-300), 1)) for p in homogeneous_p if p <= HOMOGENEOUS]
+    uneven = [float(chdtri(1, max(p, 1e-300))) for p in homogeneous_p if p <= HOMOGENEOUS]
     left = max([float(after @ after) - freedom, 0.0, *uneven, *(one.excess for one in checks if one.fired)])
     return explained / (explained + left) if explained > 0.0 else 0.0
 

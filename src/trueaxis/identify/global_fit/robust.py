@@ -8,13 +8,13 @@ Robust Statistics, 2nd ed., ch. 7). z: residual over the scale, which is given o
 from typing import Literal
 
 import numpy as np
-from scipy.stats import norm
+from scipy.special import ndtri
 
 from trueaxis.measure.machine import FloatArray
 
 Robust = Literal["", "huber", "tukey"]
 TUNING = {"huber": 1.345, "tukey": 4.685}
-GAUSSIAN_MEDIAN = float(norm.ppf(0.75))
+GAUSSIAN_MEDIAN = float(ndtri(0.75))
 CONVERGED = 1e-7  # largest change of a weight
 MOST_ITERATIONS = 100
 DOUBTED = 0.5  # weight below which a reading is named

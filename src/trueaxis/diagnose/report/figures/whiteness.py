@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
-from scipy.stats import norm
+from scipy.special import ndtri
 
 from trueaxis.diagnose.report.cloud import DOT, cloud
 from trueaxis.diagnose.report.frame import stacked
@@ -51,7 +51,7 @@ def whiteness(diagnosis: Diagnosis) -> list[Picture]:
 
 def _quantiles(whitened: FloatArray) -> Figure:
     figure, (panel,) = stacked(3.2)
-    expected = norm.ppf((np.arange(1, whitened.size + 1) - 0.5) / whitened.size)
+    expected = ndtri((np.arange(1, whitened.size + 1) - 0.5) / whitened.size)
     ends = np.array([expected[0], expected[-1]])
     kept = np.unique(
         np.searchsorted(expected, np.linspace(expected[0], expected[-1], MOST_POINTS)).clip(0, whitened.size - 1)
