@@ -145,3 +145,20 @@ def test_what_divide_and_conquer_gives_up_on_is_decomposed_otherwise(monkeypatch
     monkeypatch.setattr(np.linalg, "svd", gives_up)
     found = orthonormal(columns)
     assert found @ found.T == pytest.approx(expected @ expected.T, abs=1e-12)
+
+
+def test_what_columns_explain_is_what_an_orthonormal_basis_of_them_does() -> None:
+    source = np.random.default_rng(4)
+    projection = Projection(orthonormal(dependent())).softened(source.normal(size=(50, 2)))
+    projection = projection.extended(source.normal(size=(50, 1)))
+    held = projection.basis[:, :1]
+    columns = source.normal(size=(50, 4))
+    columns = np.hstack([columns, columns[:, :1] + columns[:, 1:2], held])  # one twice, one that the base has
+    residual = projection.rest(source.normal(size=50))
+    fitted, count = projection.explained(columns * np.logspace(-3, 3, 6), residual)
+    basis = orth(projection.rest(columns[:, :4]))
+    assert count == basis.shape[1] == 4
+    assert fitted == pytest.approx(basis @ (basis.T @ residual), abs=1e-9)
+    nothing, none = projection.explained(held, residual)
+    assert none == 0
+    assert nothing == pytest.approx(np.zeros(50), abs=1e-12)
