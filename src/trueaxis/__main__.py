@@ -2,4 +2,5 @@
 
 from trueaxis.cli import main
 
-raise SystemExit(main())
+if __name__ == "__main__":  # a second process imports this module, too
+    raise SystemExit(main())

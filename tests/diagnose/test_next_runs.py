@@ -151,6 +151,15 @@ def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() ->
     assert ["line of Y" in found[0].run, "circle in XY" in found[1].run] == [True, True]
     assert len(found) == 3
     assert "three times" in found[2].run
+    repeats = (
+        Check("lines of Z, course of repeats", "", 1e-9, fired=True, rms=1e-3),
+        Check("circles of XY, in the course of a run", "", 1e-8, fired=True, rms=1e-3),
+        Check("circles of YZ, slopes of repeats", "", 1e-5, fired=True, rms=1e-3),
+    )
+    proposed = [one.run for one in next_runs(prospect, nothing, (), repeats, ())]
+    assert ["lines of Z five times" in proposed[0], "two turns" in proposed[1], "YZ three times" in proposed[2]] == [
+        True
+    ] * 3
     named = Ahead(Effect("backlash", "EXX"), (), 1e-3, None)
     assert next_runs(prospect, nothing, (named,), checks, ()) == ()
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.commands.arguments import positive
+from trueaxis.commands.beside import beside
 from trueaxis.commands.derive import identification_runs
 from trueaxis.commands.measured import read_measured
 from trueaxis.commands.paths import overwritten
@@ -41,6 +42,8 @@ alike, or nothing that is known does; 2 the input is wrong and nothing was writt
 NO_ANSWER = ("ambiguous", "unexplained_structure")
 DIAGNOSIS, REPORT, ERRORS, KERNELS = "diagnosis.json", "report.html", "errors.json", "generated"
 KERNEL_FILES = ("kernels.py", "kernels.c", "kernels.h", "equations.md", "manifest.json")
+
+MANY = 3000  # readings from which the report is drawn by a second process while the extended machine is derived
 
 Progress = Callable[[str], None]
 
@@ -84,20 +87,21 @@ def run(args: argparse.Namespace) -> int:
         # SciPy's statistics and the report's templates take a second to import; only this command needs them, and not
         # for wrong input.
         from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
-        from trueaxis.diagnose.report.html import report_html  # noqa: PLC0415
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
 
         options = DiagnoseOptions(noise_um=args.noise_um, progress=show)
-        diagnosis = diagnose(given.model, given.data, options)
-        extension = _extension(args, given, diagnosis, show)
-        show("report")
-        machine_file = f"{given.model.name}.toml" if extension else None
-        contents: dict[Path, bytes | str] = {
-            args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extension else None),
-            args.out / REPORT: report_html(diagnosis),
-            **extension,
-        }
+        with beside("trueaxis.diagnose.report.html", worth=given.data.readings.reading.size >= MANY) as start:
+            diagnosis = diagnose(given.model, given.data, options)
+            report = start("report_html", diagnosis)
+            extension = _extension(args, given, diagnosis, show)
+            show("report")
+            machine_file = f"{given.model.name}.toml" if extension else None
+            contents: dict[Path, bytes | str] = {
+                args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extension else None),
+                args.out / REPORT: report(),
+                **extension,
+            }
         write_files(contents)
     print(summary_text(diagnosis), end="")
     print(f"written: {', '.join(str(path) for path in contents)}")

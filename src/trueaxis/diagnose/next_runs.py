@@ -27,12 +27,15 @@ _OF_LINES = (
     ("by line", "a further line of {} at another offset of the other axes"),
     ("in the course of a run", "the lines of {} again, each over a longer time, with the temperature beside it"),
     ("with temperature", "a line of {} again over a swing of the temperature, measured at the scale or screw"),
+    ("repeats", "the lines of {} five times in a row, and again on another day"),
     ("locally", "the line of {} again with targets at a fifth of the distance where the readings step aside"),
 )
 _OF_CIRCLES = (
     ("by direction and feed", "the circle in {} at two further feeds, in both directions"),
     ("by feed", "the circle in {} at two further feeds"),
     ("by direction", "the circle in {} again, both directions in turn"),
+    ("in the course of a run", "the circle in {} again, two turns in a row, of a machine that has moved before"),
+    ("repeats", "the circle in {} three times at each feed"),
     ("reversals", "the circle in {} at a quarter of the feed, with samples close to the reversals"),
     ("lobes", "the circle in {} with another bar, and with the bar turned in its sockets"),
 )

@@ -55,7 +55,7 @@ class Memory:
     Terms of one kind on one axis are the same for all component errors of the axis; the last ones are kept in any case.
     """
 
-    ROOM = 1 << 27  # bytes
+    ROOM = 1 << 28  # bytes
 
     def __init__(self) -> None:
         self.signatures: dict[Effect, Signature] = {}
