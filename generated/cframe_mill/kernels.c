@@ -2458,7 +2458,7 @@ void cframe_mill_effect_laser_step(
 }
 
 /*
- * Term of the effect ballbar_length: the bar is longer than it is said to be.
+ * Term of the effect ballbar_length: the bar is longer than it is said to be (shorter, where the length is negative).
  * Source: ballbar_length = length. Operations: 0 per point.
  * in context: 1 rows of stride, rad; theta: polar angle of a ball bar in the plane of its circle (theta)
  * in parameters: 1 values, mm; length: actual minus nominal length of the bar (length)

@@ -353,7 +353,7 @@ void gantry_mill_effect_laser_step(
     const double *restrict parameters,
     double *restrict term);
 
-/* Term of the effect ballbar_length: the bar is longer than it is said to be. */
+/* Term of the effect ballbar_length: the bar is longer than it is said to be (shorter, where the length is negative). */
 void gantry_mill_effect_ballbar_length(
     size_t n, size_t stride,
     const double *restrict context,

@@ -4195,7 +4195,7 @@ def effect_laser_step(context, parameters):
 
 
 def effect_ballbar_length(context, parameters):
-    """Term of the effect ballbar_length: the bar is longer than it is said to be.
+    """Term of the effect ballbar_length: the bar is longer than it is said to be (shorter, where the length is negative).
 
     Source: ballbar_length = length. Operations: 0 per point.
 

@@ -173,7 +173,7 @@ KINDS: tuple[Kind, ...] = (
         "reading",
         "length",
         (Parameter("length", "mm", "actual minus nominal length of the bar"),),
-        "the bar is longer than it is said to be",
+        "the bar is longer than it is said to be (shorter, where the length is negative)",
         "laser_scale; scale of all axes",
         "the bar calibrated",
         instrument="ballbar",
