@@ -2,7 +2,9 @@
 
 The standard campaign of the tests' generator (three axes, twelve laser lines three times each, circles by ball bar, one
 effect hidden) with more and more targets and samples; realistic noise. Each size in a process of its own: memory is the
-largest size of that process less that before. Ratios of one run: time per reading, over that of the smallest size.
+largest size of that process less that before. Ratios of one run: time per reading, over that of the smallest size. Then
+the whole command, from the start of Python to the last file written: search, report, extended machine derived, its values
+found anew. All of it on so many cores, where the system lets a process choose them (Linux).
 """
 
 import argparse
@@ -40,43 +42,59 @@ def case(readings: int) -> None:
         trueaxis(["derive", str(folder / "machine.toml"), "--out", str(folder / "kernels")])
         model = load_model(folder / "machine.toml", folder / "errors.json", folder / "kernels")
         data = read_data(folder / "data", model.machine)
-    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    start = time.perf_counter()
-    found = diagnose(model, data)
-    seconds = time.perf_counter() - start
-    memory = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        start = time.perf_counter()
+        found = diagnose(model, data)
+        seconds = time.perf_counter() - start
+        memory = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
+        whole = _command(folder)
     causes = ", ".join(one.effect.label for one in found.causes) or "none"
-    print(f"{rows_of(data).size} {seconds:.3f} {memory:.0f} {found.verdict}: {causes}", file=sys.stderr)
+    print(f"{rows_of(data).size} {seconds:.3f} {whole:.3f} {memory:.0f} {found.verdict}: {causes}", file=sys.stderr)
 
 
-def measured(readings: int, cores: int) -> tuple[int, float, float, str]:
-    """Readings used, seconds, MB and what was found, by a process of its own."""
+def _command(folder: Path) -> float:
+    """Seconds of `trueaxis diagnose`."""
+    words = ["diagnose", folder / "machine.toml", "--errors", folder / "errors.json", "--data", folder / "data"]
+    words += ["--kernels", folder / "kernels", "--out", folder / "found"]
+    start = time.perf_counter()
+    subprocess.run([sys.executable, "-m", "trueaxis", *map(str, words)], check=True, stdout=subprocess.DEVNULL)
+    return time.perf_counter() - start
+
+
+def measured(readings: int, cores: int) -> tuple[int, float, float, float, str]:
+    """Readings used, seconds of the search and of the command, MB and what was found, by a process of its own."""
     threads = {name: str(cores) for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")}
     command = [sys.executable, "-m", "benchmarks.diagnose", "--case", str(readings)]
     done = subprocess.run(
         command, check=True, cwd=ROOT, env={**os.environ, **threads}, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
     )
-    used, seconds, memory, found = done.stderr.decode().strip().splitlines()[-1].split(" ", 3)
-    return int(used), float(seconds), float(memory), found
+    used, seconds, whole, memory, found = done.stderr.decode().strip().splitlines()[-1].split(" ", 4)
+    return int(used), float(seconds), float(whole), float(memory), found
 
 
 def main() -> int:
     """Every size in a process of its own."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--cores", type=int, default=1, help="threads of linear algebra (%(default)s)")
+    parser.add_argument("--cores", type=int, default=2, help="cores, and threads of linear algebra (%(default)s)")
     parser.add_argument("--case", type=int, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.case:
         case(options.case)
         return 0
-    print(f"linear algebra on {options.cores} of {os.cpu_count()} cores")
-    print("readings  seconds  us/reading  ratio       MB  found")
+    if hasattr(os, "sched_setaffinity"):
+        os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[: options.cores])
+        print(f"on {options.cores} of {os.cpu_count()} cores")
+    else:
+        print(f"linear algebra on {options.cores} of {os.cpu_count()} cores")
+    print("readings  seconds  us/reading  ratio  command       MB  found")
     first = None
     for size in SIZES:
-        used, seconds, memory, found = measured(size, options.cores)
+        used, seconds, whole, memory, found = measured(size, options.cores)
         each = 1e6 * seconds / used
         first = first or each
-        print(f"{used:8d} {seconds:8.2f} {each:11.0f} {each / first:6.2f} {memory:8.0f}  {found}", flush=True)
+        print(
+            f"{used:8d} {seconds:8.2f} {each:11.0f} {each / first:6.2f} {whole:8.2f} {memory:8.0f}  {found}", flush=True
+        )
     return 0
 
 
