@@ -3,8 +3,8 @@
 The standard campaign of the tests' generator (three axes, twelve laser lines three times each, circles by ball bar, one
 effect hidden) with more and more targets and samples; realistic noise. Each size in a process of its own: memory is the
 largest size of that process less that before. Ratios of one run: time per reading, over that of the smallest size. Then
-the whole command, from the start of Python to the last file written: search, report, extended machine derived, its values
-found anew. All of it on so many cores, where the system lets a process choose them (Linux).
+the whole command, from the start of Python to the last file written: search, report, extended machine derived, its
+values found anew. All of it on so many cores, where the system lets a process choose them (Linux).
 """
 
 import argparse
