@@ -20,6 +20,7 @@ from trueaxis.diagnose.whiten import whitened
 
 BAND = 16  # half periods in a run, the slowest: what is quicker is no cause
 MORE = 1.5  # times the variance of the other places, from which it is worth saying
+SMALLEST = 1e-300  # mean square elsewhere: repeats that agree to the last digit
 COURSE = "course of repeats"
 SLOPES = "slopes of repeats"
 WARMING = "slopes of repeats with temperature"
@@ -32,14 +33,27 @@ _MEANING = {
 
 @dataclass(frozen=True, slots=True)
 class Unevenness:
-    """ratio: of the variance here to that elsewhere, k and freedom their degrees of freedom; beyond: mm^2, summed."""
+    """Sums of squares, of variance 1 under the noise of the other places: here and elsewhere, and their degrees of
+    freedom; unit: mm^2 summed over readings that a square of 1 comes to.
+    """
 
     place: str
     what: str
-    ratio: float
+    here: float
     k: int
+    elsewhere: float
     freedom: int
-    beyond: float
+    unit: float
+
+    @property
+    def ratio(self) -> float:
+        """F, of (k, freedom) degrees of freedom."""
+        return (self.here / self.k) / max(self.elsewhere / self.freedom, SMALLEST)
+
+    @property
+    def excess(self) -> float:
+        """Squares here beyond those of elsewhere, in units of the latter's mean."""
+        return max(self.ratio - 1.0, 0.0) * self.k
 
 
 def checks_of_repeats(rows: Rows, values: FloatArray, theta: FloatArray, noise: Sequence[NoiseOf]) -> tuple[Check, ...]:
@@ -72,10 +86,7 @@ def _of_instrument(mine: Sequence[Contrast]) -> Iterator[Unevenness]:
 
 
 def _courses(place: str, here: Sequence[Contrast], others: Sequence[Contrast], noise: NoiseOf) -> Unevenness:
-    of_here, k = _band(here, noise)
-    of_others, freedom = _band(others, noise)
-    ratio = (of_here / k) / (of_others / freedom)
-    return Unevenness(place, COURSE, ratio, k, freedom, max(ratio - 1.0, 0.0) * k * noise.sigma**2)
+    return Unevenness(place, COURSE, *_band(here, noise), *_band(others, noise), noise.sigma**2)
 
 
 def _band(of: Sequence[Contrast], noise: NoiseOf) -> tuple[float, int]:
@@ -96,24 +107,19 @@ def _slopes(place: str, here: Sequence[Contrast], others: Sequence[Contrast], no
     """All slopes against those of the other places; and what of them goes with the temperature, against the rest."""
     of_here, scale = _standard(here, noise)
     of_others, _ = _standard(others, noise)
-    readings = sum(one.values.size for one in here) / len(here) / 12.0  # times the mean square of a slope of 1 mm
-    ratio = float(np.mean(of_here**2) / np.mean(of_others**2))
-    beyond = max(1.0 - 1.0 / ratio, 0.0) * float(np.sum((scale * of_here) ** 2)) * readings
-    yield Unevenness(place, SLOPES, ratio, of_here.size, of_others.size, beyond)
+    whole, elsewhere = float(of_here @ of_here), float(of_others @ of_others)
+    readings = np.mean([one.values.size for one in here])
+    unit = float(np.mean(scale**2) * readings / 12.0)  # the mean square of a slope of 1 mm over a run is a twelfth
+    yield Unevenness(place, SLOPES, whole, of_here.size, elsewhere, of_others.size, unit)
     warming = [one.warming for one in here if one.warming is not None]
     if len(warming) < of_here.size:
         return
     basis = orthonormal(np.array(warming) / scale[:, np.newaxis])
     k = basis.shape[1]
-    freedom = of_here.size + of_others.size - k
-    if k == 0 or of_here.size <= k:
-        return
-    inside = basis @ (basis.T @ of_here)
-    within = float(inside @ inside)
-    rest = float(of_here @ of_here) - within + float(of_others @ of_others)
-    ratio = (within / k) / (rest / freedom)
-    beyond = max(1.0 - 1.0 / ratio, 0.0) * float(np.sum((scale * inside) ** 2)) * readings
-    yield Unevenness(place, WARMING, ratio, k, freedom, beyond)
+    if 0 < k < of_here.size:
+        within = float(np.sum((basis.T @ of_here) ** 2))
+        freedom = of_here.size + of_others.size - k
+        yield Unevenness(place, WARMING, within, k, whole - within + elsewhere, freedom, unit)
 
 
 def _standard(of: Sequence[Contrast], noise: NoiseOf) -> tuple[FloatArray, FloatArray]:
@@ -126,6 +132,5 @@ def _standard(of: Sequence[Contrast], noise: NoiseOf) -> tuple[FloatArray, Float
 def _check(one: Unevenness, tests: int, size: int) -> Check:
     p_value = min(1.0, float(np.exp(log_f_tail(one.ratio, one.k, one.freedom))) * tests)
     fired = p_value < FALSE_ALARMS and one.ratio > MORE
-    excess = max(one.ratio - 1.0, 0.0) * one.k
-    rms = float(np.sqrt(one.beyond / size))
-    return Check(f"{one.place}, {one.what}", _MEANING[one.what], p_value, fired, rms, excess)
+    rms = float(np.sqrt(one.excess * one.unit / size))
+    return Check(f"{one.place}, {one.what}", _MEANING[one.what], p_value, fired, rms, one.excess)
