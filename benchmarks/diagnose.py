@@ -57,7 +57,8 @@ def _command(folder: Path) -> float:
     words = ["diagnose", folder / "machine.toml", "--errors", folder / "errors.json", "--data", folder / "data"]
     words += ["--kernels", folder / "kernels", "--out", folder / "found"]
     start = time.perf_counter()
-    subprocess.run([sys.executable, "-m", "trueaxis", *map(str, words)], check=True, stdout=subprocess.DEVNULL)
+    done = subprocess.run([sys.executable, "-m", "trueaxis", *map(str, words)], check=False, stdout=subprocess.DEVNULL)
+    assert done.returncode in (0, 1), "0: named or noise, 1: several causes, or none that is known"
     return time.perf_counter() - start
 
 

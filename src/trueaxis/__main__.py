@@ -2,5 +2,5 @@
 
 from trueaxis.cli import main
 
-if __name__ == "__main__":  # a second process imports this module, too
+if __name__ == "__main__":
     raise SystemExit(main())

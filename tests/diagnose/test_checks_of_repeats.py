@@ -1,6 +1,7 @@
 """Repeats of one place against those of the others: silent under noise, each check fires for what it is there for."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +11,7 @@ from statsmodels.regression.linear_model import OLS
 from tests.diagnose.prepared import SIGMA, Field, drawn_noise, field
 from tests.hidden_effects.design import Design
 from trueaxis.diagnose.checks_of_repeats import checks_of_repeats
-from trueaxis.diagnose.noise import contrasts, estimate_noise
+from trueaxis.diagnose.noise import REPEATS, contrasts, estimate_noise
 from trueaxis.diagnose.noise_of_runs import noise_of_runs
 from trueaxis.diagnose.result import Check, NoiseOf
 from trueaxis.diagnose.rows import Rows, place_of
@@ -136,5 +137,26 @@ def test_one_place_has_no_others() -> None:
     readings = where().readings
     rows = readings.rows
     values = noise(8)
+    theta = readings.reading.theta
+    estimated = [replace(REALISTIC, origin=REPEATS)]
     one = np.array([place_of(rows, rows.run == index) == "lines of X" for index in rows.run])
-    assert checks_of_repeats(rows.only(one), values[one], readings.reading.theta[one], [REALISTIC]) == ()
+    two = one | np.array([place_of(rows, rows.run == index) == "lines of Y" for index in rows.run])
+    assert checks_of_repeats(rows.only(two), values[two], theta[two], estimated)
+    assert checks_of_repeats(rows.only(one), values[one], theta[one], estimated) == ()
+
+
+def test_a_straightness_whose_reference_is_aligned_anew_is_no_finding() -> None:
+    there = field(Design(lines=2, targets=21, straightness=True, ball_bar=False), REALISTIC)
+    rows, theta = there.readings.rows, there.readings.reading.theta
+    source = np.random.default_rng(4)
+    values, across = np.empty(rows.size), np.zeros(rows.size)
+    for index in rows.present:
+        mine = rows.of_run(index)
+        values[mine] = drawn_noise(source, REALISTIC, mine.stop - mine.start)[:, 0]
+        if rows.runs[index].id.startswith("SX"):
+            across[mine] = 2e-5 * source.standard_normal() * rows.positions[0, mine]
+    assert np.ptp(across) > 10.0 * SIGMA
+    noises = noise_of_runs(rows, there.readings.reading, values + across, None)
+    assert not [one.name for one in checks_of_repeats(rows, values + across, theta, noises) if one.fired]
+    without = noise_of_runs(rows, there.readings.reading, values, None)
+    assert [one.sigma for one in noises] == pytest.approx([one.sigma for one in without], rel=1e-6)

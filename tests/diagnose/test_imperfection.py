@@ -187,3 +187,6 @@ def test_what_is_taken_up_is_the_mean_given_the_readings_of_what_may_be_besides(
     assert found == pytest.approx(expected, abs=1e-9)
     assert np.std(left - found) < 1.05 * noise < 0.5 * np.std(left)
     assert not taken_up(readings(), [], lambda each: each, left).any()
+    # noise that repeats do not show at all: as the columns do best
+    best = columns @ np.linalg.lstsq(columns, left, rcond=None)[0]
+    assert taken_up(readings(), [cause], lambda each: each / 1e-12, left) == pytest.approx(best, abs=1e-9)

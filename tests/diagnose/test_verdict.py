@@ -13,7 +13,7 @@ from trueaxis.diagnose.verdict import explained_share, names_stand, verdict_of
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 
-DIRECTION, TEMPERATURE, PERIOD = "direction of travel", "course of temperature", "periods"
+DIRECTION, TEMPERATURE, PERIOD = "direction of travel", "with temperature", "periods"
 
 
 def check(name: str, fired: bool = True, excess: float = 0.0) -> Check:
@@ -42,6 +42,9 @@ def cause(kind: str, component: str = "EXX") -> Fitted:
         (0.93, "squareness", [DIRECTION], 0.5, False),  # without an expression: of no class
         (0.88, "backlash", [DIRECTION], 0.5, False),
         (0.97, "backlash", [PERIOD], 0.5, True),
+        (0.93, "backlash", ["lines of X, in the course of a run"], 0.5, True),
+        (0.93, "backlash", ["lines of X, course of repeats"], 0.5, False),  # repeats have the same lost motion
+        (0.93, "drift", ["lines of X, course of repeats"], 0.5, True),
     ],
 )
 def test_names_stand(share: float, kind: str, fired: list[str], homogeneous_p: float, stand: bool) -> None:
@@ -68,10 +71,10 @@ def test_share_is_that_of_the_squares_beyond_noise() -> None:
     assert explained_share(ground, found, causes, [check(PERIOD, fired=False, excess=left)], [0.5]) > 0.99
     assert explained_share(ground, found, (), [], []) == 0.0
     # of a size that differs from place to place, what it has more at one of them is left: its squared deviation
-    apart = 0.25 * explained
-    p = 2.0 * norm.sf(np.sqrt(apart)) if apart < 1300.0 else 1e-300
-    expected = explained / (explained + min(apart, 1367.5))
-    assert explained_share(ground, found, causes, [], [p]) == pytest.approx(expected, rel=1e-2)
+    without = explained_share(ground, found, causes, [], [0.5])
+    apart = explained_share(ground, found, causes, [], [2.0 * norm.sf(30.0)])
+    assert apart == pytest.approx(explained / (explained + 900.0), rel=1e-3)
+    assert apart < without - 0.01
 
 
 def test_verdicts() -> None:

@@ -1,59 +1,92 @@
-"""A second process for work that nothing else waits for."""
+"""A second process for work that nothing else waits for.
+
+It is this very module, run by the same Python: it imports what it is told, takes one call from its standard input and
+gives the result on its standard output. Whatever goes wrong with it, the call is made here instead; where its input
+ends, because the first process has, it ends, too.
+"""
 
 import os
-import signal
+import pickle
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from functools import partial
 from importlib import import_module
-from multiprocessing import get_context
-from typing import Any
 
-Result = Callable[[], Any]
+Result = Callable[[], object]
 
 
 @contextmanager
 def beside(module: str, *, worth: bool = True) -> Iterator[Callable[..., Result]]:
-    """Gives start(function, *arguments), which gives what waits for the result of that function of the module.
+    """Gives start(function, *arguments), once, which gives what waits for the result of that function of the module.
 
     The process imports the module while the caller goes on. Where it is not worth it, or there is one core, or no
-    process can be had, the function is called here when its result is asked for.
+    process can be had, the function is called when its result is asked for.
     """
-    if not worth or (os.cpu_count() or 1) < 2:
-        yield lambda function, *arguments: partial(_called, module, function, *arguments)
-        return
-    # spawned, not forked: the threads of linear algebra do not survive that
-    with ProcessPoolExecutor(1, get_context("spawn"), _ready, (module,)) as pool:
-        _submitted(pool, int)
+    process = _started(module) if worth and _cores() > 1 else None
 
-        def start(function: str, *arguments: object) -> Result:
-            call = partial(_called, module, function, *arguments)
-            future = _submitted(pool, call)
-            return call if future is None else partial(_awaited, future, call)
+    def start(function: str, *arguments: object) -> Result:
+        sent = process is not None and _sent(process, function, arguments)
 
-        yield start
+        def result() -> object:
+            if sent and process is not None:
+                told, _ = process.communicate()
+                if process.returncode == 0:
+                    return pickle.loads(told)  # of our own process
+            return getattr(import_module(module), function)(*arguments)
 
+        return result
 
-def _ready(module: str) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # who interrupts the program hears of it from the first process
-    import_module(module)
-
-
-def _called(module: str, function: str, *arguments: object) -> object:
-    return getattr(import_module(module), function)(*arguments)
-
-
-def _submitted(pool: ProcessPoolExecutor, call: Result) -> "Future[Any] | None":
     try:
-        return pool.submit(call)
-    except (BrokenProcessPool, OSError):
+        yield start
+    finally:
+        if process is not None:
+            process.kill()
+            process.communicate()
+
+
+def _cores() -> int:
+    """Those that this process may use, where the system says so."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _started(module: str) -> "subprocess.Popen[bytes] | None":
+    # -P: no module is imported from the folder that the program is used in; a session of its own: who interrupts the
+    # program means the first process
+    command = [sys.executable, "-P", "-m", __name__, module]
+    try:
+        return subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+    except OSError:
         return None
 
 
-def _awaited(future: "Future[Any]", call: Result) -> object:
+def _sent(process: "subprocess.Popen[bytes]", function: str, arguments: tuple[object, ...]) -> bool:
+    assert process.stdin is not None
     try:
-        return future.result()
-    except BrokenProcessPool:
-        return call()
+        pickle.dump((function, arguments), process.stdin)
+        process.stdin.flush()
+    except OSError:
+        return False
+    return True
+
+
+def main() -> None:
+    """The second process: one call."""
+    module = import_module(sys.argv[1])
+    given, told = sys.stdin.buffer, sys.stdout.buffer
+    sys.stdout = sys.stderr  # what a library prints is no result
+    try:
+        function, arguments = pickle.load(given)
+    except EOFError:
+        return
+    pickle.dump(getattr(module, function)(*arguments), told)
+
+
+if __name__ == "__main__":
+    main()

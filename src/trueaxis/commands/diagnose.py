@@ -84,8 +84,7 @@ def run(args: argparse.Namespace) -> int:
     with _progress() as show:
         show("reading")
         given = _read(args)
-        # SciPy's statistics and the report's templates take a second to import; only this command needs them, and not
-        # for wrong input.
+        # only this command needs them, and not for wrong input
         from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
@@ -99,7 +98,7 @@ def run(args: argparse.Namespace) -> int:
             machine_file = f"{given.model.name}.toml" if extension else None
             contents: dict[Path, bytes | str] = {
                 args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extension else None),
-                args.out / REPORT: report(),
+                args.out / REPORT: str(report()),
                 **extension,
             }
         write_files(contents)

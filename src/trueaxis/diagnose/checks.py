@@ -112,7 +112,7 @@ def _of_lines(rows: Rows, axis: int, name: str, mine: BoolArray) -> Iterator[Str
         )
     yield Structure(f"{title}, in the course of a run", COURSE, _course(rows, mine))
     if rows.temperature is not None and np.isfinite(rows.temperature[mine]).all():
-        warm = rows.temperature - rows.temperature[mine].mean()
+        warm = np.where(mine, rows.temperature - rows.temperature[mine].mean(), 0.0)
         yield Structure(
             f"{title}, with temperature",
             "goes with the temperature",

@@ -63,7 +63,8 @@ def taken_up(
         return np.zeros_like(left)
     columns = np.stack(besides, axis=1)
     white, rest = seen(columns), seen(left[:, np.newaxis])[:, 0]
-    share = np.linalg.solve(white.T @ white + np.eye(columns.shape[1]), white.T @ rest)
+    one_each = np.eye(columns.shape[1])
+    share = np.linalg.lstsq(np.vstack([white, one_each]), np.append(rest, np.zeros(one_each.shape[0])), rcond=None)[0]
     return np.asarray(columns @ share)
 
 

@@ -17,6 +17,8 @@ from scipy.special import betaln, chdtri
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, place_of
 from trueaxis.diagnose.whiten import differenced, ramp, tridiagonal, whitened
+from trueaxis.identify.global_fit.instruments import STRAIGHT
+from trueaxis.spec.machine import LINEAR
 
 LAG = 2  # harmonic of a circle by which servo lag makes two feeds differ
 FEWEST = 12  # targets that two passes must share to be compared
@@ -200,6 +202,8 @@ def _of_set(
         if np.ptp(angle) == 0.0:  # the table turns, and the bar stands still on it
             angle = 2.0 * np.pi * (ramp(order.size) + 0.5)
         nuisance += [np.cos(LAG * angle), np.sin(LAG * angle)]
+    if instrument != "ballbar" and _across(rows, first):
+        nuisance.append(rows.positions[int(np.argmax(np.ptp(rows.positions[:, first], axis=1))), first])
     columns = _independent(np.stack(nuisance, axis=1))
     across = len({int(rows.run[one[0]]) for one in passes}) == len(passes)
     place = place_of(rows, np.concatenate(passes))
@@ -209,6 +213,14 @@ def _of_set(
         Contrast(instrument, row @ values[at], columns, across, place, None if warming is None else row @ warming)
         for row in difference
     ]
+
+
+def _across(rows: Rows, mine: IntArray) -> bool:
+    """Whether readings are of a straightness, whose reference line has a slope that nobody knows, in every run anew."""
+    direction = rows.runs[rows.run[mine[0]]].direction
+    moving = np.ptp(rows.positions[:, mine], axis=1) > 0.0
+    along = [LINEAR.index(axis) for axis, moves in zip(rows.axes, moving, strict=True) if moves and axis in LINEAR]
+    return direction is not None and bool(along) and not np.any(np.abs(np.array(direction)[along]) > STRAIGHT)
 
 
 def _warming(rows: Rows, at: IntArray) -> FloatArray | None:

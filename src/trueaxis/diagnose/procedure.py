@@ -79,7 +79,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         found = without(ground, found, max(k for k, (_, p) in enumerate(groups) if p < HOMOGENEOUS))
         causes = refit(ground, found.causes)
         groups = _amplitudes(ground, causes)
-    checks = _checks(ground, found.projection, found.residual, values, causes)
+    checks = _checks(ground, found.projection, found.residual, values, causes, standing)
     hard = Projection(orthonormal(ground.whitening(base.columns))) if standing else None
     homogeneous_p = [p for _, p in groups]
     share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
@@ -89,7 +89,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         found = with_rivals(ground, found)
     elif causes:
         causes, groups = (), ()
-        checks = _checks(ground, ground.base, ground.base.rest(ground.values), values, causes)
+        checks = _checks(ground, ground.base, ground.base.rest(ground.values), values, causes, standing)
     options.progress("gain")
     held, split = held_out(rows)
     everything = fitted_left(base, ground.whitening, values, causes, np.ones_like(held))
@@ -122,13 +122,19 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
 
 
 def _checks(
-    ground: Ground, projection: Projection, residual: FloatArray, values: FloatArray, causes: Sequence[Fitted]
+    ground: Ground,
+    projection: Projection,
+    residual: FloatArray,
+    values: FloatArray,
+    causes: Sequence[Fitted],
+    standing: Sequence[Fitted],
 ) -> tuple[Check, ...]:
+    """values: (n,) mm, less what is expected, and so less what effects that are standing do."""
     rows, theta = ground.readings.rows, ground.readings.reading.theta
     found = run_checks(rows, theta, ground.whitening, projection, residual, ground.freedom)
     left = values - sum((one.signal for one in causes), np.zeros_like(values))
     hard = Projection(ground.base.basis)
-    left -= taken_up(ground.readings, causes, lambda columns: hard.rest(ground.whitening(columns)), left)
+    left -= taken_up(ground.readings, (*standing, *causes), lambda columns: hard.rest(ground.whitening(columns)), left)
     return found + checks_of_repeats(rows, left, theta, ground.whitening.noise)
 
 

@@ -20,7 +20,7 @@ CLASSES = (  # words in the name of a check, and variables of the causes that ma
     ("locally", {"direction", "d"}),
     ("one period", {"direction", "d", "q", "s"}),  # cycles of one run
     ("feed", {"v"}),
-    ("course", {"d", "direction"}),
+    ("in the course", {"d", "direction"}),
     ("temperature", {"t", "T"}),
     ("repeats", {"t", "T"}),
     ("by line", {"s_b", "q_b", "along", "t", "T"}),
