@@ -13,7 +13,17 @@ from scipy.stats import chi2
 from tests.hidden_effects import write_case
 from tests.machines import ROOT
 from trueaxis.cli import main
-from trueaxis.diagnose import checks_of_runs, gain, imperfection, noise, procedure, screening, search, verdict
+from trueaxis.diagnose import (
+    checks_of_repeats,
+    checks_of_runs,
+    gain,
+    imperfection,
+    noise,
+    procedure,
+    screening,
+    search,
+    verdict,
+)
 from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnose.base import DEGREE
 from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
@@ -21,6 +31,7 @@ from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
 PAGE = (ROOT / "docs" / "diagnosis.md").read_text()
 README = (ROOT / "README.md").read_text()
 NAMES = {3.0: "three", 4.0: "four", 5.0: "five"}
+SHARES = {0.5: "half", 1.0: "all"}
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 CASES = re.compile(r"^\| (nothing further|`--\S+.*?`) \| `(\w+)` \| (.*) \|$", re.MULTILINE)
 
@@ -160,6 +171,7 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
         f"{100 * imperfection.OTHERWISE[0]:g} % of what a constant {imperfection.OTHERWISE[1]} times",
         f"times their number is below {checks_of_runs.FALSE_ALARMS}",
         f"{NAMES[checks_of_runs.NOISY]} times the variance of the others",
+        f"worse than the others, by {SHARES[checks_of_repeats.MORE - 1.0]} the variance and more",
         f"(p > {verdict.HOMOGENEOUS:.0e})".replace("e-04", "e-4"),
         f"is {100 * verdict.PRACTICALLY_ALL:g} % of all that is beyond noise; or {100 * verdict.NEARLY_ALL:g} %",
         f"The last {100 * gain.HELD:g} % of the repeats",
