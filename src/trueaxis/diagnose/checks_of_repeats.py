@@ -32,13 +32,18 @@ _MEANING = {
 
 
 @dataclass(frozen=True, slots=True)
-class Squares:
-    """Sums of squares in units of a noise, here and elsewhere, and their degrees of freedom."""
+class Unevenness:
+    """Sums of squares, of variance 1 under the noise of the other places: here and elsewhere, and their degrees of
+    freedom; unit: mm^2 summed over readings that a square of 1 comes to.
+    """
 
+    place: str
+    what: str
     here: float
     k: int
     elsewhere: float
     freedom: int
+    unit: float
 
     @property
     def ratio(self) -> float:
@@ -47,21 +52,12 @@ class Squares:
 
     @property
     def excess(self) -> float:
-        """Squares here beyond those of as many elsewhere."""
-        return max(self.here - self.k * self.elsewhere / self.freedom, 0.0)
+        """Squares here beyond those of elsewhere, in units of the latter's mean.
 
-
-@dataclass(frozen=True, slots=True)
-class Unevenness:
-    """What differs at a place, by the noise of the others and by that of all; unit: mm^2 over its readings that a
-    square of 1 by the former comes to.
-    """
-
-    place: str
-    what: str
-    by_others: Squares
-    by_all: Squares
-    unit: float
+        What causes explain is measured by the noise of all places, which is larger: on purpose. A noise that is shown
+        to be too large at one place is no ground for a name.
+        """
+        return max(self.ratio - 1.0, 0.0) * self.k
 
 
 def checks_of_repeats(rows: Rows, values: FloatArray, theta: FloatArray, noise: Sequence[NoiseOf]) -> tuple[Check, ...]:
@@ -71,16 +67,13 @@ def checks_of_repeats(rows: Rows, values: FloatArray, theta: FloatArray, noise: 
     noise: that of the runs present. p values by the F test, multiplied by the number of these checks.
     """
     every = contrasts(rows, values, theta)
-    pooled = {one.instrument: one for one in noise if one.origin == REPEATS}
-    found = [
-        each
-        for name, of_all in pooled.items()
-        for each in _of_instrument([one for one in every if one.instrument == name], of_all)
-    ]
+    estimated = dict.fromkeys(one.instrument for one in noise if one.origin == REPEATS)
+    groups = [[one for one in every if one.instrument == name] for name in estimated]
+    found = [each for mine in groups for each in _of_instrument(mine)]
     return tuple(_check(one, len(found), rows.size) for one in found)
 
 
-def _of_instrument(mine: Sequence[Contrast], of_all: NoiseOf) -> Iterator[Unevenness]:
+def _of_instrument(mine: Sequence[Contrast]) -> Iterator[Unevenness]:
     places = sorted({one.place for one in mine})
     if len(places) < 2:
         return
@@ -90,21 +83,14 @@ def _of_instrument(mine: Sequence[Contrast], of_all: NoiseOf) -> Iterator[Uneven
         noise = estimate_noise(others, mine[0].instrument)
         if noise is None or noise.origin != REPEATS:
             continue
-        by_others, by_all = (_courses(here, others, each) for each in (noise, of_all))
-        yield Unevenness(place, COURSE, by_others, by_all, noise.sigma**2)
+        yield _courses(place, here, others, noise)
         here, others = ([one for one in side if one.across_runs] for side in (here, others))
         if here and others:
-            _, scale = _standard(here, noise)
-            # the mean square of a slope of 1 mm over a run is a twelfth
-            unit = float(np.mean(scale**2) * np.mean([one.values.size for one in here])) / 12.0
-            for what, sums in ((SLOPES, _slopes), (WARMING, _warming)):
-                told, in_all = (sums(here, others, each) for each in (noise, of_all))
-                if told is not None and in_all is not None:
-                    yield Unevenness(place, what, told, in_all, unit)
+            yield from _slopes(place, here, others, noise)
 
 
-def _courses(here: Sequence[Contrast], others: Sequence[Contrast], noise: NoiseOf) -> Squares:
-    return Squares(*_band(here, noise), *_band(others, noise))
+def _courses(place: str, here: Sequence[Contrast], others: Sequence[Contrast], noise: NoiseOf) -> Unevenness:
+    return Unevenness(place, COURSE, *_band(here, noise), *_band(others, noise), noise.sigma**2)
 
 
 def _band(of: Sequence[Contrast], noise: NoiseOf) -> tuple[float, int]:
@@ -121,26 +107,23 @@ def _band(of: Sequence[Contrast], noise: NoiseOf) -> tuple[float, int]:
     return total, count
 
 
-def _slopes(here: Sequence[Contrast], others: Sequence[Contrast], noise: NoiseOf) -> Squares:
-    """All slopes against those of the other places."""
-    of_here, of_others = (_standard(side, noise)[0] for side in (here, others))
-    return Squares(float(of_here @ of_here), of_here.size, float(of_others @ of_others), of_others.size)
-
-
-def _warming(here: Sequence[Contrast], others: Sequence[Contrast], noise: NoiseOf) -> Squares | None:
-    """What of the slopes goes with the temperature and its square, against the rest of all slopes."""
-    warming = [one.warming for one in here if one.warming is not None]
+def _slopes(place: str, here: Sequence[Contrast], others: Sequence[Contrast], noise: NoiseOf) -> Iterator[Unevenness]:
+    """All slopes against those of the other places; and what of them goes with the temperature, against the rest."""
     of_here, scale = _standard(here, noise)
+    of_others, _ = _standard(others, noise)
+    whole, elsewhere = float(of_here @ of_here), float(of_others @ of_others)
+    readings = np.mean([one.values.size for one in here])
+    unit = float(np.mean(scale**2) * readings / 12.0)  # the mean square of a slope of 1 mm over a run is a twelfth
+    yield Unevenness(place, SLOPES, whole, of_here.size, elsewhere, of_others.size, unit)
+    warming = [one.warming for one in here if one.warming is not None]
     if len(warming) < of_here.size:
-        return None
+        return
     basis = orthonormal(np.array(warming) / scale[:, np.newaxis])
     k = basis.shape[1]
-    if not 0 < k < of_here.size:
-        return None
-    of_others, _ = _standard(others, noise)
-    within = float(np.sum((basis.T @ of_here) ** 2))
-    rest = float(of_here @ of_here) - within + float(of_others @ of_others)
-    return Squares(within, k, rest, of_here.size + of_others.size - k)
+    if 0 < k < of_here.size:
+        within = float(np.sum((basis.T @ of_here) ** 2))
+        freedom = of_here.size + of_others.size - k
+        yield Unevenness(place, WARMING, within, k, whole - within + elsewhere, freedom, unit)
 
 
 def _standard(of: Sequence[Contrast], noise: NoiseOf) -> tuple[FloatArray, FloatArray]:
@@ -151,8 +134,7 @@ def _standard(of: Sequence[Contrast], noise: NoiseOf) -> tuple[FloatArray, Float
 
 
 def _check(one: Unevenness, tests: int, size: int) -> Check:
-    told = one.by_others
-    p_value = min(1.0, float(np.exp(log_f_tail(told.ratio, told.k, told.freedom))) * tests)
-    fired = p_value < FALSE_ALARMS and told.ratio > MORE
-    rms = float(np.sqrt(told.excess * one.unit / size))
-    return Check(f"{one.place}, {one.what}", _MEANING[one.what], p_value, fired, rms, one.by_all.excess)
+    p_value = min(1.0, float(np.exp(log_f_tail(one.ratio, one.k, one.freedom))) * tests)
+    fired = p_value < FALSE_ALARMS and one.ratio > MORE
+    rms = float(np.sqrt(one.excess * one.unit / size))
+    return Check(f"{one.place}, {one.what}", _MEANING[one.what], p_value, fired, rms, one.excess)
