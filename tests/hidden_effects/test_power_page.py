@@ -22,7 +22,7 @@ def test_figures_of_the_readme_are_those_of_the_page() -> None:
     assert clean == 0.0
     for said in (
         f"no name in {count} data sets without any",
-        f"the right name alone in {three:.1f} %, at ten times in {ten:.1f} %; a wrong one in {wrong:.1f} %",
-        f"{told:.0f} % were called unexplained, {100 - told - named:.0f} % were missed, {named:.0f} % got the name",
+        f"the right name alone in {three:.1f} %, at ten times in {ten:.1f} %; a wrong one in {wrong:.2f} %",
+        f"{told:.1f} % were called unexplained, {100 - told - named:.1f} % were missed, {named:.1f} % got the name",
     ):
         assert said in readme
