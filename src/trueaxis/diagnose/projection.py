@@ -69,7 +69,6 @@ class Projection:
             if part.nbytes + sum(one.nbytes for one in self._parts.values()) > KEPT:
                 self._parts.clear()
             self._parts[key] = part
-            return part
         return self._parts[key]
 
     def told(self, values: FloatArray) -> FloatArray:
