@@ -13,6 +13,9 @@ from trueaxis.faults import InputError
 
 COMMANDS = ("derive", "predict", "simulate", "plan", "identify", "fit", "compensate", "diagnose", "evaluate", "demo")
 INTERRUPTED = 130  # as shells have it
+# threads of linear algebra, unless the user says otherwise: more of them cost more than they gain on matrices of our
+# size, and the last digits of a result would depend on the number of processors
+ONE_THREAD = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 
 def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
@@ -33,6 +36,8 @@ def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command. Returns the exit code."""
+    for name in ONE_THREAD:
+        os.environ.setdefault(name, "1")
     try:
         words = _joined(sys.argv[1:] if arguments is None else arguments)
         # A command needs no other command's libraries; help and mistakes are told of all.

@@ -26,16 +26,17 @@ def started(monkeypatch: pytest.MonkeyPatch) -> list[Process]:
         return process
 
     monkeypatch.setattr(module, "_started", remembered)
-    monkeypatch.setattr(module, "_cores", lambda: 2)
+    monkeypatch.setattr(module, "cores", lambda: 2)
     return found
 
 
-@pytest.mark.parametrize("worth", [True, False])
-def test_what_is_started_gives_its_result(worth: bool, started: list[Process]) -> None:
-    with beside("math", worth=worth) as start:
+@pytest.mark.parametrize("cores", [1, 2])
+def test_what_is_started_gives_its_result(cores: int, started: list[Process], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "cores", lambda: cores)
+    with beside("math") as start:
         waiting = start("hypot", 3.0, 4.0)
         assert waiting() == 5.0
-    assert len(started) == worth
+    assert len(started) == cores - 1
 
 
 def test_it_is_another_process_where_there_is_more_than_one_core(
@@ -43,14 +44,16 @@ def test_it_is_another_process_where_there_is_more_than_one_core(
 ) -> None:
     with beside("os") as start:
         assert start("getpid")() == started[0].pid
-    monkeypatch.setattr(module, "_cores", lambda: 1)
+    monkeypatch.setattr(module, "cores", lambda: 1)
     with beside("os") as start:
         assert start("getpid")() == os.getpid()
 
 
-@pytest.mark.parametrize("worth", [True, False])
-def test_a_fault_is_raised_where_the_result_is_asked_for(worth: bool, started: list[Process]) -> None:
-    with beside("math", worth=worth) as start:
+@pytest.mark.usefixtures("started")
+@pytest.mark.parametrize("cores", [1, 2])
+def test_a_fault_is_raised_where_the_result_is_asked_for(cores: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "cores", lambda: cores)
+    with beside("math") as start:
         waiting = start("sqrt", -1.0)
         with pytest.raises(ValueError, match=r"math domain|nonnegative"):
             waiting()

@@ -15,7 +15,7 @@ from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.next_runs import Ahead, next_runs, separating_run
 from trueaxis.diagnose.procedure import diagnose
-from trueaxis.diagnose.prospect import TIMES, Outlook, Placed, Prospect, outlook_of, prospect_of
+from trueaxis.diagnose.prospect import TIMES, Outlook, Placed, Prospect, outlooks_of, prospect_of
 from trueaxis.diagnose.result import Check, Diagnosis, NoiseOf
 from trueaxis.diagnose.separation import separation, told
 from trueaxis.diagnose.signatures import signature_of
@@ -34,7 +34,7 @@ def ahead_in(one: Field) -> Prospect:
 def outlook(prospect: Prospect, effect: Effect) -> Outlook:
     readings = prospect.ground.readings
     points = grid_of(readings.model.machine.kinds[effect.kind], effect, readings.rows)
-    return outlook_of(prospect, Placed(effect, points[len(points) // 2]))
+    return outlooks_of(prospect, [Placed(effect, points[len(points) // 2])])[0]
 
 
 @pytest.mark.parametrize(
@@ -72,7 +72,7 @@ def test_what_is_said_of_now_is_what_the_audit_says() -> None:
     for effect in (*PAIR, Effect("backlash", "EYX"), Effect("laser_cosine", runs=("X1",))):
         limit = limits[effect]
         if limit.nearest is not None:
-            nearest = outlook_of(prospect, Placed(limit.nearest, limit.nearest_at))
+            (nearest,) = outlooks_of(prospect, [Placed(limit.nearest, limit.nearest_at)])
             found = told(outlook(prospect, effect), nearest)
             assert found.r2 == pytest.approx(limit.r2, abs=1e-6)
 

@@ -120,7 +120,7 @@ class TestSoft:
             rest = found.rest(values)
             held = found.inner.T @ values
             assert rest.T @ rest == pytest.approx(values.T @ values - held.T @ held, rel=1e-9)
-            assert values.T @ found.told(values[:, 0]) == pytest.approx(rest.T @ rest[:, 0], rel=1e-9)
+            assert values.T @ found.rest_transposed(rest[:, 0]) == pytest.approx(rest.T @ rest[:, 0], rel=1e-9)
 
     def test_a_cause_leaves_nothing_of_itself_and_counts_as_free(self) -> None:
         base, chance, _ = self.parts()
@@ -155,10 +155,15 @@ def test_what_columns_explain_is_what_an_orthonormal_basis_of_them_does() -> Non
     columns = source.normal(size=(50, 4))
     columns = np.hstack([columns, columns[:, :1] + columns[:, 1:2], held])  # one twice, one that the base has
     residual = projection.rest(source.normal(size=50))
-    fitted, count = projection.explained(columns * np.logspace(-3, 3, 6), residual)
+    every = np.arange(50)
+    combination, count = projection.explaining(every, columns * np.logspace(-3, 3, 6), residual)
     basis = orth(projection.rest(columns[:, :4]))
     assert count == basis.shape[1] == 4
-    assert fitted == pytest.approx(basis @ (basis.T @ residual), abs=1e-9)
-    nothing, none = projection.explained(held, residual)
+    assert projection.rest(combination) == pytest.approx(basis @ (basis.T @ residual), abs=1e-9)
+    nothing, none = projection.explaining(every, held, residual)
     assert none == 0
     assert nothing == pytest.approx(np.zeros(50), abs=1e-12)
+    some = np.r_[3:11, 20:45]
+    of_some, _ = projection.explaining(some, columns[some], residual)
+    of_all, _ = projection.explaining(every, columns * np.isin(every, some)[:, np.newaxis], residual)
+    assert of_some == pytest.approx(of_all, abs=1e-9)

@@ -168,7 +168,8 @@ def test_freedom_is_that_of_the_ratio(share: float) -> None:
     source = np.random.default_rng(5)
     ramp = np.array([np.sqrt(share), 0.0])  # whitened: along the column the slope has this share of the variance
     column = np.array([[1.0], [0.0]])
-    found = Freedom(of_readings, np.array([of_slopes]), ramp, np.array([0])).of(column)
+    freedom = Freedom(of_readings, np.array([of_slopes]), ramp, np.array([0]))
+    found = freedom.of(freedom.slopes.T @ column, np.eye(1))
     white = source.chisquare(of_readings, draws) / of_readings
     slope = source.chisquare(of_slopes, draws) / of_slopes
     variance = (1.0 - share) * white + share * slope
@@ -180,7 +181,8 @@ def test_freedom_of_several_runs_that_share_one_slope() -> None:
     """Three runs of one instrument and one of another: shares of those that share an estimate add up first."""
     ramps = np.sqrt(np.array([0.2, 0.1, 0.3, 0.1]))
     columns = np.full((4, 1), 1.0)  # not of length 1: shares are as given
-    found = Freedom(1e9, np.array([8.0, 8.0, 8.0, 5.0]), ramps, np.arange(4)).of(columns)
+    freedom = Freedom(1e9, np.array([8.0, 8.0, 8.0, 5.0]), ramps, np.arange(4))
+    found = freedom.of(freedom.slopes.T @ columns, np.eye(1))
     draws = 200_000
     source = np.random.default_rng(6)
     variance = 0.6 * source.chisquare(8.0, draws) / 8.0 + 0.1 * source.chisquare(5.0, draws) / 5.0 + 0.3

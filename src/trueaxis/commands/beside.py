@@ -17,13 +17,13 @@ Result = Callable[[], object]
 
 
 @contextmanager
-def beside(module: str, *, worth: bool = True) -> Iterator[Callable[..., Result]]:
+def beside(module: str) -> Iterator[Callable[..., Result]]:
     """Gives start(function, *arguments), once, which gives what waits for the result of that function of the module.
 
-    The process imports the module while the caller goes on. Where it is not worth it, or there is one core, or no
-    process can be had, the function is called when its result is asked for.
+    The process imports the module while the caller goes on. Where there is one core, or no process can be had, the
+    function is called when its result is asked for.
     """
-    process = _started(module) if worth and _cores() > 1 else None
+    process = _started(module) if cores() > 1 else None
 
     def start(function: str, *arguments: object) -> Result:
         sent = process is not None and _sent(process, function, arguments)
@@ -45,7 +45,7 @@ def beside(module: str, *, worth: bool = True) -> Iterator[Callable[..., Result]
             process.communicate()
 
 
-def _cores() -> int:
+def cores() -> int:
     """Those that this process may use, where the system says so."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 

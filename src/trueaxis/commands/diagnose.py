@@ -4,13 +4,14 @@ import argparse
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.commands.arguments import positive
-from trueaxis.commands.beside import beside
+from trueaxis.commands.beside import beside, cores
 from trueaxis.commands.derive import identification_runs
 from trueaxis.commands.measured import read_measured
 from trueaxis.commands.paths import overwritten
@@ -42,8 +43,6 @@ alike, or nothing that is known does; 2 the input is wrong and nothing was writt
 NO_ANSWER = ("ambiguous", "unexplained_structure")
 DIAGNOSIS, REPORT, ERRORS, KERNELS = "diagnosis.json", "report.html", "errors.json", "generated"
 KERNEL_FILES = ("kernels.py", "kernels.c", "kernels.h", "equations.md", "manifest.json")
-
-MANY = 3000  # readings from which the report is drawn by a second process while the extended machine is derived
 
 Progress = Callable[[str], None]
 
@@ -89,9 +88,11 @@ def run(args: argparse.Namespace) -> int:
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
 
-        options = DiagnoseOptions(noise_um=args.noise_um, progress=show)
-        with beside("trueaxis.diagnose.report.html", worth=given.data.readings.reading.size >= MANY) as start:
-            diagnosis = diagnose(given.model, given.data, options)
+        # the report is drawn by a second process while the extended machine is derived
+        with beside("trueaxis.diagnose.report.html") as start:
+            with ThreadPoolExecutor(cores()) as pool:
+                options = DiagnoseOptions(noise_um=args.noise_um, progress=show, each=pool.map)
+                diagnosis = diagnose(given.model, given.data, options)
             report = start("report_html", diagnosis)
             extension = _extension(args, given, diagnosis, show)
             show("report")

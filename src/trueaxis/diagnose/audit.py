@@ -5,21 +5,24 @@ With M the projection that takes the whitened base away and s the whitened signa
 sqrt(21 / (lambda (1 - R^2))) is told from a rival with which the rest of its signature has the squared correlation R^2.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.result import FloatArray, IntArray, Limit, Observability
 from trueaxis.diagnose.search import Ground
-from trueaxis.diagnose.signatures import signature_of
+from trueaxis.diagnose.signatures import Signature, signature_of
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.identify.effects.unknowns import unit_in
 from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
 
 DETECTION, ISOLATION = 27.0, 21.0
 CONFOUNDED = 0.95
+SMALL = 16  # points of a grid
+AT_ONCE = 64  # columns
 IN_BASE = "the saturated base holds it"
 
 
@@ -58,22 +61,16 @@ def audit(ground: Ground) -> Audit:
     plain = Projection(ground.base.basis)  # what a cause may do besides its form is known when it is found, not before
     seen: list[_Seen] = []
     limits: dict[Effect, Limit] = {}
-    for effect in ground.effects:
-        signature = signature_of(ground.readings, effect)
-        shown = ground.knows(signature).shown
-        _, count, k = shown.shape
-        whole = np.zeros((ground.values.size, count * k))
-        whole[signature.support] = shown.reshape(-1, count * k)
-        rest = plain.rest(whole)
-        parts = [slice(place * k, (place + 1) * k) for place in range(count)]
-        middle = parts[count // 2]
+    for effect, signature, whole, rest in _left(ground, plain):
+        k = signature.terms.shape[2]
+        parts = [slice(start, start + k) for start in range(0, whole.shape[1], k)]
+        middle = parts[len(parts) // 2]
         squares, left = float(np.sum(whole[:, middle] ** 2)), float(np.sum(rest[:, middle] ** 2))
         share = left / squares if squares > 0.0 else 0.0
         if signature.missing or share <= UNOBSERVABLE:
             limits[effect] = _unobservable(ground, effect, share, signature.missing)
             continue
-        points = signature.points if count > 1 else signature.points[len(signature.points) // 2 :][:1]
-        seen.append(_Seen(effect, points, tuple(_basis(rest[:, part]) for part in parts), left / k, share))
+        seen.append(_Seen(effect, signature.points, tuple(_basis(rest[:, part]) for part in parts), left / k, share))
     r2, place_of = _alike(seen)
     for place, one in enumerate(seen):
         others = r2[place].copy()
@@ -83,6 +80,36 @@ def audit(ground: Ground) -> Audit:
         limits[one.effect] = _limit(ground, one, rival, max(float(others[nearest]), 0.0), int(place_of[place, nearest]))
     correlation = np.maximum(r2, r2.T)
     return Audit(tuple(limits[effect] for effect in ground.effects), tuple(one.effect for one in seen), correlation)
+
+
+def _left(ground: Ground, base: Projection) -> Iterator[tuple[Effect, Signature, FloatArray, FloatArray]]:
+    """Each candidate with its signature, whitened, (n, points k), and what the base leaves of it.
+
+    Many at once: for a column or two the base would be read as often as for a hundred.
+    """
+    waiting: list[tuple[Effect, Signature, FloatArray]] = []
+    for place, effect in enumerate(ground.effects):
+        signature = _shown(ground, effect)
+        _, count, k = signature.terms.shape
+        columns = signature.columns(slice(None)).reshape(-1, count * k)
+        whole = np.zeros((ground.values.size, count * k))
+        whole[signature.support] = ground.whitening.part(signature.support, columns)
+        waiting.append((effect, signature, whole))
+        count = sum(one.shape[1] for *_, one in waiting)
+        if count >= AT_ONCE or place == len(ground.effects) - 1:
+            rest = base.rest(np.hstack([one for *_, one in waiting]))
+            ends = np.cumsum([one.shape[1] for *_, one in waiting])
+            for (one, its, columns), left in zip(waiting, np.split(rest, ends[:-1], axis=1), strict=True):
+                yield one, its, columns, left
+            waiting = []
+
+
+def _shown(ground: Ground, effect: Effect) -> Signature:
+    """At all points of a small grid, in the middle of a large one, whose points are not alike."""
+    readings = ground.readings
+    points = grid_of(readings.model.machine.kinds[effect.kind], effect, readings.rows)
+    middle = points[len(points) // 2]
+    return signature_of(readings, effect, None if len(points) <= SMALL else (middle,))
 
 
 def _basis(columns: FloatArray) -> FloatArray:

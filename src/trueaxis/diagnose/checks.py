@@ -39,13 +39,19 @@ def run_checks(
     out: how large they are by chance few repeats tell, and one slope in a class of many columns would pass for
     structure.
     """
-    classes = list(structures(rows, theta))
     sigma = np.repeat([one.sigma for one in whitening.noise], np.diff(whitening.starts))
     projection = projection.extended(_slopes(rows, whitening))
     residual = residual - projection.causes @ (projection.causes.T @ residual) if projection.causes.size else residual
+    classes, explaining, counts = [], [], []
+    for one in structures(rows, theta):
+        there = np.flatnonzero(np.isin(rows.run, rows.run[one.columns.any(axis=1)]))  # whole runs
+        combination, k = projection.explaining(there, whitening.part(there, one.columns[there]), residual)
+        classes.append((one.name, one.meaning))
+        explaining.append(combination)
+        counts.append(k)
     found = []
-    for one in classes:
-        fitted, k = projection.explained(whitening(one.columns), residual)
+    every = projection.rest(np.stack(explaining, axis=1)).T if classes else ()
+    for (name, meaning), fitted, k in zip(classes, every, counts, strict=True):
         if k == 0:
             continue
         statistic = float(fitted @ fitted)
@@ -53,7 +59,7 @@ def run_checks(
         beyond = max(statistic - k, 0.0) / statistic if statistic > 0.0 else 0.0
         rms = float(np.sqrt(beyond * np.mean((sigma * fitted) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
-        found.append(Check(one.name, one.meaning, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
+        found.append(Check(name, meaning, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
     found += [noisy_run(rows, projection, residual, sigma), humming_run(rows, projection, residual, sigma)]
     found.append(lack_of_fit(rows, projection, residual, sigma, freedom))
     return tuple(found)

@@ -1,6 +1,7 @@
 """Degrees of freedom of the noise that a test stands on: few, where it stands on slopes that few runs tell."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -21,17 +22,25 @@ class Freedom:
     ramps: FloatArray
     starts: IntArray
 
-    def of(self, columns: FloatArray) -> float:
-        """For a test of what is spanned by orthonormal columns (n, k), whitened, base projected out."""
-        if columns.shape[1] == 0 or not self.ramps.any():
-            return self.of_readings
-        through = np.add.reduceat(self.ramps[:, np.newaxis] * columns, self.starts, axis=0)
-        share = np.sum(through**2, axis=1) / columns.shape[1]
+    @property
+    def slopes(self) -> FloatArray:
+        """(n, n_runs): the whitened slope of each run, zero elsewhere."""
+        found = np.zeros((self.ramps.size, self.starts.size))
+        for place, (first, last) in enumerate(pairwise([*self.starts, self.ramps.size])):
+            found[first:last, place] = self.ramps[first:last]
+        return found
+
+    def of(self, through: FloatArray, inverse: FloatArray) -> float:
+        """For a test of what is spanned by columns (n, k), whitened, base projected out.
+
+        through: (n_runs, k), products of `slopes` with these; inverse: (k, k), that of their products with one another.
+        """
+        share = np.einsum("ri,ij,rj->r", through, inverse, through) / inverse.shape[0]
         total = min(float(share.sum()), 1.0)
-        inverse = (1.0 - total) ** 2 / self.of_readings
+        variance = (1.0 - total) ** 2 / self.of_readings
         for freedom in np.unique(self.of_slopes[self.of_slopes > 0.0]):
-            inverse += float(share[self.of_slopes == freedom].sum()) ** 2 / float(freedom)
-        return float(1.0 / inverse)
+            variance += float(share[self.of_slopes == freedom].sum()) ** 2 / float(freedom)
+        return float(1.0 / variance)
 
 
 def freedom_of(whitening: Whitening) -> Freedom:

@@ -114,8 +114,10 @@ def _fitted(
     weighted = columns[train] * weights[train, np.newaxis]
     size = np.linalg.norm(weighted, axis=0)
     kept = np.flatnonzero(size)
-    q, r = np.linalg.qr(weighted[:, kept] / size[kept])
-    along = q.T @ (values[train] * weights[train])
+    # the last column of the factor is what the orthonormal ones have in common with the values: they are not needed
+    beside = np.column_stack([weighted[:, kept] / size[kept], values[train] * weights[train]])
+    r = np.asarray(np.linalg.qr(beside, mode="r"))
+    along = r[: kept.size, -1]
     found = []
     for end in ends:
         there = kept[kept < end]

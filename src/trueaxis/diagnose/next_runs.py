@@ -8,7 +8,7 @@ import numpy as np
 
 from trueaxis.diagnose.audit import Audit, size_of
 from trueaxis.diagnose.grids import grid_of
-from trueaxis.diagnose.prospect import Placed, Prospect, outlook_of
+from trueaxis.diagnose.prospect import Placed, Prospect, outlooks_of
 from trueaxis.diagnose.report.quantity import quantity
 from trueaxis.diagnose.report.words import enumerated
 from trueaxis.diagnose.result import Check, Limit, NextRun, NoiseOf
@@ -56,8 +56,9 @@ def ahead_of(prospect: Prospect, found: Found, size: float) -> Ahead:
     rivals = tuple(one.effect for one in found.rivals)
     best = None
     if rivals:
-        mine = outlook_of(prospect, Placed(found.scan.effect, found.scan.point))
-        best = separation(prospect, mine, [outlook_of(prospect, Placed(one.effect, one.point)) for one in found.rivals])
+        placed = [Placed(one.effect, one.point) for one in (found.scan, *found.rivals)]
+        mine, *others = outlooks_of(prospect, placed)
+        best = separation(prospect, mine, others)
     return Ahead(found.scan.effect, rivals, size, best)
 
 
@@ -141,11 +142,12 @@ def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
             if key not in families or one.r2 > families[key].r2:
                 families[key] = one
     by_run: dict[str, list[tuple[Limit, Separation]]] = {}
-    for one in islice(families.values(), MOST_FAMILIES):
-        assert one.nearest is not None
-        places = (_middle(prospect, one.effect), Placed(one.nearest, one.nearest_at))
-        pair = [outlook_of(prospect, place) for place in places]
-        best = separation(prospect, pair[0], pair[1:])
+    looked_at = list(islice(families.values(), MOST_FAMILIES))
+    mine = [_middle(prospect, one.effect) for one in looked_at]
+    rivals = [Placed(one.nearest, one.nearest_at) for one in looked_at if one.nearest is not None]
+    outlooks = outlooks_of(prospect, [*mine, *rivals])
+    for one, outlook, rival in zip(looked_at, outlooks[: len(mine)], outlooks[len(mine) :], strict=True):
+        best = separation(prospect, outlook, [rival])
         kind = kinds[one.effect.kind]
         if best is not None and not (kind.place == "point" and isolable(kind, best.after) > FARTHEST_POINT):
             by_run.setdefault(_taken(best), []).append((one, best))

@@ -11,12 +11,11 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
-from scipy.linalg import solve_banded
 from scipy.special import betaln, chdtri
 
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, place_of
-from trueaxis.diagnose.whiten import differenced, ramp, tridiagonal, whitened
+from trueaxis.diagnose.whiten import differenced, ramp, solved, tridiagonal, whitened
 from trueaxis.identify.global_fit.instruments import STRAIGHT
 from trueaxis.spec.machine import LINEAR
 
@@ -118,9 +117,7 @@ def _profiled(
     for values, nuisance in stacks:
         count = values.shape[1]
         factor = tridiagonal(unit, values.shape[0])
-        white = solve_banded(
-            (1, 0), factor, differenced(unit, np.hstack([nuisance, values])), overwrite_b=True, check_finite=False
-        )
+        white = solved(factor, differenced(unit, np.hstack([nuisance, values])))
         q, r = np.linalg.qr(white[:, : nuisance.shape[1]])
         rest = white[:, nuisance.shape[1] :]
         rest = rest - q @ (q.T @ rest)

@@ -17,11 +17,12 @@ from trueaxis.diagnose.gain import fitted_left, gain_of, held_out, of_instrument
 from trueaxis.diagnose.imperfection import imperfection, taken_up
 from trueaxis.diagnose.noise_of_runs import noise_of_runs
 from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted, refit
 from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.screening import outliers
-from trueaxis.diagnose.search import Found, Ground, Search, search, with_rivals, without
+from trueaxis.diagnose.search import Each, Found, Ground, Search, search, with_rivals, without
 from trueaxis.diagnose.signatures import Readings, readings_of
 from trueaxis.diagnose.standing import refitted_columns, standing_effects
 from trueaxis.diagnose.temperature import smoothed
@@ -39,10 +40,13 @@ WORTH = 0.02  # ... if refitting also lowers the held-out RMS by this share
 
 @dataclass(frozen=True, slots=True)
 class DiagnoseOptions:
-    """noise_um: of a reading, where it is known, else from repeats. progress: told each stage."""
+    """noise_um: of a reading, where it is known, else from repeats. progress: told each stage. each: how candidates are
+    gone through, one after another or by several threads; what is found is the same, to the last digit.
+    """
 
     noise_um: float | None = None
     progress: Callable[[str], None] = lambda _: None
+    each: Each = map
 
 
 def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions | None = None) -> Diagnosis:
@@ -72,6 +76,8 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             noise = again
         named = (*standing, *causes)
         ground, found, causes = _searched(readings, free, values, noise, options, named, found.causes)
+    # neither looks at the readings: where there are threads they are worked out beside what follows
+    audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground])
     options.progress("checks")
     groups = _amplitudes(ground, causes)
     while len(causes) > 1 and min(p for _, p in groups) < HOMOGENEOUS:
@@ -97,8 +103,8 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     floor = float(np.sqrt(np.mean([one.sigma**2 for one in ground.whitening.noise])))
     gain = gain_of(everything, of_held, held, split, floor)
     stale_p = _stale(ground, base)
-    coarse = base_of(model, rows, model.machine.curve_degree)  # as fine as the curves of the extended machine
     recalibrate = stale_p < STALE and gain.held_out.refitted < (1.0 - WORTH) * gain.held_out.given
+    (audited,), (prospect,) = audits, prospects
     return diagnosis_of(
         Outcome(
             ground=ground,
@@ -108,14 +114,18 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             causes=causes,
             groups=groups,
             verdict=verdict_of(found, stand, checks, recalibrate),
-            audit=audit(ground),
+            audit=audited,
+            prospect=prospect,
             checks=checks,
             outliers=off,
             noise=noise,
             held=held,
             left=everything,
             gain=gain,
-            of_instruments=of_instruments(coarse, ground.whitening, values, causes),
+            # the base as fine as the curves of the extended machine
+            of_instruments=of_instruments(
+                base_of(model, rows, model.machine.curve_degree), ground.whitening, values, causes
+            ),
             stale_p=stale_p,
         )
     )
@@ -167,6 +177,7 @@ def _searched(
         values=white(values),
         freedom=freedom_of(white),
         progress=options.progress,
+        each=options.each,
         wide=projection.softened(chance.columns),
     )
     found = search(ground, start)

@@ -4,10 +4,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from scipy.linalg import svd
+from scipy.linalg import qr, svd
 
 from trueaxis.diagnose.base import RANK
 from trueaxis.diagnose.result import FloatArray, IntArray
+from trueaxis.diagnose.rows import as_slice
 
 
 def _nothing() -> FloatArray:
@@ -60,27 +61,31 @@ class Projection:
 
     def of(self, rows: IntArray) -> FloatArray:
         """(n_rows, rank + k): those rows of `inner`, ascending; kept, as many candidates reach the same readings."""
-        first, last = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)
-        if last - first == rows.size:
-            return self.inner[first:last]
-        key = rows.tobytes()
-        if key not in self._parts:
+        here = as_slice(rows)
+        if isinstance(here, slice):
+            return self.inner[here]
+        part = self._parts.get(key := rows.tobytes())  # by several threads at once: nothing here may rely on the next
+        if part is None:
             part = np.take(self.inner, rows, axis=0)
-            if part.nbytes + sum(one.nbytes for one in self._parts.values()) > KEPT:
+            if part.nbytes + sum(one.nbytes for one in list(self._parts.values())) > KEPT:
                 self._parts.clear()
             self._parts[key] = part
-        return self._parts[key]
+        return part
 
-    def told(self, values: FloatArray) -> FloatArray:
-        """(n,): the vector whose product with a column is that of what is left of both."""
-        return np.asarray(values - self.inner @ (self.inner.T @ values))
+    def rest_transposed(self, columns: FloatArray) -> FloatArray:
+        """(n, k): their products with any columns are those of `columns` with what is left of them."""
+        if self.causes.size:
+            columns = columns - self.causes @ (self.causes.T @ columns)
+        rooted = self._rooted(columns)
+        return np.asarray(rooted - self.basis @ (self.basis.T @ rooted))
 
-    def explained(self, columns: FloatArray, residual: FloatArray) -> tuple[FloatArray, int]:
-        """(n,), what columns (n, k) explain of what is left of the readings, (n,), and by how many combinations.
+    def explaining(self, rows: IntArray, columns: FloatArray, residual: FloatArray) -> tuple[FloatArray, int]:
+        """(n,), the combination of columns of which most is left, `rest`, of what is left of the readings, (n,).
 
-        From products of the columns, for a quarter of what an orthonormal basis costs.
+        And of how many it is the best. columns: (n_rows, k), zero but in those rows, ascending. From products of the
+        columns, for a quarter of what an orthonormal basis costs.
         """
-        held = self.inner.T @ columns
+        held = self.of(rows).T @ columns
         whole = np.sum(columns**2, axis=0)
         gram = columns.T @ columns - held.T @ held
         kept = np.diag(gram) > LEAST**2 * whole
@@ -88,8 +93,10 @@ class Projection:
         values, vectors = np.linalg.eigh(gram[np.ix_(kept, kept)] / np.outer(size, size))
         told = values > TOLD * values.max(initial=0.0)
         turned = vectors[:, told] / np.sqrt(values[told]) / size[:, np.newaxis]
-        inside = turned.T @ (columns[:, kept].T @ self._rooted(residual))
-        return self.rest(columns[:, kept] @ (turned @ inside)), int(np.count_nonzero(told))
+        inside = turned.T @ (columns[:, kept].T @ self._rooted(residual)[rows])
+        found = np.zeros(residual.size)
+        found[rows] = columns[:, kept] @ (turned @ inside)
+        return found, int(np.count_nonzero(told))
 
     def extended(self, columns: FloatArray) -> "Projection":
         """The projection that takes further columns (n, k) away, too: causes that are named."""
@@ -147,7 +154,7 @@ def orthonormal(columns: FloatArray) -> FloatArray:
     scaled = columns[:, size > 0.0] / size[size > 0.0]
     if scaled.shape[1] == 0:
         return np.zeros((columns.shape[0], 0))
-    q, r = np.linalg.qr(scaled)
+    q, r = qr(scaled, mode="economic", overwrite_a=True, check_finite=False)
     left, singular, _ = decomposed(r)
     rank = int(np.count_nonzero(singular > RANK * singular[0]))
     return np.asarray(q @ left[:, :rank])

@@ -12,9 +12,10 @@ exact, at the cost of the run's rows alone.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
-from scipy.linalg import cholesky, solve_triangular
+from scipy.linalg import cholesky, qr, solve_triangular
 
 from trueaxis.diagnose.base import RANK, base_of
 from trueaxis.diagnose.menu import FurtherRun, menu
@@ -96,8 +97,8 @@ def prospect_of(ground: Ground) -> Prospect:
     unseen = scale == 0.0
     scale[unseen] = np.maximum(np.linalg.norm(white[:, unseen], axis=0), 1e-300)
     white /= scale
-    q, r = np.linalg.qr(white[:size])
-    left, singular, right = decomposed(r)
+    q, r = qr(white[:size], mode="economic", check_finite=False)
+    left, singular, right = decomposed(np.asarray(r))
     rank = int(np.count_nonzero(singular > RANK * singular[0]))
     innovations = []
     for part, one in zip(parts, noises, strict=True):
@@ -111,18 +112,24 @@ def prospect_of(ground: Ground) -> Prospect:
     )
 
 
-def outlook_of(prospect: Prospect, candidate: Placed) -> Outlook:
-    """What a candidate does to the readings at hand and to the menu's."""
-    signature = signature_of(prospect.readings, candidate.effect, (candidate.point,))
+def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outlook]:
+    """What candidates do to the readings at hand and to the menu's; all at once: the base is read but once."""
+    each = [signature_of(prospect.readings, one.effect, (one.point,)).over_all() for one in candidates]
     size = prospect.ground.values.size
-    columns = signature.over_all()
+    columns = np.hstack([np.zeros((prospect.readings.rows.size, 0)), *each])
     here = prospect.ground.whitening(columns[:size])
-    inside = prospect.basis.basis.T @ here
+    inside, left = prospect.basis.basis.T @ here, prospect.basis.rest(here)
     added = []
     for one in prospect.innovations:
         innovation = one.own.rest(whitened(one.noise, columns[one.rows])) - one.known @ inside
-        added.append(tuple(np.sqrt(times) * (root @ innovation) for times, root in zip(TIMES, one.roots, strict=True)))
-    return Outlook(prospect.basis.rest(here), float(np.sum(here**2)), tuple(added))
+        added.append([np.sqrt(times) * (root @ innovation) for times, root in zip(TIMES, one.roots, strict=True)])
+    ends = np.cumsum([0, *(one.shape[1] for one in each)])
+    return [
+        Outlook(
+            left[:, mine], float(np.sum(here[:, mine] ** 2)), tuple(tuple(two[:, mine] for two in one) for one in added)
+        )
+        for mine in (slice(*pair) for pair in pairwise(ends))
+    ]
 
 
 def _with_further(rows: Rows, further: Sequence[FurtherRun]) -> Rows:

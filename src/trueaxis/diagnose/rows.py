@@ -151,3 +151,9 @@ def _with_passes(rows: Rows) -> Rows:
     passing[order] = np.arange(pair.size) - np.repeat(first, count)
     found = {one.name: getattr(rows, one.name) for one in fields(rows)}
     return Rows(**{**found, "passing": passing})
+
+
+def as_slice(rows: IntArray) -> IntArray | slice:
+    """Rows, ascending, as a slice where they follow one another: what they choose is then no copy."""
+    first, last = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)
+    return slice(first, last) if last - first == rows.size else rows

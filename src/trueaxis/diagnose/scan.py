@@ -2,12 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from trueaxis.diagnose.freedom import Freedom
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.rows import as_slice
 from trueaxis.diagnose.signatures import Signature
 from trueaxis.diagnose.tails import log_chi2_tail, log_f_tail
 from trueaxis.diagnose.whiten import Whitening
@@ -15,7 +17,7 @@ from trueaxis.effects.kind import Effect
 from trueaxis.identify.effects.variable_projection import UNOBSERVABLE, explained
 
 WORTH_A_LOOK = 14.0  # of a statistic, below which nobody asks how sure the noise is
-SMALL = 16  # points of a grid
+ENTRIES = 1 << 20  # of a signature's columns at a time
 FAR = 100.0  # a statistic from which the number of tries does not matter
 LN10 = float(np.log(10.0))
 
@@ -25,17 +27,15 @@ class Prepared:
     """What of a candidate stays the same whatever the readings are and whichever causes are found.
 
     total, gram: (points, k, k), the whitened signature times itself, before and after the base is taken away; length:
-    of the curve along the grid; shown: (n_support, points shown, k), the whitened signature at all points of a small
-    grid, in the middle of a large one, whose points are not alike.
+    of the curve along the grid.
     """
 
     total: FloatArray
     gram: FloatArray
     length: float
-    shown: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Residual:
     """What is left to be explained. base: with the causes found.
 
@@ -47,6 +47,19 @@ class Residual:
     base: Projection
     freedom: Freedom
     back: FloatArray
+
+    @cached_property
+    def slopes_back(self) -> FloatArray:
+        """(n, n_runs): the same for what the slope of each run has in common with what the base leaves."""
+        return self.whitening.back(self.base.rest_transposed(self.freedom.slopes))
+
+    def freedom_of(self, signature: Signature, point: int, gram: FloatArray) -> float:
+        """Of the noise, for a test of the signature at this point; gram: (k, k), of what the base leaves of it."""
+        if not self.freedom.ramps.any():
+            return self.freedom.of_readings
+        here = as_slice(signature.support)
+        through = self.slopes_back[here].T @ signature.columns(slice(point, point + 1))[:, 0]
+        return self.freedom.of(through, np.asarray(np.linalg.pinv(gram, rcond=UNOBSERVABLE, hermitian=True)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,39 +87,53 @@ class Scanned:
 def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Prepared:
     """The candidate's signature whitened and the base taken away; base: without causes.
 
-    The cost grows with the readings that it reaches times rank of the base times points of the grid.
+    The cost grows with the readings that it reaches times rank of the base times points of the grid. Points are taken a
+    few at a time, so that memory does not.
     """
-    size, points, k = signature.columns.shape
-    white = whitening.part(signature.support, signature.columns.reshape(size, points * k))
-    held = (base.of(signature.support).T @ white).reshape(-1, points, k)
-    full = white.reshape(size, points, k)
-    total = _gram(full)
-    gram = total - _gram(held)
-    shown = slice(None) if points <= SMALL else slice(points // 2, points // 2 + 1)
-    return Prepared(total, gram, _length(full, held, gram), full[:, shown].copy())
+    points, k = len(signature.points), signature.terms.shape[2]
+    step = max(ENTRIES // max(signature.support.size * k, 1), 1)
+    parts = [
+        _prepared(signature, whitening, base, slice(start, min(start + step + 1, points)))
+        for start in range(0, points, step)
+    ]
+    total, gram = (np.concatenate([part[of][:step] for part in parts]) for of in (0, 1))
+    cross = np.concatenate([part[2] for part in parts])[: points - 1]
+    return Prepared(total, gram, _length(gram, cross))
+
+
+def _prepared(
+    signature: Signature, whitening: Whitening, base: Projection, points: slice
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """(points, k, k), total and gram, and (points - 1, k, k), the gram of each point with the next."""
+    columns = signature.columns(points)
+    size, count, k = columns.shape
+    white = whitening.part(signature.support, columns.reshape(size, count * k))
+    held = (base.of(signature.support).T @ white).reshape(-1, count, k)
+    full = white.reshape(size, count, k)
+    total = _gram(full, full)
+    cross = _gram(full[:, :-1], full[:, 1:]) - _gram(held[:, :-1], held[:, 1:])
+    return total, total - _gram(held, held), cross
 
 
 def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:
     """values: (n,), whitened; base: with the causes found; freedom: of the noise estimate."""
-    back = whitening.back(np.column_stack([base.told(values), base.inner_causes]))
+    back = whitening.back(np.column_stack([base.rest_transposed(base.rest(values)), base.inner_causes]))
     return Residual(whitening, base, freedom, back)
 
 
 def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanned:
     """Scan one candidate. The cost grows with the readings that it reaches times causes times points of the grid."""
-    _, points, k = signature.columns.shape
-    inside = residual.back[signature.support].T @ signature.columns.reshape(-1, points * k)
-    gram = known.gram - _gram(inside[1:].reshape(-1, points, k))
+    k = signature.terms.shape[2]
+    inside = signature.products(residual.back)
+    gram = known.gram - _gram(inside[1:], inside[1:])
     whole = np.trace(known.total, axis1=1, axis2=2)
-    statistic, amplitudes = explained(gram, inside[0].reshape(points, k), whole, one_sided=_one_sided(signature))
+    statistic, amplitudes = explained(gram, inside[0], whole, one_sided=_one_sided(signature))
     best = int(np.argmax(statistic))
     most = float(statistic[best])
     # Hotelling's tube to first order: a largest statistic u is so many times as likely as one at a given place
     tries = 1.0 + known.length * float(np.sqrt(min(most, FAR) / (2.0 * np.pi)))
-    within = residual.freedom.of_readings
-    if most > WORTH_A_LOOK:
-        column = residual.whitening(signature.over_all(best))
-        within = residual.freedom.of(orthonormal(residual.base.rest(column)))
+    worth = most > WORTH_A_LOOK
+    within = residual.freedom_of(signature, best, gram[best]) if worth else residual.freedom.of_readings
     log_p = log_f_tail(most / k, k, within)
     lower = float(np.log10(tries))
     return Scanned(
@@ -124,13 +151,13 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
     )
 
 
-def _gram(columns: FloatArray) -> FloatArray:
-    """(points, k, k) from (n, points, k)."""
+def _gram(columns: FloatArray, others: FloatArray) -> FloatArray:
+    """(points, k, k) from (n, points, k) each: products at every point."""
     _, points, k = columns.shape
     found = np.empty((points, k, k))
     for i in range(k):
-        for j in range(i, k):
-            found[:, i, j] = found[:, j, i] = np.einsum("np,np->p", columns[:, :, i], columns[:, :, j])
+        for j in range(k):
+            found[:, i, j] = np.einsum("np,np->p", columns[:, :, i], others[:, :, j])
     return found
 
 
@@ -138,17 +165,12 @@ def _one_sided(signature: Signature) -> bool:
     return any(one.role == "root" for one in signature.kind.parameters)
 
 
-def _length(full: FloatArray, held: FloatArray, gram: FloatArray) -> float:
-    """Length of the curve that the signature, base projected out, draws on the unit sphere along the grid."""
-    if full.shape[1] == 1:
-        return 0.0
-    k = full.shape[2]
-    cross = np.empty((full.shape[1] - 1, k, k))
-    for i in range(k):
-        for j in range(k):
-            cross[:, i, j] = np.einsum("np,np->p", full[:, :-1, i], full[:, 1:, j])
-            cross[:, i, j] -= np.einsum("np,np->p", held[:, :-1, i], held[:, 1:, j])
+def _length(gram: FloatArray, cross: FloatArray) -> float:
+    """Length of the curve that the signature, base projected out, draws on the unit sphere along the grid.
+
+    gram: (points, k, k); cross: (points - 1, k, k), of each point with the next.
+    """
     inverse = np.linalg.pinv(gram, rcond=UNOBSERVABLE, hermitian=True)
     shared = np.einsum("pij,pjk,plk,pli->p", inverse[:-1], cross, inverse[1:], cross)
-    angle = np.arccos(np.sqrt(np.clip(shared / k, 0.0, 1.0)))
+    angle = np.arccos(np.sqrt(np.clip(shared / gram.shape[1], 0.0, 1.0)))
     return float(np.sum(angle))

@@ -1,7 +1,8 @@
 """The search for causes: one after another, each with everything that explains the readings about as well."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Protocol, TypeVar
 
 import numpy as np
 
@@ -22,6 +23,18 @@ ZOOM = 7  # points per zoom of a grid, twice
 WORTH_ZOOMING = 0.6  # share of the best statistic from which a candidate's grid is looked at more closely
 
 Progress = Callable[[str], None]
+
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+
+class Each(Protocol):
+    """`map`, that of a pool of threads, or another that gives the same results in the same order."""
+
+    def __call__(self, function: Callable[[T], R], things: Iterable[T], /) -> Iterable[R]:
+        """The function of everything."""
+        ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,8 +63,8 @@ class Search:
 class Ground:
     """What is searched on: candidates, whitened readings less what is expected, noise and base.
 
-    wide: the base with all that the forms of the causes leave open, for their sizes; known: of candidates scanned
-    before.
+    wide: the base with all that the forms of the causes leave open, for their sizes; each: `map`, or one that works on
+    several candidates at once; known: of candidates scanned before.
     """
 
     readings: Readings
@@ -62,6 +75,7 @@ class Ground:
     values: FloatArray
     freedom: Freedom
     progress: Progress
+    each: Each = map
     known: dict[Effect, Prepared] = field(default_factory=dict, repr=False)
 
     @property
@@ -117,11 +131,15 @@ def with_rivals(ground: Ground, found: Search) -> Search:
 
 def scan_all(ground: Ground, residual: Residual, effects: Sequence[Effect]) -> tuple[Scanned, ...]:
     """Every candidate on its grid."""
-    found = []
-    for number, effect in enumerate(effects):
-        ground.progress(f"scan {number + 1} of {len(effects)}: {effect.label}")
+
+    def scan(effect: Effect) -> Scanned:
         signature = signature_of(ground.readings, effect)
-        found.append(scanned(signature, ground.knows(signature), residual))
+        return scanned(signature, ground.knows(signature), residual)
+
+    found = []
+    for number, one in enumerate(ground.each(scan, effects)):
+        ground.progress(f"scan {number + 1} of {len(effects)}: {one.effect.label}")
+        found.append(one)
     return tuple(found)
 
 

@@ -6,13 +6,14 @@ Nothing here is written for an instrument by hand: sensitivities come from the d
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from threading import Lock
 from typing import cast
 
 import numpy as np
 
 from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.result import FloatArray, IntArray
-from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.rows import Rows, as_slice
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.identify.first_order import sensed
 from trueaxis.measure.machine import View
@@ -27,57 +28,78 @@ from trueaxis.spec.machine import LINEAR
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Signature:
-    """Signature of a candidate at all points of its grid.
+    """Signature of a candidate at all points of its grid: its term times the lever by which readings sense it.
 
-    columns: (n_support, n_points, k), mm per unit of the k linear amplitudes; support: (n_support,), ascending, rows of
-    the runs where it may differ from 0; size: the number of all rows; points: values of the searched parameters;
-    missing: what the data lack for it, empty where nothing.
+    support: (n_support,), ascending, rows of the runs where it may differ from 0; terms: (t, n_points, k), per unit of
+    the k linear amplitudes, over all rows, then shared with other candidates, or over those of the support; lever:
+    (t,), mm per unit; size: the number of all rows; points: values of the searched parameters; missing: what the data
+    lack for it, empty where nothing.
     """
 
     effect: Effect
     kind: Kind
-    columns: FloatArray
+    terms: FloatArray
+    lever: FloatArray
     support: IntArray
     size: int
     points: tuple[Mapping[str, float], ...]
     missing: str = ""
 
+    def columns(self, points: slice) -> FloatArray:
+        """(n_support, n_points, k), mm: those at some of the points."""
+        here = slice(None) if self.terms.shape[0] == self.support.size else as_slice(self.support)
+        return np.asarray(self.terms[here, points] * self.lever[here, np.newaxis, np.newaxis])
+
+    def products(self, vectors: FloatArray) -> FloatArray:
+        """(j, n_points, k): those with vectors (size, j)."""
+        mine = vectors if self.terms.shape[0] == self.size else vectors[self.support]
+        _, points, k = self.terms.shape
+        found = (mine * self.lever[:, np.newaxis]).T @ self.terms.reshape(-1, points * k)
+        return np.asarray(found.reshape(-1, points, k))
+
     def over_all(self, point: int = 0) -> FloatArray:
         """(size, k): the columns of one point over all rows."""
-        found = np.zeros((self.size, self.columns.shape[2]))
-        found[self.support] = self.columns[:, point]
+        found = np.zeros((self.size, self.terms.shape[2]))
+        found[self.support] = self.columns(slice(point, point + 1))[:, 0]
         return found
+
+
+AT_ONCE = 16  # points
 
 
 class Memory:
     """What need not be made again, as long as there is room: signatures of small grids, and terms.
 
     Terms of one kind on one axis are the same for all component errors of the axis; the last ones are kept in any case.
+    Several threads may use it: what two of them make at once is the same.
     """
 
     ROOM = 1 << 28  # bytes
 
     def __init__(self) -> None:
+        self._one_writes = Lock()
         self.signatures: dict[Effect, Signature] = {}
         self._left = self.ROOM
-        self._terms: dict[object, FloatArray] = {}
+        self._terms: dict[object, tuple[FloatArray, bool]] = {}
 
     def keep(self, signature: Signature) -> None:
         """Keep the signature of a candidate on its whole grid, unless it would take too much of the room."""
-        size = signature.columns.nbytes + signature.support.nbytes
-        if size <= min(self._left, self.ROOM // 64):
-            self.signatures[signature.effect] = signature
-            self._left -= size
+        size = signature.terms.nbytes + signature.support.nbytes
+        with self._one_writes:
+            if size <= min(self._left, self.ROOM // 64):
+                self.signatures[signature.effect] = signature
+                self._left -= size
 
-    def terms(self, effect: Effect, points: object) -> FloatArray | None:
-        """(n, points times amplitudes), or None."""
+    def terms(self, effect: Effect, points: object) -> tuple[FloatArray, bool] | None:
+        """(n, points, amplitudes) and whether all are known, or None."""
         return self._terms.get(_term_key(effect, points))
 
-    def keep_terms(self, effect: Effect, points: object, terms: FloatArray) -> None:
+    def keep_terms(self, effect: Effect, points: object, found: tuple[FloatArray, bool]) -> None:
         """Keep these, too, or instead of those before."""
-        if terms.nbytes + sum(one.nbytes for one in self._terms.values()) > self.ROOM:
-            self._terms.clear()
-        self._terms[_term_key(effect, points)] = terms
+        with self._one_writes:
+            if found[0].nbytes + sum(terms.nbytes for terms, _ in self._terms.values()) > self.ROOM:
+                self._terms.clear()
+            self._terms[_term_key(effect, points)] = found
 
 
 def _term_key(effect: Effect, points: object) -> tuple[object, ...]:
@@ -126,18 +148,22 @@ def _kind(readings: Readings, effect: Effect) -> Kind:
 def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, float], ...]) -> Signature:
     kind = _kind(readings, effect)
     support = _support(readings, effect, kind)
+    lever, known = np.ones(support.size), False
     if kind.place == "component":
-        columns = _of_component(readings, effect, kind, points, support)
+        assert effect.component is not None
+        lever = np.asarray(readings.sensitivity[readings.model.components.index(effect.component)])
+        terms, known = _of_component(readings, effect, kind, points)
+        if not known:  # what the component does not reach is not spoilt by what is unknown there
+            terms = np.where(lever[:, np.newaxis, np.newaxis] == 0.0, 0.0, terms)
     elif kind.place == "reading":
-        columns = _of_reading(readings, effect, kind, points, support)
+        terms = _of_reading(readings, effect, kind, points, support)
     elif kind.place == "point":
-        columns = _of_point(readings, effect, support)
+        terms = _of_point(readings, effect, support)
     else:
-        columns = _of_location(readings, effect)
-    known = bool(np.isfinite(columns).all())
-    missing = "" if known else _missing(readings)
+        terms = _of_location(readings, effect)
+    missing = "" if known or np.isfinite(terms).all() else _missing(readings)
     return Signature(
-        effect, kind, columns if known else np.nan_to_num(columns), support, readings.rows.size, points, missing
+        effect, kind, np.nan_to_num(terms) if missing else terms, lever, support, readings.rows.size, points, missing
     )
 
 
@@ -201,38 +227,38 @@ def _vectors(kind: Kind, points: tuple[Mapping[str, float], ...]) -> list[FloatA
 
 
 def _columns(
-    kind: Kind, points: tuple[Mapping[str, float], ...], term: Callable[[FloatArray], FloatArray]
+    kind: Kind, points: tuple[Mapping[str, float], ...], size: int, term: Callable[[FloatArray], FloatArray]
 ) -> FloatArray:
-    """(n, points times amplitudes): the terms of all basis amplitudes at all points."""
-    phases = [place for place, one in enumerate(kind.parameters) if one.role == "phase"]
-    found = []
-    for vector in _vectors(kind, points):
-        value = term(vector)
-        found.append(value[0])
-        found += [value[1 + place] for place in phases]
-    return np.stack(found, axis=1)
+    """(size, points, amplitudes): the terms of all basis amplitudes at all points.
+
+    A few at a time: what a kernel gives besides is freed before it takes up memory, and columns side by side are
+    written together.
+    """
+    rows = [0, *(1 + place for place, one in enumerate(kind.parameters) if one.role == "phase")]
+    vectors = _vectors(kind, points)
+    found = np.empty((size, len(vectors), len(rows)))
+    for start in range(0, len(vectors), AT_ONCE):
+        part = slice(start, start + AT_ONCE)
+        found[:, part] = np.stack([term(vector)[rows] for vector in vectors[part]]).transpose(2, 0, 1)
+    return found.reshape(size, len(points), len(vectors) // len(points) * len(rows))
 
 
 def _of_component(
-    readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...], support: IntArray
-) -> FloatArray:
-    model = readings.model
-    assert effect.component is not None
-    lever = readings.sensitivity[model.components.index(effect.component)][support, np.newaxis]
-    terms = readings.memory.terms(effect, points)
-    if terms is None:
-        rows, context = readings.rows, readings.context
+    readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...]
+) -> tuple[FloatArray, bool]:
+    """(n, points, k): the terms over all rows, and whether all are known."""
+    model, rows, context = readings.model, readings.rows, readings.context
+    found = readings.memory.terms(effect, points)
+    if found is None:
         terms = _columns(
             kind,
             points,
+            rows.size,
             lambda vector: component_term(model.kernels, model.machine, effect, vector, rows.positions, context),
         )
-        readings.memory.keep_terms(effect, points, terms)
-    columns = np.take(terms, support, axis=0)
-    columns *= lever
-    if not np.isfinite(columns).all():
-        columns[lever[:, 0] == 0.0] = 0.0  # what the component does not reach is not spoilt by what is unknown there
-    return columns.reshape(support.size, len(points), columns.shape[1] // len(points))
+        found = terms, bool(np.isfinite(terms).all())
+        readings.memory.keep_terms(effect, points, found)
+    return found
 
 
 def _of_reading(
@@ -241,9 +267,10 @@ def _of_reading(
     model, rows = readings.model, readings.rows
     mine = np.array([run.instrument == kind.instrument and _named(run, effect) for run in rows.runs])[rows.run[support]]
     context = readings.reading.of(support)
-    columns = _columns(kind, points, lambda vector: reading_term(model.kernels, model.machine, effect, vector, context))
-    columns = np.where(mine[:, np.newaxis], columns, 0.0)
-    return columns.reshape(mine.size, len(points), columns.shape[1] // len(points))
+    terms = _columns(
+        kind, points, mine.size, lambda vector: reading_term(model.kernels, model.machine, effect, vector, context)
+    )
+    return np.where(mine[:, np.newaxis, np.newaxis], terms, 0.0)
 
 
 def _of_point(readings: Readings, effect: Effect, support: IntArray) -> FloatArray:

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from scipy.linalg import cholesky_banded, solve_banded
+from scipy.linalg import cholesky_banded
+from scipy.linalg.lapack import dtbtrs
 
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 
@@ -39,8 +40,16 @@ class Whitening:
         flat = columns if columns.ndim == 2 else columns[:, np.newaxis]
         found = np.empty_like(flat, dtype=np.float64)
         for noise, at in self._alike(rows):
-            if at.shape[1] <= SHORT:
-                found[at] = np.matmul(_operator(noise, at.shape[1]), flat[at])
+            count, size = at.shape
+            if size <= SHORT and at[-1, -1] - at[0, 0] + 1 == at.size:  # one after another: no copies
+                here = slice(at[0, 0], at[-1, -1] + 1)
+                np.matmul(
+                    _operator(noise, size),
+                    flat[here].reshape(count, size, -1),
+                    out=found[here].reshape(count, size, -1),
+                )
+            elif size <= SHORT:
+                found[at] = np.matmul(_operator(noise, size), flat[at])
             else:
                 every = flat[at.T].reshape(at.shape[1], -1)
                 found[at.T] = whitened(noise, every).reshape(*at.T.shape, -1)
@@ -121,6 +130,15 @@ def differenced(noise: NoiseOf, columns: FloatArray) -> FloatArray:
     return found
 
 
+def solved(factor: FloatArray, columns: FloatArray, *, transposed: bool = False) -> FloatArray:
+    """The inverse of a lower banded factor (2, size), or of its transpose, times columns (size, k).
+
+    Straight from LAPACK: SciPy's `solve_banded` factors the factor once more.
+    """
+    found, _ = dtbtrs(factor, columns, uplo="L", trans="T" if transposed else "N")
+    return np.asarray(found)
+
+
 def _back(noise: NoiseOf, columns: FloatArray) -> FloatArray:
     """One run's columns (n, k) times the transpose of what whitens it."""
     if noise.slope > 0.0 and columns.shape[0] > 1:
@@ -128,10 +146,7 @@ def _back(noise: NoiseOf, columns: FloatArray) -> FloatArray:
         columns = columns - np.outer(direction, shrink @ columns)
     if noise.correlated == 0.0 or noise.correlation == 0.0:
         return columns / noise.sigma
-    factor = tridiagonal(noise, columns.shape[0])
-    upper = np.zeros_like(factor)
-    upper[0, 1:], upper[1] = factor[1, :-1], factor[0]
-    found: FloatArray = solve_banded((0, 1), upper, columns, check_finite=False)
+    found = solved(tridiagonal(noise, columns.shape[0]), columns, transposed=True)
     found[:-1] -= noise.correlation * found[1:]
     return found
 
@@ -146,6 +161,4 @@ def _sloped(noise: NoiseOf, size: int) -> tuple[FloatArray, FloatArray]:
 def _stationary(noise: NoiseOf, columns: FloatArray) -> FloatArray:
     if noise.correlated == 0.0 or noise.correlation == 0.0:
         return columns / noise.sigma
-    factor = tridiagonal(noise, columns.shape[0])
-    solved = solve_banded((1, 0), factor, differenced(noise, columns), check_finite=False)
-    return np.asarray(solved)
+    return solved(tridiagonal(noise, columns.shape[0]), differenced(noise, columns))

@@ -13,7 +13,7 @@ from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fitted_left
 from trueaxis.diagnose.linearisation import linearisation_note
 from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
-from trueaxis.diagnose.prospect import prospect_of
+from trueaxis.diagnose.prospect import Prospect
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import (
     AmplitudeOf,
@@ -50,6 +50,7 @@ class Outcome:
     groups: tuple[tuple[tuple[AmplitudeOf, ...], float], ...]
     verdict: Verdict
     audit: Audit
+    prospect: Prospect
     checks: tuple[Check, ...]
     outliers: tuple[Outlier, ...]
     noise: tuple[NoiseOf, ...]
@@ -63,7 +64,7 @@ class Outcome:
 def diagnosis_of(outcome: Outcome) -> Diagnosis:
     """The record."""
     ground = outcome.ground
-    prospect = prospect_of(ground)
+    prospect = outcome.prospect
     ahead = tuple(ahead_of(prospect, _found(outcome, one), float(one.values[0])) for one in outcome.causes)
     causes = tuple(_cause(outcome, index, one) for index, one in enumerate(ahead))
     return Diagnosis(
@@ -93,8 +94,10 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
     found = _found(outcome, fitted)
     groups, homogeneous_p = outcome.groups[index]
     others = tuple(one for place, one in enumerate(outcome.causes) if place != index)
-    left = fitted_left(outcome.base, ground.whitening, outcome.values, others, ~outcome.held)
-    without = float(np.sqrt(np.mean(left.extended[outcome.held] ** 2)))
+    without = outcome.gain.held_out.refitted
+    if others:
+        left = fitted_left(outcome.base, ground.whitening, outcome.values, others, ~outcome.held)
+        without = float(np.sqrt(np.mean(left.extended[outcome.held] ** 2)))
     rivals = tuple(_evidence(one) for one in found.rivals)
     return Cause(
         effect=fitted.effect,

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
@@ -65,10 +66,30 @@ def evaluate_components(
     Returns (n_components, n), mm or rad; components without a curve are zero.
     """
     values = np.zeros((len(components), positions.shape[1]))
+    polynomials: dict[int, list[int]] = {}
     for row, (component, axis) in enumerate(zip(components, axis_of_component, strict=True)):
-        if component in curves:
-            values[row] = curves[component](positions[axis])
+        curve = curves.get(component)
+        if isinstance(curve, PolynomialCurve):
+            polynomials.setdefault(axis, []).append(row)
+        elif curve is not None:
+            values[row] = curve(positions[axis])
+    for axis, rows in polynomials.items():
+        # those of one axis at once: on few positions a call costs more than its arithmetic
+        found = np.zeros((len(rows), positions.shape[1]))
+        for coefficients in _falling(tuple(curves[components[row]] for row in rows)):
+            found *= positions[axis]
+            found += coefficients
+        values[rows] = found
     return values
+
+
+@lru_cache(maxsize=64)
+def _falling(curves: tuple[PolynomialCurve, ...]) -> FloatArray:
+    """(degree + 1, n_curves, 1): coefficients of each power, the highest first."""
+    found = np.zeros((1 + max((power for one in curves for power in one.powers), default=0), len(curves), 1))
+    for place, one in enumerate(curves):
+        found[[-1 - power for power in one.powers], place, 0] = one.coefficients
+    return found
 
 
 def pack_polynomials(curves: Mapping[str, Curve], components: Sequence[str], degree: int) -> FloatArray | None:

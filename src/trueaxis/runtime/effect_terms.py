@@ -69,16 +69,12 @@ def _check_place(machine: Machine, effect: Effect, place: Place) -> None:
 
 def _of_axis(name: str, machine: Machine, axis: str, positions: FloatArray, context: Context) -> FloatArray:
     row = machine.axes.index(axis)
-    low, high = machine.travel[axis]
-    arrays = {
-        "q": positions,
-        "s": (positions - low) / (high - low),
-        "direction": context.directions,
-        "v": context.velocity,
-        "d": np.minimum(context.since_reversal, FARTHEST),  # derivatives at infinity may have no value
-    }
-    found: FloatArray = arrays[name][row]
-    return found
+    if name == "s":
+        low, high = machine.travel[axis]
+        return np.asarray((positions[row] - low) / (high - low))
+    if name == "d":  # derivatives at infinity may have no value
+        return np.asarray(np.minimum(context.since_reversal[row], FARTHEST))
+    return np.asarray({"q": positions, "direction": context.directions, "v": context.velocity}[name][row])
 
 
 def _term(kernels: Kernels, kind: str, parameters: FloatArray, row: Callable[[str], FloatArray]) -> FloatArray:
