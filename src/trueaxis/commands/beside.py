@@ -5,6 +5,7 @@ gives the result on its standard output. Whatever goes wrong with it, the call i
 ends, because the first process has, it ends, too.
 """
 
+import gc
 import os
 import pickle
 import subprocess
@@ -77,7 +78,8 @@ def _sent(process: "subprocess.Popen[bytes]", function: str, arguments: tuple[ob
 
 
 def main() -> None:
-    """The second process: one call."""
+    """The second process: one call; what becomes garbage in it is gone with it."""
+    gc.disable()
     module = import_module(sys.argv[1])
     given, told = sys.stdin.buffer, sys.stdout.buffer
     sys.stdout = sys.stderr  # what a library prints is no result

@@ -111,22 +111,14 @@ def _fitted(
     values: FloatArray, columns: FloatArray, ends: Sequence[int], weights: FloatArray, train: BoolArray
 ) -> list[FloatArray]:
     """(end,) each: coefficients of so many of the first columns, from one factorisation of all."""
-    weighted = columns[train] * weights[train, np.newaxis]
-    size = np.linalg.norm(weighted, axis=0)
-    kept = np.flatnonzero(size)
+    weighted = np.column_stack([columns, values])[train]
+    weighted *= weights[train, np.newaxis]
+    size = np.sqrt(np.einsum("ij,ij->j", weighted, weighted))
+    size[size == 0.0] = 1.0
+    weighted /= size
     # the last column of the factor is what the orthonormal ones have in common with the values: they are not needed
-    beside = np.column_stack([weighted[:, kept] / size[kept], values[train] * weights[train]])
-    r = np.asarray(np.linalg.qr(beside, mode="r"))
-    along = r[: kept.size, -1]
-    found = []
-    for end in ends:
-        there = kept[kept < end]
-        coefficient = np.zeros(end)
-        if there.size:
-            solved = np.linalg.lstsq(r[: there.size, : there.size], along[: there.size], rcond=RANK)[0]
-            coefficient[there] = solved / size[there]
-        found.append(coefficient)
-    return found
+    r = np.asarray(np.linalg.qr(weighted, mode="r"))
+    return [np.linalg.lstsq(r[:end, :end], r[:end, -1], rcond=RANK)[0] * size[-1] / size[:end] for end in ends]
 
 
 def gain_of(everything: Left, held: Left, rows_held: BoolArray, split: str, floor: float) -> Gain:

@@ -67,7 +67,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     options.progress("noise")
     noise = noise_of_runs(rows, readings.reading, values, options.noise_um)
     standing = standing_effects(readings)
-    free = np.hstack([base.columns, refitted_columns(readings, standing)])
+    free = np.hstack([base.columns, refitted_columns(readings, standing)]) if standing else base.columns
     ground, found, causes = _searched(readings, free, values, noise, options, standing)
     if causes:
         signals = np.sum([one.signal for one in causes], axis=0)

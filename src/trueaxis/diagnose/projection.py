@@ -150,8 +150,8 @@ def orthonormal(columns: FloatArray) -> FloatArray:
 
     The cost grows with n p^2.
     """
-    size = np.linalg.norm(columns, axis=0)
-    scaled = columns[:, size > 0.0] / size[size > 0.0]
+    size = np.sqrt(np.einsum("ij,ij->j", columns, columns))
+    scaled = columns / size if (size > 0.0).all() else columns[:, size > 0.0] / size[size > 0.0]
     if scaled.shape[1] == 0:
         return np.zeros((columns.shape[0], 0))
     q, r = qr(scaled, mode="economic", overwrite_a=True, check_finite=False)
