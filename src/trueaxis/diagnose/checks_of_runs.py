@@ -5,7 +5,7 @@ from scipy.special import ndtr
 
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection
-from trueaxis.diagnose.result import Check, FloatArray
+from trueaxis.diagnose.result import LACK_OF_FIT, Check, FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
 
@@ -16,7 +16,6 @@ NOISY = 4.0  # times the variance of the other runs, from which a run stands out
 MEDIAN_SQUARE = 0.454936  # of a standard normal variable
 SLOWEST = 3  # periods in a run: slower ones are its drift
 SURER = 0.1  # share of the false alarms that a period may give: noise is not quite of the form that it is taken for
-LACK_OF_FIT = "all readings, lack of fit"
 MORE = 1.15  # times the variance of repeats
 LESS_EFFICIENT = 2.72  # variance of an estimate by the median of squares, over that by their mean
 

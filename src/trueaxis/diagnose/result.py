@@ -16,6 +16,8 @@ BoolArray = npt.NDArray[np.bool_]
 Observability = Literal["observable", "confounded", "unobservable"]
 Verdict = Literal["no_discrepancy", "recalibrate", "explained", "ambiguous", "unexplained_structure"]
 
+LACK_OF_FIT = "all readings, lack of fit"  # name of the check that sees any structure, and says nothing of its kind
+
 
 @dataclass(frozen=True, slots=True)
 class NoiseOf:

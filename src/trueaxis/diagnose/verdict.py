@@ -5,10 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.special import chdtri
 
-from trueaxis.diagnose.checks_of_runs import LACK_OF_FIT
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.refit import Fitted
-from trueaxis.diagnose.result import Check, Verdict
+from trueaxis.diagnose.result import LACK_OF_FIT, Check, Verdict
 from trueaxis.diagnose.search import Ground, Search, cause_columns
 from trueaxis.effects.expression import names, parse
 

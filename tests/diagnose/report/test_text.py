@@ -4,9 +4,8 @@ from typing import get_args
 import pytest
 
 from tests.diagnose.report import builders
-from trueaxis.diagnose.checks_of_runs import LACK_OF_FIT
 from trueaxis.diagnose.report.text import summary_text
-from trueaxis.diagnose.result import Check, Verdict
+from trueaxis.diagnose.result import LACK_OF_FIT, Check, Verdict
 from trueaxis.effects.kind import Effect
 
 

@@ -3,9 +3,8 @@
 import re
 from collections.abc import Iterable, Sequence
 
-from trueaxis.diagnose.checks_of_runs import LACK_OF_FIT
 from trueaxis.diagnose.report.quantity import NBSP, UM, probability, quantity, with_expanded
-from trueaxis.diagnose.result import Cause, Check, Diagnosis, Verdict
+from trueaxis.diagnose.result import LACK_OF_FIT, Cause, Check, Diagnosis, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 
