@@ -14,13 +14,16 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
+from trueaxis.cli import ONE_THREAD
 from trueaxis.cli import main as trueaxis
-from trueaxis.diagnose.procedure import diagnose
+from trueaxis.commands.beside import cores
+from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnose.rows import rows_of
 from trueaxis.measure.data import read_data
 from trueaxis.runtime.model import load_model
@@ -44,7 +47,8 @@ def case(readings: int) -> None:
         data = read_data(folder / "data", model.machine)
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
         start = time.perf_counter()
-        found = diagnose(model, data)
+        with ThreadPoolExecutor(cores()) as pool:
+            found = diagnose(model, data, DiagnoseOptions(each=pool.map))
         seconds = time.perf_counter() - start
         memory = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
         whole = _command(folder)
@@ -62,12 +66,12 @@ def _command(folder: Path) -> float:
     return time.perf_counter() - start
 
 
-def measured(readings: int, cores: int) -> tuple[int, float, float, float, str]:
+def measured(readings: int) -> tuple[int, float, float, float, str]:
     """Readings used, seconds of the search and of the command, MB and what was found, by a process of its own."""
-    threads = {name: str(cores) for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")}
+    threads = dict.fromkeys(ONE_THREAD, "1")  # as the command has it
     command = [sys.executable, "-m", "benchmarks.diagnose", "--case", str(readings)]
     done = subprocess.run(
-        command, check=True, cwd=ROOT, env={**os.environ, **threads}, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
+        command, check=True, cwd=ROOT, env={**threads, **os.environ}, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
     )
     used, seconds, whole, memory, found = done.stderr.decode().strip().splitlines()[-1].split(" ", 4)
     return int(used), float(seconds), float(whole), float(memory), found
@@ -76,7 +80,7 @@ def measured(readings: int, cores: int) -> tuple[int, float, float, float, str]:
 def main() -> int:
     """Every size in a process of its own."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--cores", type=int, default=2, help="cores, and threads of linear algebra (%(default)s)")
+    parser.add_argument("--cores", type=int, default=2, help="cores to be used (%(default)s)")
     parser.add_argument("--case", type=int, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.case:
@@ -85,12 +89,10 @@ def main() -> int:
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[: options.cores])
         print(f"on {options.cores} of {os.cpu_count()} cores")
-    else:
-        print(f"linear algebra on {options.cores} of {os.cpu_count()} cores")
     print("readings  seconds  us/reading  ratio  command       MB  found")
     first = None
     for size in SIZES:
-        used, seconds, whole, memory, found = measured(size, options.cores)
+        used, seconds, whole, memory, found = measured(size)
         each = 1e6 * seconds / used
         first = first or each
         print(

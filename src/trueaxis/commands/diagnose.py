@@ -180,7 +180,7 @@ def _extension(
     files = render(derive_model(machine, given.runs))
     with tempfile.TemporaryDirectory() as folder:
         write(Path(folder) / machine.name, files)
-        kernels = load_kernels(machine, path, Path(folder))
+        kernels = load_kernels(machine, path, Path(folder), backend="numpy")  # run too briefly to be worth compiling
         model = MachineModel(machine, kernels, ErrorValues(machine.name))
         kept = kept_readings(given.data, diagnosis, str(args.data))
         values = reidentified(model, given.model.errors, kept, diagnosis.noise, start_values(diagnosis))

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -24,23 +24,12 @@ class Basis:
     def __call__(self, positions: FloatArray) -> FloatArray:
         """(degree, n): the basis functions at positions (n,)."""
         values = legendre.legvander(self._scaled(positions), self.degree)
-        return np.ascontiguousarray((values - legendre.legvander(self._scaled(np.zeros(1)), self.degree))[:, 1:].T)
+        return np.ascontiguousarray((values - _at_zero(self))[:, 1:].T)
 
-    @cached_property
+    @property
     def powers(self) -> FloatArray:
         """(degree, degree): row k holds the coefficients of s^1 .. s^degree of b_(k+1); exact before rounding."""
-        centre, half = self._centre_and_half()
-        scaled = [Fraction(-centre) / Fraction(half), 1 / Fraction(half)]
-        before, current = [Fraction(1)], scaled
-        found = [current]
-        for k in range(1, self.degree):
-            following = _sum(_times(_product(scaled, current), Fraction(2 * k + 1, k + 1)), before, Fraction(-k, k + 1))
-            before, current = current, following
-            found.append(current)
-        matrix = np.zeros((self.degree, self.degree))
-        for row, coefficients in zip(matrix, found, strict=False):
-            row[: len(coefficients) - 1] = [float(c) for c in coefficients[1:]]
-        return matrix
+        return _powers(*self._centre_and_half(), self.degree)
 
     @property
     def per_position(self) -> float:
@@ -58,6 +47,27 @@ class Basis:
 def axis_basis(travel: tuple[float, float], degree: int) -> Basis:
     """The basis of an axis: over its travel, position 0 included."""
     return Basis(min(travel[0], 0.0), max(travel[1], 0.0), degree)
+
+
+@lru_cache(maxsize=64)
+def _at_zero(basis: Basis) -> FloatArray:
+    return np.asarray(legendre.legvander(basis._scaled(np.zeros(1)), basis.degree))
+
+
+@lru_cache(maxsize=64)
+def _powers(centre: float, half: float, degree: int) -> FloatArray:
+    scaled = [Fraction(-centre) / Fraction(half), 1 / Fraction(half)]
+    before, current = [Fraction(1)], scaled
+    found = [current]
+    for k in range(1, degree):
+        following = _sum(_times(_product(scaled, current), Fraction(2 * k + 1, k + 1)), before, Fraction(-k, k + 1))
+        before, current = current, following
+        found.append(current)
+    matrix = np.zeros((degree, degree))
+    for row, coefficients in zip(matrix, found, strict=False):
+        row[: len(coefficients) - 1] = [float(c) for c in coefficients[1:]]
+    matrix.setflags(write=False)  # shared by all who ask
+    return matrix
 
 
 def _product(a: list[Fraction], b: list[Fraction]) -> list[Fraction]:
