@@ -80,7 +80,8 @@ class _Given:
 
 def run(args: argparse.Namespace) -> int:
     """Diagnose, extend, write; raises InputError with the faults of every file and option."""
-    with _progress() as show:
+    # the report is drawn by a second process, which gets ready for it meanwhile
+    with _progress() as show, beside("trueaxis.diagnose.report.html") as start:
         show("reading")
         given = _read(args)
         # only this command needs them, and not for wrong input
@@ -88,20 +89,18 @@ def run(args: argparse.Namespace) -> int:
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
 
-        # the report is drawn by a second process while the extended machine is derived
-        with beside("trueaxis.diagnose.report.html") as start:
-            with ThreadPoolExecutor(cores()) as pool:
-                options = DiagnoseOptions(noise_um=args.noise_um, progress=show, each=pool.map)
-                diagnosis = diagnose(given.model, given.data, options)
-            report = start("report_html", diagnosis)
-            extension = _extension(args, given, diagnosis, show)
-            show("report")
-            machine_file = f"{given.model.name}.toml" if extension else None
-            contents: dict[Path, bytes | str] = {
-                args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extension else None),
-                args.out / REPORT: str(report()),
-                **extension,
-            }
+        with ThreadPoolExecutor(cores()) as pool:
+            options = DiagnoseOptions(noise_um=args.noise_um, progress=show, each=pool.map)
+            diagnosis = diagnose(given.model, given.data, options)
+        report = start("report_html", diagnosis)
+        extension = _extension(args, given, diagnosis, show)
+        show("report")
+        machine_file = f"{given.model.name}.toml" if extension else None
+        contents: dict[Path, bytes | str] = {
+            args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extension else None),
+            args.out / REPORT: str(report()),
+            **extension,
+        }
         write_files(contents)
     print(summary_text(diagnosis), end="")
     print(f"written: {', '.join(str(path) for path in contents)}")
