@@ -19,6 +19,7 @@ CONVERGED = 1e-14  # mm, rotations times the lever
 MOST_ITERATIONS = 20
 MOST_CURVED = 60  # where effects make the design matrix change with the values
 MOST_HALVINGS = 12
+NOTHING = 1e-12  # share of the squares by which they may fall for a step to be of no use
 NEAR = 1e-6  # mm: steps below it are taken as they are, and where they do not shrink, that is rounding
 
 
@@ -65,8 +66,10 @@ def solve_curved(
         triangle, _ = here.triangle()
         found = factors(triangle)
         moved = gauge(here.layout, found.null, level)
-        step = found.step(here.transposed(residual))
-        following, after = _careful(here, given, moved, (unknowns, residual), step)
+        gradient = here.transposed(residual)
+        step = found.step(gradient)
+        promised = float(gradient @ step)
+        following, after = _careful(here, given, moved, (unknowns, residual), step, promised)
         before, change = change, float(np.max(np.abs(following - unknowns), initial=0.0))
         unknowns, residual = following, after
         iteration += 1
@@ -74,9 +77,16 @@ def solve_curved(
 
 
 def _careful(
-    design: Design, given: ErrorValues, moved: Gauge, now: tuple[FloatArray, FloatArray], step: FloatArray
+    design: Design,
+    given: ErrorValues,
+    moved: Gauge,
+    now: tuple[FloatArray, FloatArray],
+    step: FloatArray,
+    promised: float,
 ) -> tuple[FloatArray, FloatArray]:
-    """Unknowns and residuals after the step or a part of it; now: those before."""
+    """Unknowns and residuals after the step or a part of it; now: those before; promised: by how much the squares fall
+    after the whole step, were the model linear.
+    """
     unknowns, residual = now
     squares = _squares(design, residual)
     for halving in range(MOST_HALVINGS):
@@ -87,6 +97,8 @@ def _careful(
         near = float(np.max(np.abs(following - unknowns), initial=0.0)) < NEAR
         if near or _squares(design, after) <= squares:
             return following, after
+        if promised <= NOTHING * squares:
+            break  # where they grow nevertheless, the convention for what is open has changed: no part of it is better
     return now
 
 
