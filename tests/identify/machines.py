@@ -4,7 +4,7 @@ a difference of large numbers here), derivatives by complex step.
 Written from the contract alone; the readings come from the extended-precision generator, not from here.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -54,6 +54,9 @@ class PlainMachine:
         errors = evaluate_components(self.values.motion_errors, self.components, rows, positions)
         actual = self._seen(view, positions, point, errors, self._located(zero=False)).real
         return np.asarray(actual - self._seen_ideal(view, positions, point), dtype=np.float64)
+
+    def view_deviations(self, points: Sequence[tuple[View, FloatArray]], positions: FloatArray) -> list[FloatArray]:
+        return [self.view_deviation(view, positions, point) for view, point in points]
 
     def view_sensitivity(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
         dimensions = tuple(self.values.parameters.get(name, 0.0) for name in self.dimensions)

@@ -258,6 +258,9 @@ class Linear:
         )
         return moved
 
+    def view_deviations(self, points: Sequence[tuple[View, FloatArray]], positions: FloatArray) -> list[FloatArray]:
+        return [self.view_deviation(view, positions, point) for view, point in points]
+
 
 def _many(runs: Sequence[Run], count: int) -> Observations:
     source = np.random.default_rng(8)

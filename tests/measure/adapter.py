@@ -1,6 +1,6 @@
 """The independent generator as a machine model to measure, and the facts of its machine."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,6 +33,9 @@ class GeneratorModel:
 
     def view_deviation(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
         return self._each(view, positions, point, deviation=True)
+
+    def view_deviations(self, points: Sequence[tuple[View, FloatArray]], positions: FloatArray) -> list[FloatArray]:
+        return [self.view_deviation(view, positions, point) for view, point in points]
 
     def _each(self, view: View, positions: FloatArray, point: FloatArray, deviation: bool) -> FloatArray:
         body, _, frame = view.partition("_in_")

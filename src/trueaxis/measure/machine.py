@@ -1,6 +1,6 @@
 """What measuring needs to know of a machine, and of a machine model."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
@@ -49,8 +49,8 @@ class MeasuredMachine(Protocol):
         """Coordinates on the error-free machine, (3, n), mm."""
         ...
 
-    def view_deviation(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
-        """Actual minus ideal coordinates, (3, n), mm, on the exact model."""
+    def view_deviations(self, points: Sequence[tuple[View, FloatArray]], positions: FloatArray) -> list[FloatArray]:
+        """Actual minus ideal coordinates of points, each in its view, (3, n) each, mm, on the exact model."""
         ...
 
 

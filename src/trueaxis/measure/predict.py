@@ -11,4 +11,5 @@ def predict(machine: MeasuredMachine, points: Points) -> FloatArray:
     tool = points.tool
     if tool.shape[1] and (tool == tool[:, :1]).all():
         tool = np.ascontiguousarray(tool[:, :1])  # one point for all positions is what the fastest kernels take
-    return machine.view_deviation("tool_in_workpiece", points.positions, tool)
+    (found,) = machine.view_deviations([("tool_in_workpiece", tool)], points.positions)
+    return found

@@ -117,7 +117,9 @@ def _expected(machine: MeasuredMachine, at_home: MeasuredMachine, run: Run, posi
 
 
 def _deviation(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:
+    terms = run_terms(run)
+    each = machine.view_deviations([(term.view, column(term.point)) for term in terms], positions)
     total = np.zeros((3, positions.shape[1]))
-    for term in run_terms(run):
-        total += term.sign * machine.view_deviation(term.view, positions, column(term.point))
+    for term, found in zip(terms, each, strict=True):
+        total += term.sign * found
     return total

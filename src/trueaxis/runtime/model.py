@@ -1,7 +1,7 @@
 """A machine with its error values: the numeric model that everything right of the kernels runs on."""
 
 import logging
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -153,10 +153,20 @@ class MachineModel:
 
     def view_deviation(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
         """Actual minus ideal coordinates, on the exact model."""
-        if view == "tool_in_workpiece" and self._curves is not None and point.shape[1] == 1:
-            name = "tool_in_workpiece_deviation_curves"
-            return self._call(name, positions, self._curves, self.parameter_values, point[:, 0])
-        return self.view_deviation_of(view, positions, self.component_errors(positions), self.parameter_values, point)
+        (found,) = self.view_deviations([(view, point)], positions)
+        return found
+
+    def view_deviations(self, points: Sequence[tuple[str, FloatArray]], positions: FloatArray) -> list[FloatArray]:
+        """Actual minus ideal coordinates of points, each in its view, on the exact model; errors are found but once."""
+        found, errors = [], None
+        for view, point in points:
+            if view == "tool_in_workpiece" and self._curves is not None and point.shape[1] == 1:
+                name = "tool_in_workpiece_deviation_curves"
+                found.append(self._call(name, positions, self._curves, self.parameter_values, point[:, 0]))
+                continue
+            errors = self.component_errors(positions) if errors is None else errors
+            found.append(self.view_deviation_of(view, positions, errors, self.parameter_values, point))
+        return found
 
     def view_deviation_of(
         self, view: str, positions: FloatArray, errors: FloatArray, parameters: FloatArray, point: FloatArray
