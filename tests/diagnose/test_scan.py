@@ -12,6 +12,7 @@ from scipy.stats import f, kstest
 
 from tests.diagnose.prepared import SIGMA, SMALL, WHITE, Field, dense_covariance, drawn_noise, field
 from tests.hidden_effects.design import Design
+from trueaxis.diagnose import scan
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.result import NoiseOf
 from trueaxis.diagnose.scan import Scanned, prepared, residual_of, scanned
@@ -187,3 +188,34 @@ def test_freedom_of_several_runs_that_share_one_slope() -> None:
     source = np.random.default_rng(6)
     variance = 0.6 * source.chisquare(8.0, draws) / 8.0 + 0.1 * source.chisquare(5.0, draws) / 5.0 + 0.3
     assert found == pytest.approx(2.0 / np.var(variance), rel=0.05)
+
+
+@pytest.mark.parametrize(
+    "effect", [Effect("cyclic", "ECX"), Effect("reversal_spike", "EXX")], ids=lambda one: one.label
+)
+@pytest.mark.parametrize("entries", [1, 2000])
+def test_a_grid_in_pieces_is_the_grid(effect: Effect, entries: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Memory is bounded, point by point if need be; nothing else changes."""
+    where = field(FOUR_LINES, SLOPES)
+    signature = signature_of(where.readings, effect)
+    whole = prepared(signature, where.whitening, where.base)
+    monkeypatch.setattr(scan, "ENTRIES", entries)
+    pieces = prepared(signature, where.whitening, where.base)
+    assert pieces.total == pytest.approx(whole.total, rel=1e-12)
+    assert pieces.gram == pytest.approx(whole.gram, rel=1e-9, abs=1e-12 * whole.total.max())
+    assert pieces.length == pytest.approx(whole.length, rel=1e-6)
+
+
+def test_freedom_is_that_of_what_the_base_and_causes_leave() -> None:
+    """From products alone as from an orthonormal basis of the column, projected in full."""
+    where = field(FOUR_LINES, SLOPES)
+    cause = where.whitening(signature_of(where.readings, Effect("drift", "EXX")).over_all())
+    base = where.base.softened(np.random.default_rng(1).normal(size=(where.base.basis.shape[0], 2))).extended(cause)
+    residual = residual_of(where.whitening, base, np.zeros(base.basis.shape[0]), where.freedom)
+    for effect in (Effect("backlash", "EYY"), Effect("laser_scale"), Effect("laser_cosine", runs=("X1-1", "X1-2"))):
+        signature = signature_of(where.readings, effect)
+        left = base.rest(where.whitening(signature.over_all()))
+        unit = left / np.linalg.norm(left)
+        expected = where.freedom.of(where.freedom.slopes.T @ unit, np.eye(1))
+        assert residual.freedom_of(signature, 0, left.T @ left) == pytest.approx(expected, rel=1e-9)
+        assert expected < where.freedom.of_readings

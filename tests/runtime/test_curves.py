@@ -54,6 +54,18 @@ def test_components_take_their_own_axis_and_are_zero_without_a_curve() -> None:
     assert found.tolist() == [[2.0, 4.0], [0.0, 0.0], [30.0, 60.0]]
 
 
+@given(data=st.data())
+def test_curves_of_one_axis_at_once_are_each_its_own_to_the_last_digit(data: st.DataObject) -> None:
+    size = st.floats(-1.0, 1.0, allow_subnormal=False)
+    curves = {}
+    for name in ("EXX", "EYX", "EZX"):
+        powers = data.draw(POWERS)
+        curves[name] = PolynomialCurve(tuple(powers), tuple(data.draw(size) for _ in powers))
+    positions = np.array([data.draw(st.lists(st.floats(-700.0, 700.0), min_size=1, max_size=4))])
+    found = evaluate_components(curves, tuple(curves), (0, 0, 0), positions)
+    assert np.array_equal(found, [curve(positions[0]) for curve in curves.values()])
+
+
 def test_packing_puts_each_power_in_its_column() -> None:
     curves = {"EXX": PolynomialCurve((3, 1), (7.0, 5.0)), "EYX": PolynomialCurve((0, 9), (0.0, 0.0))}
     packed = pack_polynomials(curves, ("EXX", "EYX", "EZX"), 3)
