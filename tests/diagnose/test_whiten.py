@@ -9,7 +9,7 @@ from scipy.linalg import cho_factor, cho_solve
 
 from tests.diagnose.prepared import dense_covariance, drawn_noise
 from trueaxis.diagnose.result import NoiseOf
-from trueaxis.diagnose.whiten import Whitening, whitened, whitening
+from trueaxis.diagnose.whiten import Whitening, solved, tridiagonal, whitened, whitening
 
 NOISES = {
     "white": NoiseOf("laser", 3e-4, 0.0, 0.0, 0.0, 1e6, ""),
@@ -67,6 +67,25 @@ def test_runs_are_independent_of_each_other() -> None:
     found = white(columns)
     assert found.T @ found == pytest.approx(columns.T @ np.linalg.solve(covariance, columns), rel=1e-9)
     assert white.part(np.arange(20, 73), columns[20:]) == pytest.approx(found[20:], rel=1e-12)
+
+
+def test_no_columns_are_none_whitened() -> None:
+    for white in (of_three_runs()[0], whitening(np.repeat([0, 1], [450, 20]), [NOISES["everything"]] * 2)):
+        nothing = np.zeros((int(white.starts[-1]), 0))
+        assert white(nothing).shape == white.back(nothing).shape == nothing.shape
+    assert whitened(NOISES["everything"], np.zeros((18, 0))).shape == (18, 0)
+
+
+@pytest.mark.parametrize("transposed", [False, True])
+@pytest.mark.parametrize("columns", [0, 1, 7])
+@pytest.mark.parametrize("size", [1, 2, 450])
+def test_a_banded_factor_is_taken_back(size: int, columns: int, transposed: bool) -> None:
+    """By the dense matrix."""
+    factor = tridiagonal(NOISES["everything"], size)
+    dense = np.diag(factor[0]) + np.diag(factor[1, : size - 1], -1)
+    known = np.random.default_rng(2).normal(size=(size, columns))
+    given = (dense.T if transposed else dense) @ known
+    assert solved(factor, given, transposed=transposed) == pytest.approx(known, rel=1e-9, abs=1e-12)
 
 
 def test_back_is_the_transpose() -> None:

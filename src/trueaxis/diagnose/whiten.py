@@ -135,6 +135,8 @@ def solved(factor: FloatArray, columns: FloatArray, *, transposed: bool = False)
 
     Straight from LAPACK: SciPy's `solve_banded` factors the factor once more.
     """
+    if columns.size == 0:  # written beyond by the wrapper of LAPACK's routine
+        return columns.copy()
     found, _ = dtbtrs(factor, columns, uplo="L", trans="T" if transposed else "N")
     return np.asarray(found)
 
