@@ -19,9 +19,9 @@ from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
 # most blocks: N, G0 or G1, X Y Z and F, in this order; the groups are lead, G, X, Y, Z, tail, F, line end
 _PLAIN = re.compile(
-    rf"((?:N\d++)?+[ \t]*+(?:G0?([01]))?+[ \t]*+)"
-    rf"(?:X({NUMBER}))?+(?:[ \t]*+Y({NUMBER}))?+(?:[ \t]*+Z({NUMBER}))?+"
-    rf"([ \t]*+(?:F[ \t]*+(\d++\.?+\d*+|\.\d++))?+[ \t]*+)(\r*+\n?+)"
+    rf"((?:N\d++)?[ \t]*+(?:G0?([01]))?[ \t]*+)"
+    rf"(?:X({NUMBER}))?(?:[ \t]*+Y({NUMBER}))?(?:[ \t]*+Z({NUMBER}))?"
+    rf"([ \t]*+(?:F[ \t]*+(\d++\.?+\d*+|\.\d++))?[ \t]*+)(\r*+\n?+)"
 )
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
