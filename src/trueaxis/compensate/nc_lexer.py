@@ -3,8 +3,8 @@
 import re
 from typing import NamedTuple
 
-# possessive quantifiers: no backtracking, so a hostile block costs linear time; not of groups, which Python before 3.11.5
-# gets wrong
+# possessive quantifiers: no backtracking, so a hostile block costs linear time; none of groups, which Python before
+# 3.11.5 gets wrong
 NUMBER = r"[-+]?+(?:\d++\.?+\d*+|\.\d++)"
 _TOKEN = re.compile(rf"([ \t]++)|([A-Za-z])[ \t]*+({NUMBER})|(\([^()]*+\)|;.*+)")
 _MACRO = re.compile(r"[#\[\]=<>&|]|(?i:\b(?:WHILE|GOTO|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
