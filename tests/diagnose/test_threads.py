@@ -29,7 +29,7 @@ def test_threads_change_nothing(threads: int) -> None:
     assert candidates[len(alone.scan) - 1].startswith(f"scan {len(alone.scan)} of {len(alone.scan)}: ")
 
 
-def test_a_fault_in_a_thread_is_the_fault_of_all() -> None:
+def test_an_interruption_ends_it_all() -> None:
     given = prepared(Case(seed=4, design=SMALL))
 
     def told(stage: str) -> None:

@@ -95,8 +95,7 @@ def _left(ground: Ground, base: Projection) -> Iterator[tuple[Effect, Signature,
         whole = np.zeros((ground.values.size, count * k))
         whole[signature.support] = ground.whitening.part(signature.support, columns)
         waiting.append((effect, signature, whole))
-        count = sum(one.shape[1] for *_, one in waiting)
-        if count >= AT_ONCE or place == len(ground.effects) - 1:
+        if sum(one.shape[1] for *_, one in waiting) >= AT_ONCE or place == len(ground.effects) - 1:
             rest = base.rest(np.hstack([one for *_, one in waiting]))
             ends = np.cumsum([one.shape[1] for *_, one in waiting])
             for (one, its, columns), left in zip(waiting, np.split(rest, ends[:-1], axis=1), strict=True):

@@ -37,10 +37,10 @@ class Freedom:
         """
         share = np.einsum("ri,ij,rj->r", through, inverse, through) / inverse.shape[0]
         total = min(float(share.sum()), 1.0)
-        variance = (1.0 - total) ** 2 / self.of_readings
+        per_freedom = (1.0 - total) ** 2 / self.of_readings
         for freedom in np.unique(self.of_slopes[self.of_slopes > 0.0]):
-            variance += float(share[self.of_slopes == freedom].sum()) ** 2 / float(freedom)
-        return float(1.0 / variance)
+            per_freedom += float(share[self.of_slopes == freedom].sum()) ** 2 / float(freedom)
+        return float(1.0 / per_freedom)
 
 
 def freedom_of(whitening: Whitening) -> Freedom:

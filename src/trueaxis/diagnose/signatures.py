@@ -25,6 +25,8 @@ from trueaxis.runtime.effect_terms import component_term, reading_term
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR
 
+AT_ONCE = 16  # points of a grid whose terms are made together
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Signature:
@@ -62,9 +64,6 @@ class Signature:
         found = np.zeros((self.size, self.terms.shape[2]))
         found[self.support] = self.columns(slice(point, point + 1))[:, 0]
         return found
-
-
-AT_ONCE = 16  # points
 
 
 class Memory:
