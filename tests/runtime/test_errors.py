@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from trueaxis.faults import InputError
 from trueaxis.runtime.curves import PolynomialCurve, TableCurve
-from trueaxis.runtime.errors import ErrorValues, Undetermined, dump_errors, read_errors
+from trueaxis.runtime.errors import ErrorValues, Fit, Undetermined, dump_errors, read_errors
 
 COMPONENTS = ("EXX", "EYX", "EBX", "EXY")
 PARAMETERS = ("q_wx", "eps_xy", "eps_xz")
@@ -61,6 +61,46 @@ def test_the_file_of_the_contract_is_read(tmp_path: Path) -> None:
 def test_what_is_not_named_is_absent_and_so_zero(tmp_path: Path) -> None:
     errors = read(tmp_path, {"schema": 1, "machine": "dmu60p"})
     assert errors == ErrorValues("dmu60p", {}, {}, {}, ())
+
+
+@pytest.mark.parametrize(
+    "fit", [Fit("converged"), Fit("converged", 1.02), Fit("misfit", 961.0, ("Y2", "X1"))], ids=lambda fit: fit.state
+)
+def test_how_the_fit_ended_is_kept(tmp_path: Path, fit: Fit) -> None:
+    text = dump_errors(ErrorValues("dmu60p", fit=fit), components=COMPONENTS, parameters=PARAMETERS)
+    assert read_text(tmp_path, text).fit == fit
+
+
+@pytest.mark.parametrize(
+    ("fit", "place"),
+    [
+        (3, "fit:"),
+        ({}, "fit.state"),
+        ({"state": "good"}, "fit.state"),
+        ({"state": ["misfit"]}, "fit.state"),
+        ({"state": "misfit", "chi2": "big"}, "fit.chi2"),
+        ({"state": "misfit", "runs": [1]}, "fit.runs"),
+        ({"state": "misfit", "why": ""}, "fit.why"),
+    ],
+)
+def test_a_wrong_fit_is_a_fault(tmp_path: Path, fit: Any, place: str) -> None:
+    faults = faults_of(tmp_path, json.dumps({**VALID, "fit": fit}))
+    assert any(fault.startswith(place) for fault in faults)
+
+
+def test_the_measured_range_of_a_polynomial_is_kept(tmp_path: Path) -> None:
+    curve = PolynomialCurve((1, 2), (1e-5, -2e-8), None, (10.0, 480.0))
+    text = dump_errors(
+        ErrorValues("dmu60p", motion_errors={"EXX": curve}), components=COMPONENTS, parameters=PARAMETERS
+    )
+    assert read_text(tmp_path, text).motion_errors == {"EXX": curve}
+    assert TableCurve((0.0, 5.0, 9.0), (0.0, 0.0, 0.0)).measured == (0.0, 9.0)
+
+
+@pytest.mark.parametrize("measured", [5, [1.0], [2.0, 1.0], [0.0, "end"], [0.0, 1.0, 2.0]])
+def test_a_wrong_measured_range_is_a_fault(tmp_path: Path, measured: Any) -> None:
+    curve = {"basis": "polynomial", "powers": [1], "coefficients": [1e-5], "measured": measured}
+    assert any("motion_errors.EXX.measured" in fault for fault in faults_of(tmp_path, with_curve(curve)))
 
 
 def test_uncertainties_ride_along(tmp_path: Path) -> None:

@@ -25,7 +25,7 @@ def read_curve(value: Any, path: JsonPath, faults: Faults) -> Curve | None:
         problem = "is missing" if "basis" not in value else f"{shown(basis)} is not a basis"
         faults.add(key_path((*path, "basis")), problem, 'give "polynomial" or "table"')
         return None
-    known = ("basis", *_KEYS[basis], "u")
+    known = ("basis", *_KEYS[basis], "u", *(("measured",) if basis == "polynomial" else ()))
     for key in value:
         if key not in known:
             faults.add(key_path((*path, key)), f"is not a key of a {basis}", f"known: {', '.join(known)}")
@@ -59,6 +59,8 @@ def curve_object(curve: Curve) -> dict[str, Any]:
         }
         if curve.u is not None:
             found["u"] = [u_value(curve.u[i]) for i in order]
+        if curve.measured is not None:
+            found["measured"] = [float(end) for end in curve.measured]
         return found
     found = {
         "basis": "table",
@@ -79,9 +81,21 @@ def _polynomial(value: dict[str, Any], path: JsonPath, faults: Faults) -> Polyno
     powers = _powers(value["powers"], (*path, "powers"), faults)
     coefficients = numbers(value["coefficients"], (*path, "coefficients"), faults)
     u = _uncertainties(value, path, faults)
+    measured = _range(value, path, faults)
     if _same_length(value, ("powers", "coefficients", "u"), path, faults):
-        return PolynomialCurve(powers, coefficients, u)
+        return PolynomialCurve(powers, coefficients, u, measured)
     return None
+
+
+def _range(value: dict[str, Any], path: JsonPath, faults: Faults) -> tuple[float, float] | None:
+    """The lowest and highest measured position; None where the curve does not say."""
+    if "measured" not in value:
+        return None
+    ends = numbers(value["measured"], (*path, "measured"), faults)
+    if len(ends) != 2 or not ends[0] <= ends[1]:
+        faults.add(key_path((*path, "measured")), "is no range", "[lowest, highest] measured position, mm or deg")
+        return None
+    return ends
 
 
 def _powers(value: Any, path: JsonPath, faults: Faults) -> tuple[int, ...]:

@@ -15,12 +15,13 @@ class PolynomialCurve:
     """sum(coefficients[i] * s**powers[i]) of the commanded axis position s (mm, deg); value in mm or rad.
 
     powers: distinct whole numbers >= 0; u: standard uncertainty per coefficient, NaN where unknown, None when not
-    given.
+    given; measured: lowest and highest position that was measured, None where that is not known.
     """
 
     powers: tuple[int, ...]
     coefficients: tuple[float, ...]
     u: tuple[float, ...] | None = None
+    measured: tuple[float, float] | None = None
 
     def __call__(self, positions: FloatArray) -> FloatArray:
         """Values, of the shape of `positions`; Horner's scheme, so that no power of s is ever formed in full."""
@@ -49,6 +50,11 @@ class TableCurve:
     def __call__(self, positions: FloatArray) -> FloatArray:
         """Values, of the shape of `positions`."""
         return np.interp(positions, self.positions, self.values)
+
+    @property
+    def measured(self) -> tuple[float, float]:
+        """Lowest and highest position that was measured: the ends of the table."""
+        return self.positions[0], self.positions[-1]
 
 
 Curve = PolynomialCurve | TableCurve

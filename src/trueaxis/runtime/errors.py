@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args
 
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME
@@ -18,7 +18,7 @@ from trueaxis.runtime.effect_values import EffectValues, in_order
 from trueaxis.runtime.strict_json import JsonPath, key_path, number, parse, shown
 
 SCHEMA = 1
-_KEYS = ("schema", "machine", "parameters", "motion_errors", "effects", "u", "undetermined")
+_KEYS = ("schema", "machine", "fit", "parameters", "motion_errors", "effects", "u", "undetermined")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,13 +32,30 @@ class Undetermined:
     parameters: tuple[str, ...]
 
 
+FitState = Literal["converged", "misfit"]
+FIT_STATES: tuple[FitState, ...] = get_args(FitState)
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """How the identification of error values ended.
+
+    state: `converged`, or `misfit` where residuals are far from the noise that is known; chi2: weighted squares of the
+    residuals per degree of freedom, None where no noise was known; runs: those that misfit, worst first.
+    """
+
+    state: FitState
+    chi2: float | None = None
+    runs: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True, slots=True)
 class ErrorValues:
     """Error values of a machine; what is not named is zero.
 
     parameters: name -> value (mm or rad); motion_errors: component -> curve; u: standard uncertainties of
     parameters, NaN where unknown (those of curves are in the curves); undetermined: what identification left open;
-    effects: values of the machine's effects.
+    effects: values of the machine's effects; fit: how identification ended, None where nothing says so.
     """
 
     machine: str
@@ -47,6 +64,7 @@ class ErrorValues:
     u: Mapping[str, float] = field(default_factory=dict)
     undetermined: tuple[Undetermined, ...] = ()
     effects: tuple[EffectValues, ...] = ()
+    fit: Fit | None = None
 
 
 def read_errors(
@@ -78,6 +96,7 @@ def read_errors(
         if curve is not None:
             curves[name] = curve
     undetermined = _undetermined(tree.get("undetermined", []), faults)
+    fit = _fit(tree["fit"], faults) if "fit" in tree else None
     found = read_effects(tree.get("effects", []), effects, kinds, faults)
     for one in found:
         name = one.effect.component or ""
@@ -85,7 +104,7 @@ def read_errors(
             place = key_path(("parameters", name))
             faults.add(place, f"is told by the effect {one.effect.label} as well", "keep one")
     faults.raise_if_any()
-    return ErrorValues(machine, values, curves, uncertainties, undetermined, found)
+    return ErrorValues(machine, values, curves, uncertainties, undetermined, found, fit)
 
 
 def dump_errors(
@@ -97,6 +116,12 @@ def dump_errors(
     Floats are written so that they read back as the same numbers.
     """
     tree: dict[str, Any] = {"schema": SCHEMA, "machine": errors.machine}
+    if errors.fit is not None:
+        tree["fit"] = {"state": errors.fit.state}
+        if errors.fit.chi2 is not None:
+            tree["fit"]["chi2"] = float(errors.fit.chi2)
+        if errors.fit.runs:
+            tree["fit"]["runs"] = list(errors.fit.runs)
     tree["parameters"] = {name: float(errors.parameters[name]) for name in parameters if name in errors.parameters}
     if errors.u:
         tree["u"] = {name: u_value(errors.u[name]) for name in parameters if name in errors.u}
@@ -163,6 +188,24 @@ def _undetermined(entries: Any, faults: Faults) -> tuple[Undetermined, ...]:
         else:
             found.append(Undetermined(entry["combination"], tuple(names)))
     return tuple(found)
+
+
+def _fit(entry: Any, faults: Faults) -> Fit | None:
+    if not isinstance(entry, dict):
+        faults.add("fit", f"{shown(entry)} is not an object", 'give {"state": "converged"} or leave it out')
+        return None
+    for key in entry:
+        if key not in ("state", "chi2", "runs"):
+            faults.add(key_path(("fit", key)), "is not a key of a fit", "known: state, chi2, runs")
+    state = next((known for known in FIT_STATES if entry.get("state") == known), None)
+    if state is None:
+        faults.add("fit.state", f"is {shown(entry.get('state'))}", f"one of {', '.join(FIT_STATES)}")
+    chi2 = number(entry["chi2"], ("fit", "chi2"), faults) if "chi2" in entry else None
+    runs = entry.get("runs", [])
+    if not isinstance(runs, list) or not all(isinstance(run, str) for run in runs):
+        faults.add("fit.runs", "is not a list of run ids")
+        runs = []
+    return None if state is None else Fit(state, chi2, tuple(runs))
 
 
 def _suggest(name: str, known: Sequence[str]) -> str:

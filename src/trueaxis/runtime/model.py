@@ -17,6 +17,7 @@ from trueaxis.runtime.errors import ErrorValues, read_errors
 from trueaxis.runtime.kernels import Kernels, load_kernels
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.machine import LINEAR
+from trueaxis.spec.prior import Prior
 
 _LOG = logging.getLogger(__name__)
 
@@ -74,6 +75,11 @@ class MachineModel:
     def travel(self) -> Mapping[str, tuple[float, float]]:
         """Axis -> lowest and highest commanded position, mm or deg."""
         return self.machine.travel
+
+    @property
+    def prior(self) -> Prior:
+        """Sizes of errors to expect before measuring."""
+        return self.machine.prior
 
     @property
     def effects(self) -> tuple[Effect, ...]:

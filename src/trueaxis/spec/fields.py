@@ -90,6 +90,16 @@ class Fields:
             return None
         return number if math.isfinite(number) else None
 
+    def number(self, key: str, right: str) -> float | None:
+        """A finite number that must be there; `right` says what would be right."""
+        value = self._take(key, True, right)
+        if value is None:
+            return None
+        read = self.finite(value)
+        if read is None:
+            self.fault(key, f"is {shown(value)}", right)
+        return read
+
     def numbers(self, key: str, count: int, required: bool = False) -> tuple[float, ...] | None:
         """A list of so many finite numbers."""
         right = f"a list of {count} finite numbers"

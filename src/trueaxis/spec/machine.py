@@ -2,11 +2,12 @@
 
 import hashlib
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME
+from trueaxis.spec.prior import Prior
 
 AXES = ("X", "Y", "Z", "A", "B", "C")
 LINEAR, ROTARY = AXES[:3], AXES[3:]
@@ -43,6 +44,7 @@ class Machine:
     runs: folder of the measuring plan whose identification systems are derived, relative to the spec; or None.
     references: pairs (equation label, where the literature has it), printed beside the equations.
     effects: terms beside the geometric errors, in the order of the spec; effect_kinds: the spec's own kinds.
+    prior: sizes of errors to expect before measuring.
     """
 
     name: str
@@ -56,6 +58,7 @@ class Machine:
     references: tuple[tuple[str, str], ...] = ()
     effects: tuple[Effect, ...] = ()
     effect_kinds: tuple[Kind, ...] = ()
+    prior: Prior = field(default_factory=Prior)
 
     @cached_property
     def axes(self) -> tuple[str, ...]:
@@ -112,9 +115,12 @@ class Machine:
 
     @cached_property
     def digest(self) -> str:
-        """SHA-256 of the parsed spec: what it says, not how it is laid out. References are prose and left out."""
+        """SHA-256 of the parsed spec: what it says, not how it is laid out.
+
+        References are prose, and sizes to expect change no kernel: both are left out.
+        """
         said = asdict(self)
-        del said["references"]
+        del said["references"], said["prior"]
         return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
 
 

@@ -2,7 +2,7 @@
 
 import re
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from trueaxis.faults import Faults, InputError
@@ -12,6 +12,7 @@ from trueaxis.spec.effect_kinds import read_effect_kinds
 from trueaxis.spec.effects import read_effects, with_squareness
 from trueaxis.spec.fields import Complain, Fields
 from trueaxis.spec.machine import AXES, BED, LINEAR, Body, Machine
+from trueaxis.spec.prior import read_prior
 from trueaxis.spec.structure import check_structure
 from trueaxis.spec.structure_code import AxisOrder, StructureCodeError, default_location_errors, parse_structure
 from trueaxis.toml_lines import KeyPath, error_line, key_lines, place
@@ -76,8 +77,7 @@ def _machine(top: Fields, complain: Complain, faults: Faults) -> Machine:
     )
     references.refuse_others("motion_X, motion_XY, ..., system_1, ..., squareness")
     rotations = top.choice("rotations", ROTATIONS) or ROTATIONS[0]
-    top.refuse_others()
-    return Machine(
+    machine = Machine(
         name,
         title,
         with_squareness(outline.bodies, effects),
@@ -90,6 +90,10 @@ def _machine(top: Fields, complain: Complain, faults: Faults) -> Machine:
         effects,
         kinds,
     )
+    units = {parameter: machine.parameter_unit(parameter) for parameter in machine.location_errors}
+    prior = read_prior(top, machine.components, units)
+    top.refuse_others()
+    return replace(machine, prior=prior)
 
 
 @dataclass(frozen=True)
