@@ -18,16 +18,28 @@ from tests.identify.test_instruments import joined
 from tests.identify.test_paper import level
 from trueaxis.cli import main
 from trueaxis.faults import InputError
-from trueaxis.identify.covariance import Covariance, derivative, dump_covariance, predicted_u, read_covariance
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.method import fit_global, identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
 from trueaxis.identify.observations import Observations
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.bases import LegendreBasis
+from trueaxis.runtime.covariance import Covariance, dump_covariance, read_covariance
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.runtime.uncertainty import derivative, tool_uncertainty
+
+
+def predicted_u(model: MachineModel, found: Covariance, positions: FloatArray, tool: FloatArray) -> FloatArray:
+    return tool_uncertainty(model, found, positions, tool, datum=None).u
+
+
+def legendre(found: Covariance) -> list[tuple[str, LegendreBasis]]:
+    pairs = list(zip(found.components, found.bases, strict=True))
+    return [(name, basis) for name, basis in pairs if isinstance(basis, LegendreBasis)]
+
 
 TOOL = np.array([[12.0], [-35.0], [60.0]])
 AT = np.array([[0.0, 540.0, 200.0, 33.0], [0.0, 700.0, 100.0, 650.0], [0.0, 600.0, 333.0, 10.0]])
@@ -42,7 +54,7 @@ def machine() -> MachineModel:
 def values_of(found: Covariance, values: FloatArray, others: dict[str, float]) -> ErrorValues:
     """Error values from coefficients of the bases, by powers."""
     curves, start = {}, 0
-    for name, basis in zip(found.components, found.bases, strict=True):
+    for name, basis in legendre(found):
         powers = values[start : start + basis.degree] @ basis.powers
         curves[name] = PolynomialCurve(tuple(range(1, basis.degree + 1)), tuple(powers.tolist()))
         start += basis.degree
@@ -188,7 +200,7 @@ def test_the_linear_path_is_that_of_whole_identifications() -> None:
 def _values(found: Covariance, values: ErrorValues) -> FloatArray:
     """Coefficients of the bases, from curves at as many positions."""
     total = []
-    for name, basis in zip(found.components, found.bases, strict=True):
+    for name, basis in legendre(found):
         at = np.linspace(basis.low, basis.high, basis.degree + 1)[1:]
         total += np.linalg.solve(basis(at).T, values.motion_errors[name](at)).tolist()
     return np.array([*total, *(values.parameters[name] for name in found.locations)])
@@ -196,7 +208,7 @@ def _values(found: Covariance, values: ErrorValues) -> FloatArray:
 
 def _true_values(found: Covariance) -> FloatArray:
     truth, total = level(cubic_errors(), 6), []
-    for name, basis in zip(found.components, found.bases, strict=True):
+    for name, basis in legendre(found):
         at = np.linspace(basis.low, basis.high, basis.degree + 1)[1:]
         total += np.linalg.solve(basis(at).T, np.array([float(truth[name](s)) for s in at])).tolist()
     return np.array([*total, *(PARAMETERS[name] for name in found.locations)])
@@ -227,7 +239,7 @@ def test_what_is_open_has_no_uncertainty(tmp_path: Path) -> None:
     options = ["--method", "global", "--degree", "3", "--known", str(known(tmp_path)), "--squareness", "known"]
     assert identify(data, out, *options, "--covariance", str(file)) == 0
     model = load_model(MACHINE, out, Path(KERNELS[1]), backend="numpy")
-    found = read_covariance(file, "dmu60p", model.components, model.location_errors)
+    found = read_covariance(file, model.machine)
     u = predicted_u(model, found, np.array([[300.0, 0.0], [0.0, 0.0], [0.0, 400.0]]), np.zeros((3, 1)))
     assert np.isfinite(u[0, 0])
     assert np.isnan(u[2, 1])
@@ -237,10 +249,10 @@ def test_what_is_open_has_no_uncertainty(tmp_path: Path) -> None:
 def test_damaged_files_are_told(tmp_path: Path, damage: str) -> None:
     _, found = identified(replace(KNOWN, degree=1, noise_um=0.3))
     file = tmp_path / "c.npz"
-    data = dump_covariance(replace(found, matrix=found.matrix[:3]) if damage == "shape" else found)
+    data = dump_covariance(replace(found, open=found.open[:3]) if damage == "shape" else found)
     file.write_bytes({"text": b"no archive", "cut": data[:-40]}.get(damage, data))
     with pytest.raises(InputError):
-        read_covariance(file, "other" if damage == "machine" else "dmu60p", machine().components, ())
+        read_covariance(file, replace(machine().machine, name="other") if damage == "machine" else machine().machine)
 
 
 def test_every_fault_of_the_options_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -250,6 +262,6 @@ def test_every_fault_of_the_options_is_told(tmp_path: Path, capsys: pytest.Captu
     wrong = ["--robust", "huber", "--covariance", str(tmp_path / "c.txt"), "--degree", "auto"]
     assert identify(data, out, *wrong, "--instruments", "ideal", "--noise-um", "laser=1") == 2
     told = capsys.readouterr().err
-    for words in ("--robust", "--covariance", "--degree auto", "--instruments", "--noise-um", "not a .npz file"):
+    for words in ("--robust", "--degree auto", "--instruments", "--noise-um", "not a .npz file"):
         assert words in told
     assert not out.exists()

@@ -18,7 +18,6 @@ from tests.identify.data import P9_PRINTED, paper_data
 from tests.identify.machines import dmu60p
 from trueaxis.identify.axis_lines import angle_matrix, axis_lines
 from trueaxis.identify.curve_fit import fit_tables, polynomial_curves
-from trueaxis.identify.global_fit.basis import Basis, axis_basis
 from trueaxis.identify.machine import units
 from trueaxis.identify.noise import noise
 from trueaxis.identify.null_space import reduced
@@ -28,12 +27,15 @@ from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.paper.squareness import accumulated_slope
 from trueaxis.identify.report_text import report_json, report_text
 from trueaxis.identify.straightness import slope_weights
+from trueaxis.runtime.bases import LegendreBasis, axis_basis
 from trueaxis.runtime.curves import PolynomialCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues
 
 
-@pytest.mark.parametrize("basis", [Basis(0.0, 700.0, 7), Basis(-270.0, 270.0, 5), Basis(-30.0, 120.0, 6)])
-def test_basis_is_legendre_without_its_value_at_zero(basis: Basis) -> None:
+@pytest.mark.parametrize(
+    "basis", [LegendreBasis(0.0, 700.0, 7), LegendreBasis(-270.0, 270.0, 5), LegendreBasis(-30.0, 120.0, 6)]
+)
+def test_basis_is_legendre_without_its_value_at_zero(basis: LegendreBasis) -> None:
     at = np.linspace(basis.low, basis.high, 13)
     for k, (values, powers) in enumerate(zip(basis(at), basis.powers, strict=True), 1):
         expected = Legendre.basis(k, domain=[basis.low, basis.high])

@@ -243,7 +243,7 @@ def test_predict_in_the_context_of_the_points(spec: Path, tmp_path: Path) -> Non
     at.write_text("X,Y,Z,dir_X,temperature_c\n100,0,0,1,22\n100,0,0,-1,19\n100,0,0,,20\n")
     assert command_line(predict, spec, spec.parent / "generated", *files) == 0
     found = pl.read_csv(out)
-    assert found.columns == ["X", "Y", "Z", "dir_X", "temperature_c", "dx", "dy", "dz"]
+    assert found.columns == ["X", "Y", "Z", "dir_X", "temperature_c", "dx", "dy", "dz", "u_dx", "u_dy", "u_dz"]
     assert found["dir_X"].to_list() == [1.0, -1.0, None]
     np.testing.assert_allclose(found["dx"], [1e-3 + 2e-3, -1e-3 - 1e-3, 0.0], rtol=0, atol=1e-15)
     at.write_text("X,Y,Z,temperature_c\n100,0,0,22\n100,0,0,\n")

@@ -46,8 +46,9 @@ def test_deviations_are_those_of_the_independent_exact_machine(
     (frame.write_csv if suffix == "csv" else frame.write_parquet)(at)
     assert run(command, "--errors", errors, "--at", at, "--out", out) == 0
     found = pl.read_csv(out) if suffix == "csv" else pl.read_parquet(out)
-    assert found.columns == [*frame.columns, "dx", "dy", "dz"]
+    assert found.columns == [*frame.columns, "dx", "dy", "dz", "u_dx", "u_dy", "u_dz"]
     assert found.select(frame.columns).equals(frame)
+    assert found.select("u_dx", "u_dy", "u_dz").null_count().row(0) == (40, 40, 40)  # these error values have none
     machine = dmu60p(cubic_errors())
     for row in found.iter_rows(named=True):
         point = [row.get(f"tool_{axis}", 0.0) for axis in "xyz"]
@@ -69,7 +70,7 @@ def test_no_points_give_no_rows(tmp_path: Path, errors: Path) -> None:
     at, out = tmp_path / "points.csv", tmp_path / "out.csv"
     at.write_text("X,Y,Z\n")
     assert run(command, "--errors", errors, "--at", at, "--out", out) == 0
-    assert out.read_text() == "X,Y,Z,dx,dy,dz\n"
+    assert out.read_text() == "X,Y,Z,dx,dy,dz,u_dx,u_dy,u_dz\n"
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import pytest
 
 from tests.exact_chain import DIGITS, ExactChain
 from tests.kernels import model_of
-from tests.machines import FIVE_AXIS, ROOT
+from tests.machines import FIVE_AXIS
 from trueaxis.emit.render import render
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
@@ -122,15 +122,3 @@ def test_what_is_wrong_with_the_spec_comes_before_kernels_are_asked_for(tmp_path
     with pytest.raises(InputError) as caught:
         load_model(spec, None, tmp_path)
     assert "there is no body 88" in str(caught.value)
-
-
-def test_a_table_that_does_not_cover_the_travel_is_told(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
-    file = tmp_path / "e.json"
-    file.write_text(
-        '{"schema": 1, "machine": "dmu60p", "motion_errors": '
-        '{"EBX": {"basis": "table", "positions": [0, 60], "values": [0, 1e-6]}, '
-        '"EXX": {"basis": "table", "positions": [0, 540], "values": [0, 1e-3]}}}'
-    )
-    load_model(ROOT / "machines" / "dmu60p.toml", file, ROOT / "generated")
-    assert "EBX is tabled from 0 to 60 of a travel from 0 to 540" in caplog.text
-    assert "EXX" not in caplog.text

@@ -6,16 +6,25 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.commands.arguments import share, whole
+from trueaxis.commands.arguments import share, size, whole
+from trueaxis.commands.misfit import check_fit, misfit_option
 from trueaxis.commands.paths import overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
+from trueaxis.input_files import gathering
+from trueaxis.reporting.reliance import above_sentence, extent_sentences
+from trueaxis.runtime.covariance import Covariance, linked
 from trueaxis.runtime.curves import TableCurve
-from trueaxis.runtime.errors import dump_errors, read_errors
-from trueaxis.spec import read_machine
+from trueaxis.runtime.errors import ErrorValues, dump_errors
+from trueaxis.runtime.extent import UncertaintyExtent, uncertainty_extent, volume_grid
+from trueaxis.runtime.kernels import load_kernels
+from trueaxis.runtime.model import MachineModel, load_errors
+from trueaxis.runtime.uncertainty import load_uncertainty
+from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.machine import component_unit
 
 HIGHEST_ORDER = 15
+NO_KERNELS = "there are no kernels of this machine (--kernels): the uncertainty of the tool point is not stated"
 
 DESCRIPTION = """\
 Replace the tables of an error-values file by optimal polynomials without a constant term, as in Sect. 4: the
@@ -38,6 +47,16 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "--max-order", type=whole(1, HIGHEST_ORDER), default=7, metavar="N", help="highest power tried (%(default)s)"
     )
     parser.add_argument("--alpha", type=share, default=0.05, help="significance level of the tests (%(default)s)")
+    misfit_option(parser)
+    parser.add_argument(
+        "--max-u", type=size, metavar="MM",
+        help="write nothing, exit code 1, where a standard uncertainty of the tool point within the travel, relative "
+        "to home, is larger; what is not known or not determined counts as infinite",
+    )  # fmt: skip
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR",
+        help="folder of derived kernels, for the uncertainty of the tool point (%(default)s)",
+    )  # fmt: skip
     parser.add_argument("--picture", type=Path, metavar="P.png", help="draw values and polynomials, before and after")
     parser.set_defaults(run=run)
 
@@ -45,44 +64,67 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
 def run(args: argparse.Namespace) -> int:
     """Fit, show, write."""
     # statsmodels and matplotlib take a second to import; only this command needs them here.
-    from trueaxis.identify.curve_fit import fit_tables, polynomial_curves  # noqa: PLC0415
+    from trueaxis.identify.curve_fit import fit_tables, in_polynomials, polynomial_curves  # noqa: PLC0415
     from trueaxis.identify.polynomial import statistics_table  # noqa: PLC0415
     from trueaxis.pictures.curves import curves_picture  # noqa: PLC0415
 
-    faults = overwritten(
-        {"MACHINE.toml": args.machine, "--errors": args.errors}, {"--out": args.out, "--picture": args.picture}
+    file = args.out.with_suffix(".npz")
+    found = overwritten(
+        {"MACHINE.toml": args.machine, "--errors": args.errors},
+        {"--out": args.out, "covariance of --out": file, "--picture": args.picture},
     )
     machine = read_machine(args.machine)
-    components, parameters = machine.components, machine.parameters
-    errors = read_errors(
-        args.errors,
-        machine=machine.name,
-        components=components,
-        parameters=parameters,
-        effects=machine.effects,
-        kinds=machine.kinds,
-    )
-    if faults:
-        raise InputError(faults)
+    errors = covariance = None
+    with gathering(found):
+        errors = load_errors(args.errors, machine)
+        check_fit(errors, args.errors, args.accept_misfit)
+        covariance = load_uncertainty(args.errors, errors, machine)
+    if found or errors is None or covariance is None:
+        raise InputError(found)
     fits = fit_tables(errors.motion_errors, max_order=args.max_order, alpha=args.alpha)
     if not fits:
         raise InputError([Fault(str(args.errors), "motion_errors", "has no table of three positions or more")])
     curves, notes = polynomial_curves(errors.motion_errors, fits)
-    fitted = dump_errors(
-        replace(errors, motion_errors=curves), components=components, parameters=parameters, effects=machine.effects
+    fitted = replace(errors, motion_errors=curves, covariance=None)
+    of_fitted = in_polynomials(covariance, errors.motion_errors, curves)
+    contents: dict[Path, bytes | str] = {}
+    if errors.covariance is not None:
+        fitted, contents[file] = linked(fitted, of_fitted, args.out, file)
+    contents[args.out] = dump_errors(
+        fitted, components=machine.components, parameters=machine.parameters, effects=machine.effects
     )
-    contents: dict[Path, bytes | str] = {args.out: fitted}
+    extent = _extent(args, machine, fitted, of_fitted)
+    doubtful = () if extent is None else extent.components
     if args.picture is not None:
         tables = ((name, errors.motion_errors[name]) for name in fits)
         bars = {
             name: np.array(t.u)[np.array(t.positions) != 0.0] for name, t in tables if isinstance(t, TableCurve) and t.u
         }
-        contents[args.picture] = curves_picture(fits, u=bars)
-    write_files(contents)
+        contents[args.picture] = curves_picture(fits, u=bars, undetermined=doubtful)
+    refused = extent is not None and args.max_u is not None and extent.counted > args.max_u
+    if not refused:
+        write_files(contents)
     for name, fit in fits.items():
         unit, factor = ("um", 1e3) if component_unit(name) == "mm" else ("urad", 1e6)
         print(f"{name}: {fit.verdict}\n{statistics_table(fit, unit, factor)}\n")
-    for note in notes:
+    stated = [NO_KERNELS] if extent is None else extent_sentences(extent, "over the travel")
+    for note in (*notes, *stated):
         print(f"note: {note}")
+    if refused and extent is not None:
+        print(f"{args.out}: not written: {above_sentence(extent.counted, args.max_u)}")
+        return 1
     print(f"written: {', '.join(str(path) for path in contents)}")
     return 0 if all(fit.after.powers for fit in fits.values()) else 1
+
+
+def _extent(
+    args: argparse.Namespace, machine: Machine, fitted: ErrorValues, covariance: Covariance
+) -> UncertaintyExtent | None:
+    """The uncertainty of the tool point over the travel; None without kernels, which --max-u cannot do without."""
+    try:
+        model = MachineModel(machine, load_kernels(machine, args.machine, args.kernels), fitted)
+    except InputError:
+        if args.max_u is not None:
+            raise
+        return None
+    return uncertainty_extent(model, covariance, volume_grid(model), np.zeros((3, 1)))

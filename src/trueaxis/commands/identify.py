@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 from trueaxis.commands.identify_options import degree_option, instruments_option, noise_option
 from trueaxis.commands.measured import read_measured
 from trueaxis.commands.paths import overwritten
-from trueaxis.faults import Fault, InputError
+from trueaxis.faults import Fault
 from trueaxis.files import write_files
-from trueaxis.identify.covariance import dump_covariance
 from trueaxis.identify.global_fit.instruments import KINDS
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import AUTO_DEGREE, GlobalOptions
@@ -21,6 +20,7 @@ from trueaxis.identify.paper.squareness import Choice as PaperChoice
 from trueaxis.identify.report import Identification
 from trueaxis.identify.report_text import report_json, report_text
 from trueaxis.identify.weighting import NoiseModel
+from trueaxis.runtime.covariance import linked
 from trueaxis.runtime.errors import ErrorValues, dump_errors
 from trueaxis.runtime.model import MachineModel
 
@@ -97,7 +97,10 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="method global: weigh down readings that lie too far off (Huber 1.345, Tukey 4.685 standard deviations)",
     )
     parser.add_argument(
-        "--covariance", type=Path, metavar="FILE.npz", help="method global: write the covariance of the values, too"
+        "--covariance",
+        type=Path,
+        metavar="FILE.npz",
+        help="where the covariance of the values goes (default: beside --out, with the ending .npz)",
     )
     parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON, too")
     parser.add_argument(
@@ -113,17 +116,14 @@ def run(args: argparse.Namespace) -> int:
     machine, model, data, known = read.model.machine, read.model, read.data, read.known
     observed = observations(str(args.data), data.setup.runs, data.readings)
     identified = _identify(args, model, observed, known)
-    contents: dict[Path, str | bytes] = {}
+    file = args.covariance or args.out.with_suffix(".npz")
+    values, covariance = linked(identified.values, identified.covariance, args.out, file)
+    contents: dict[Path, str | bytes] = {file: covariance}
     contents[args.out] = dump_errors(
-        identified.values, components=machine.components, parameters=machine.parameters, effects=machine.effects
+        values, components=machine.components, parameters=machine.parameters, effects=machine.effects
     )
     if args.report is not None:
         contents[args.report] = report_json(identified.report)
-    if args.covariance is not None:
-        if identified.covariance is None:
-            remedy = "give it with --noise-um, or take more readings"
-            raise InputError([Fault("--covariance", "", "the noise is unknown, and with it every uncertainty", remedy)])
-        contents[args.covariance] = dump_covariance(identified.covariance)
     write_files(contents)
     print(report_text(identified.report), end="")
     print(f"written: {', '.join(str(path) for path in contents)}")
@@ -165,7 +165,6 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
             "--degree auto": args.degree == AUTO_DEGREE,
             "--instruments": args.instruments != KINDS,
             "--robust": bool(args.robust),
-            "--covariance": args.covariance is not None,
         }
         for option, used in of_global.items():
             if used:
@@ -174,6 +173,7 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     if args.covariance is not None and args.covariance.suffix != ".npz":
         found.append(Fault(str(args.covariance), "", "is not a .npz file", "a name that ends in .npz"))
     inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
-    outputs = {"--out": args.out, "--report": args.report, "--covariance": args.covariance}
+    covariance = args.covariance or args.out.with_suffix(".npz")
+    outputs = {"--out": args.out, "--report": args.report, "--covariance": covariance}
     found += overwritten(inputs, outputs)
     return found

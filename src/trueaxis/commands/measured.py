@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
 from trueaxis.measure.data import MeasuredData, read_data
-from trueaxis.runtime.errors import ErrorValues, read_errors
-from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.model import MachineModel, load_errors, load_model
 from trueaxis.spec import read_machine
 
 
@@ -33,14 +33,7 @@ def read_measured(args: argparse.Namespace, found: list[Fault]) -> MeasuredInput
         data = read_data(args.data, machine)
     if args.known is not None:
         with gathering(found):
-            known = read_errors(
-                args.known,
-                machine=machine.name,
-                components=machine.components,
-                parameters=machine.parameters,
-                effects=machine.effects,
-                kinds=machine.kinds,
-            )
+            known = load_errors(args.known, machine)
     if found:
         raise InputError(found)
     return MeasuredInput(model, data, known)

@@ -4,15 +4,20 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from trueaxis.commands.arguments import size
 from trueaxis.commands.paths import overwritten
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
-from trueaxis.identify.covariance import predicted_u, read_covariance
 from trueaxis.input_files import gathering
 from trueaxis.measure.context_needs import faults_of_points
-from trueaxis.measure.points import dump_predicted, read_points
+from trueaxis.measure.points import Points, dump_predicted, read_points
 from trueaxis.measure.predict import predict
-from trueaxis.runtime.model import load_model
+from trueaxis.reporting.reliance import above_sentence, misfit_sentence, open_sentence, range_sentences
+from trueaxis.runtime.measured_range import beyond_measured
+from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.runtime.uncertainty import ToolUncertainty, home_of, load_uncertainty, tool_uncertainty
 from trueaxis.spec import read_machine
 
 if TYPE_CHECKING:
@@ -22,8 +27,8 @@ DESCRIPTION = """\
 Predict where the tool point really is. For each row of --at (a column per axis: mm, rotary axes deg; optionally tool_x,
 tool_y, tool_z: the point in the tool frame, mm; dir_X ..., time_s and temperature_c: how the axes came there, when, how
 warm, for machines with effects) the deviation, actual minus ideal, is computed on the exact model and
-written as dx, dy, dz (mm, workpiece frame) behind the columns of the row; with --covariance (of identify) their
-standard uncertainties, too, as u_dx, u_dy, u_dz: empty where a deviation rests on what the data could not determine."""
+written as dx, dy, dz (mm, workpiece frame) behind the columns of the row, and its standard uncertainty as u_dx, u_dy,
+u_dz: empty where it is not known, or where the deviation rests on values that no reading determined."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -34,7 +39,20 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
     parser.add_argument("--at", type=Path, required=True, metavar="POINTS", help="axis positions, .csv or .parquet")
-    parser.add_argument("--covariance", type=Path, metavar="FILE.npz", help="covariance of the error values")
+    parser.add_argument(
+        "--covariance", type=Path, metavar="FILE.npz",
+        help="covariance of the error values (default: the file that they name, else their own uncertainties)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--datum", choices=("machine", "home"), default="machine",
+        help="what deviations are relative to: the error-free machine, or the tool point at home (every axis at 0, or "
+        "at the end of its travel next to it), where work offsets are touched off (%(default)s)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--max-u", type=size, metavar="MM",
+        help="write nothing, exit code 1, where a standard uncertainty is larger; what is not known or not determined "
+        "counts as infinite",
+    )  # fmt: skip
     parser.add_argument("--out", type=Path, required=True, metavar="OUT", help="table to write, .csv or .parquet")
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
@@ -49,22 +67,36 @@ def run(args: argparse.Namespace) -> int:
     machine = read_machine(args.machine)
     with gathering(found):
         model = load_model(args.machine, args.errors, args.kernels)
+        covariance = load_uncertainty(args.errors, model.errors, machine, args.covariance)
     with gathering(found):
         points = read_points(args.at, machine)
-    covariance = None
-    if args.covariance is not None:
-        with gathering(found):
-            covariance = read_covariance(
-                args.covariance, machine.name, machine.components, machine.location_errors, machine.effects
-            )
     if found:
         raise InputError(found)
     if model.effect_values:
         if lacking := faults_of_points(model, points.context, str(args.at)):
             raise InputError(lacking)
         model = model.in_context(points.context)
-    deviation = predict(model, points)
-    spread = None if covariance is None else predicted_u(model, covariance, points.positions, points.tool)
-    write_files({args.out: dump_predicted(points, deviation, args.out.suffix, spread)})
+    datum = home_of(model) if args.datum == "home" else None
+    deviation = predict(model, points, datum)
+    uncertainty = tool_uncertainty(model, covariance, points.positions, points.tool, datum=datum)
+    largest = np.max(np.where(np.isnan(uncertainty.u), np.inf, uncertainty.u), initial=0.0)
+    for sentence in _reliance(model, points, uncertainty):
+        print(f"note: {sentence}")
+    if args.max_u is not None and largest > args.max_u:
+        print(f"{args.out}: not written: {above_sentence(float(largest), args.max_u)}")
+        return 1
+    write_files({args.out: dump_predicted(points, deviation, args.out.suffix, uncertainty.u)})
     print(f"{args.out}: {deviation.shape[1]} points")
     return 0
+
+
+def _reliance(model: MachineModel, points: Points, uncertainty: ToolUncertainty) -> list[str]:
+    """What a user must know of these deviations besides their values."""
+    count = points.positions.shape[1]
+    fit, rests = model.errors.fit, (uncertainty.open > 0.0).any(axis=0)
+    sentences = [misfit_sentence(fit)] if fit is not None and fit.state == "misfit" else []
+    sentences += range_sentences(beyond_measured(model.errors, model.axes, points.positions), count)
+    if rests.any():
+        largest = float(uncertainty.open.max())
+        sentences.append(open_sentence(int(rests.sum()), count, largest, model.errors.undetermined))
+    return sentences

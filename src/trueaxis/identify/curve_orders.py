@@ -3,8 +3,6 @@
 from collections.abc import Mapping
 from typing import Literal
 
-import numpy as np
-
 from trueaxis.identify.curve_fit import fit_tables, polynomial_curves
 from trueaxis.identify.held_out import held_out
 from trueaxis.identify.report import CurveOrderReport
@@ -22,8 +20,8 @@ def ordered_curves(
     if choice == "held-out":
         notes = tuple(note for note in notes if "stays a table" in note)
         for name, one in checked.items():
-            numbers = (tuple(np.asarray(part).tolist()) for part in (one.fit.coefficients, one.fit.u))
-            found[name] = PolynomialCurve(one.fit.powers, *numbers)
+            coefficients, u = tuple(one.fit.coefficients.tolist()), tuple(one.fit.u.tolist())
+            found[name] = PolynomialCurve(one.fit.powers, coefficients, u, curves[name].measured)
     orders = tuple(
         CurveOrderReport(name, fits[name].after.powers, one.fit.powers, one.rms_optimal, one.rms, unit_of(name))
         for name, one in checked.items()

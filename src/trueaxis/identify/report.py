@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from trueaxis.effects.kind import Role
-from trueaxis.identify.covariance import Covariance
+from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 
 Method = Literal["paper", "global"]
@@ -181,8 +181,8 @@ class IdentificationReport:
 
 @dataclass(frozen=True, slots=True)
 class Identification:
-    """Error values and the report on them; covariance: of all values, None where the method or the noise gives none."""
+    """Error values, the report on them, and their covariance with what the readings leave open."""
 
     values: ErrorValues
     report: IdentificationReport
-    covariance: Covariance | None = None
+    covariance: Covariance

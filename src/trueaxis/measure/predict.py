@@ -2,14 +2,24 @@
 
 import numpy as np
 
-from trueaxis.measure.machine import FloatArray, MeasuredMachine
+from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.points import Points
+from trueaxis.runtime.context import Context
+from trueaxis.runtime.model import MachineModel
 
 
-def predict(machine: MeasuredMachine, points: Points) -> FloatArray:
-    """Actual minus ideal position of the tool points in the workpiece frame (Eq. 4), (3, n), mm, exact model."""
+def predict(machine: MachineModel, points: Points, datum: FloatArray | None = None) -> FloatArray:
+    """Actual minus ideal position of the tool points in the workpiece frame (Eq. 4), (3, n), mm, exact model.
+
+    datum: (n_axes, 1), mm or deg, the position at which the deviation of each tool point is taken as zero, of axes that
+    have not moved yet; None: the error-free machine.
+    """
     tool = points.tool
     if tool.shape[1] and (tool == tool[:, :1]).all():
         tool = np.ascontiguousarray(tool[:, :1])  # one point for all positions is what the fastest kernels take
-    (found,) = machine.view_deviations([("tool_in_workpiece", tool)], points.positions)
-    return found
+    deviation = machine.deviation(points.positions, tool)
+    if datum is None:
+        return deviation
+    at_datum = np.repeat(datum, tool.shape[1], axis=1)
+    still = machine.in_context(Context.at_rest(len(machine.axes), tool.shape[1]))
+    return deviation - still.deviation(at_datum, tool)

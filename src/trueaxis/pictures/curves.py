@@ -1,11 +1,13 @@
 """Discrete values of the component errors with their polynomials before and after optimisation (Fig. 14)."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import ceil
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import Collection
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from trueaxis.identify.polynomial import OptimalFit
@@ -15,23 +17,26 @@ FloatArray = NDArray[np.float64]
 
 COLUMNS = 3
 CURVE_POINTS = 241
+UNDETERMINED_COLOUR = "#B8B8B8"
 POINTS_COLOUR, BEFORE_COLOUR, AFTER_COLOUR = GREY, ORANGE, BLUE
 
 
-def curves_picture(fits: Mapping[str, OptimalFit], *, u: Mapping[str, FloatArray] | None = None) -> bytes:
+def curves_picture(
+    fits: Mapping[str, OptimalFit], *, u: Mapping[str, FloatArray] | None = None, undetermined: Sequence[str] = ()
+) -> bytes:
     """PNG with a panel per component, in the order given: values with error bars and both polynomials.
 
     fits: component (EXX, EYX, ... in ISO 230-1's names, from which units follow: um or urad over mm or deg)
     to its fit; u: standard uncertainties of a component's values, (n,) mm or rad, drawn as bars of 2 u to
-    either side where given. The band about the optimal polynomial is 2 u of the fitted curve. Raises ValueError on
-    no fits.
+    either side where given. The band about the optimal polynomial is 2 u of the fitted curve. undetermined: components
+    that the readings did not determine, drawn grey. Raises ValueError on no fits.
     """
     if not fits:
         raise ValueError("there is no fit to draw")
-    return png(lambda: _figure(fits, {} if u is None else u))
+    return png(lambda: _figure(fits, {} if u is None else u, undetermined))
 
 
-def _figure(fits: Mapping[str, OptimalFit], u: Mapping[str, FloatArray]) -> Figure:
+def _figure(fits: Mapping[str, OptimalFit], u: Mapping[str, FloatArray], undetermined: Sequence[str]) -> Figure:
     columns = min(COLUMNS, len(fits))
     rows = ceil(len(fits) / columns)
     figure = Figure(figsize=(1.2 + 4.2 * columns, 0.9 + 2.7 * rows), dpi=110, layout="constrained")
@@ -40,8 +45,11 @@ def _figure(fits: Mapping[str, OptimalFit], u: Mapping[str, FloatArray]) -> Figu
         panel.set_axis_off()
     for panel, (component, fit) in zip(panels, fits.items(), strict=False):
         _draw_panel(panel, component, fit, u.get(component))
+        if component in undetermined:
+            _grey(panel, component)
+    shown = [panel for panel, name in zip(panels, fits, strict=False) if name not in undetermined] or list(panels)
     labelled = {
-        label: artist for panel in panels for artist, label in zip(*panel.get_legend_handles_labels(), strict=True)
+        label: artist for panel in shown for artist, label in zip(*panel.get_legend_handles_labels(), strict=True)
     }
     figure.legend(labelled.values(), labelled.keys(), loc="outside upper center", ncols=len(labelled), frameon=False)
     return figure
@@ -67,6 +75,15 @@ def _draw_panel(panel: Axes, component: str, fit: OptimalFit, u: FloatArray | No
     panel.tick_params(labelsize=8)
     panel.margins(x=0.02)
     panel.spines[["top", "right"]].set_visible(False)
+
+
+def _grey(panel: Axes, component: str) -> None:
+    """Make a panel look like what it is: values that the readings did not determine."""
+    for artist in panel.get_children():
+        if isinstance(artist, Line2D | Collection):
+            artist.set_color(UNDETERMINED_COLOUR)
+    panel.set_facecolor("#F4F4F4")
+    panel.set_title(f"{component}: not determined by the readings", fontsize=9, loc="left", color="#707070")
 
 
 def _summary(fit: OptimalFit, unit: str, factor: float) -> str:

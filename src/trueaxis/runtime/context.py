@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.effects.variables import REFERENCE_TEMPERATURE
+from trueaxis.effects.variables import FARTHEST, REFERENCE_TEMPERATURE
 
 FloatArray = npt.NDArray[np.float64]
 Rows = npt.NDArray[np.int64] | npt.NDArray[np.bool_] | slice
@@ -59,6 +59,17 @@ class Context:
             self.time[rows],
             self.temperature[rows],
             None if self.home is None else self.home.of(rows),
+        )
+
+    def filled(self) -> "Context":
+        """With nothing unknown or infinite: where no effect is felt, what effects depend on may be lacking."""
+        return Context(
+            self.directions,
+            np.nan_to_num(self.velocity, nan=0.0),
+            np.minimum(self.since_reversal, FARTHEST),
+            np.nan_to_num(self.time, nan=0.0),
+            np.nan_to_num(self.temperature, nan=REFERENCE_TEMPERATURE),
+            None if self.home is None else self.home.filled(),
         )
 
 

@@ -18,7 +18,7 @@ from trueaxis.runtime.effect_values import EffectValues, in_order
 from trueaxis.runtime.strict_json import JsonPath, key_path, number, parse, shown
 
 SCHEMA = 1
-_KEYS = ("schema", "machine", "fit", "parameters", "motion_errors", "effects", "u", "undetermined")
+_KEYS = ("schema", "machine", "fit", "covariance", "parameters", "motion_errors", "effects", "u", "undetermined")
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,12 +50,21 @@ class Fit:
 
 
 @dataclass(frozen=True, slots=True)
+class CovarianceLink:
+    """The covariance file of error values: its name, relative to theirs, and the digest of the values it belongs to."""
+
+    file: str
+    sha256_of_values: str
+
+
+@dataclass(frozen=True, slots=True)
 class ErrorValues:
     """Error values of a machine; what is not named is zero.
 
     parameters: name -> value (mm or rad); motion_errors: component -> curve; u: standard uncertainties of
     parameters, NaN where unknown (those of curves are in the curves); undetermined: what identification left open;
-    effects: values of the machine's effects; fit: how identification ended, None where nothing says so.
+    effects: values of the machine's effects; fit: how identification ended, None where nothing says so;
+    covariance: the file of their covariance, None where there is none.
     """
 
     machine: str
@@ -65,6 +74,7 @@ class ErrorValues:
     undetermined: tuple[Undetermined, ...] = ()
     effects: tuple[EffectValues, ...] = ()
     fit: Fit | None = None
+    covariance: CovarianceLink | None = None
 
 
 def read_errors(
@@ -97,6 +107,7 @@ def read_errors(
             curves[name] = curve
     undetermined = _undetermined(tree.get("undetermined", []), faults)
     fit = _fit(tree["fit"], faults) if "fit" in tree else None
+    link = _covariance(tree["covariance"], faults) if "covariance" in tree else None
     found = read_effects(tree.get("effects", []), effects, kinds, faults)
     for one in found:
         name = one.effect.component or ""
@@ -104,7 +115,7 @@ def read_errors(
             place = key_path(("parameters", name))
             faults.add(place, f"is told by the effect {one.effect.label} as well", "keep one")
     faults.raise_if_any()
-    return ErrorValues(machine, values, curves, uncertainties, undetermined, found, fit)
+    return ErrorValues(machine, values, curves, uncertainties, undetermined, found, fit, link)
 
 
 def dump_errors(
@@ -122,6 +133,11 @@ def dump_errors(
             tree["fit"]["chi2"] = float(errors.fit.chi2)
         if errors.fit.runs:
             tree["fit"]["runs"] = list(errors.fit.runs)
+    if errors.covariance is not None:
+        tree["covariance"] = {
+            "file": errors.covariance.file,
+            "sha256_of_values": errors.covariance.sha256_of_values,
+        }
     tree["parameters"] = {name: float(errors.parameters[name]) for name in parameters if name in errors.parameters}
     if errors.u:
         tree["u"] = {name: u_value(errors.u[name]) for name in parameters if name in errors.u}
@@ -206,6 +222,18 @@ def _fit(entry: Any, faults: Faults) -> Fit | None:
         faults.add("fit.runs", "is not a list of run ids")
         runs = []
     return None if state is None else Fit(state, chi2, tuple(runs))
+
+
+def _covariance(entry: Any, faults: Faults) -> CovarianceLink | None:
+    keys = ("file", "sha256_of_values")
+    if not isinstance(entry, dict) or set(entry) != set(keys) or not all(isinstance(entry[key], str) for key in keys):
+        faults.add("covariance", "is not an object of the texts file and sha256_of_values", "as identify wrote it")
+        return None
+    file = Path(entry["file"])
+    if not file.name or file.is_absolute():
+        faults.add("covariance.file", f"{shown(entry['file'])} is no file name", "a name relative to this file")
+        return None
+    return CovarianceLink(entry["file"], entry["sha256_of_values"])
 
 
 def _suggest(name: str, known: Sequence[str]) -> str:

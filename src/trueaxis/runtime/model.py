@@ -1,6 +1,5 @@
 """A machine with its error values: the numeric model that everything right of the kernels runs on."""
 
-import logging
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -9,8 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind, Place
+from trueaxis.faults import Faults
+from trueaxis.runtime.believable import check_believable
 from trueaxis.runtime.context import Context, ReadingContext
-from trueaxis.runtime.curves import FloatArray, TableCurve, evaluate_components, pack_polynomials
+from trueaxis.runtime.curves import FloatArray, evaluate_components, pack_polynomials
 from trueaxis.runtime.effect_terms import component_term, reading_term
 from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, read_errors
@@ -18,8 +19,6 @@ from trueaxis.runtime.kernels import Kernels, load_kernels
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.machine import LINEAR
 from trueaxis.spec.prior import Prior
-
-_LOG = logging.getLogger(__name__)
 
 VIEWS = ("tool_in_workpiece", "tool_in_bed", "workpiece_in_bed", "bed_in_workpiece")
 
@@ -218,21 +217,21 @@ def load_model(
     Raises InputError for whatever is wrong with them: the spec's and the errors' faults are told together.
     """
     machine = read_machine(machine_path)
-    errors = ErrorValues(machine.name)
-    if errors_path is not None:
-        errors = read_errors(
-            errors_path,
-            machine=machine.name,
-            components=machine.components,
-            parameters=machine.parameters,
-            effects=machine.effects,
-            kinds=machine.kinds,
-        )
-    for name, curve in errors.motion_errors.items():
-        if isinstance(curve, TableCurve):
-            low, high = machine.travel[name[2]]
-            first, last = curve.positions[0], curve.positions[-1]
-            if first > low or last < high:
-                told = f"{name} is tabled from {first:g} to {last:g} of a travel from {low:g} to {high:g}"
-                _LOG.warning("%s: %s; beyond, its end values hold", errors_path, told)
+    errors = ErrorValues(machine.name) if errors_path is None else load_errors(errors_path, machine)
     return MachineModel(machine, load_kernels(machine, machine_path, kernels_dir, backend=backend), errors)
+
+
+def load_errors(path: Path, machine: Machine) -> ErrorValues:
+    """Read the error values of a machine. Raises InputError with every fault, values that no machine has included."""
+    errors = read_errors(
+        path,
+        machine=machine.name,
+        components=machine.components,
+        parameters=machine.parameters,
+        effects=machine.effects,
+        kinds=machine.kinds,
+    )
+    faults = Faults(str(path))
+    check_believable(machine, errors, faults)
+    faults.raise_if_any()
+    return errors

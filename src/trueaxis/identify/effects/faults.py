@@ -5,11 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.effects.variables import FARTHEST, REFERENCE_TEMPERATURE
 from trueaxis.faults import Faults
 from trueaxis.identify.effects.signature import Ground, RunRows, is_in
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.context import Context
+from trueaxis.runtime.context import FloatArray
 from trueaxis.runtime.effect_terms import component_axis, context_variables
 
 COLUMNS = {"t": "time_s", "T": "temperature_c", "v": "feed"}
@@ -26,18 +24,6 @@ def check_columns(ground: Ground, effects: Sequence[tuple[Effect, Kind]], chosen
         remedy = f"a value in every row of the runs that hold {'it' if len(labels) == 1 else 'them'}"
         faults.add(f"column {column}", f"is missing or has gaps, and {', '.join(labels)} cannot do without", remedy)
     faults.raise_if_any()
-
-
-def filled(context: Context) -> Context:
-    """The context with nothing unknown or infinite: rows in which no effect is felt may lack what effects depend on."""
-    return Context(
-        context.directions,
-        np.nan_to_num(context.velocity, nan=0.0),
-        np.minimum(context.since_reversal, FARTHEST),
-        np.nan_to_num(context.time, nan=0.0),
-        np.nan_to_num(context.temperature, nan=REFERENCE_TEMPERATURE),
-        None if context.home is None else filled(context.home),
-    )
 
 
 def _missing(ground: Ground, effect: Effect, kind: Kind, chosen: Sequence[RunRows]) -> list[str]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.identify.effects.amplitudes import searched_names
-from trueaxis.identify.effects.faults import check_columns, filled
+from trueaxis.identify.effects.faults import check_columns
 from trueaxis.identify.effects.search import Others, searched_start
 from trueaxis.identify.effects.signature import RunRows, all_rows, ground_of
 from trueaxis.identify.effects.unknowns import EffectUnknown, EffectUnknowns, member_at, sized
@@ -93,7 +93,7 @@ def unknown_effects(
     ground, kinds = ground_of(machine, observed), machine.machine.kinds
     chosen = all_rows(observed, ground)
     check_columns(ground, [(effect, kinds[effect.kind]) for effect in machine.machine.effects], chosen)
-    ground = ground_of(machine, replace(observed, context=filled(ground.context)))
+    ground = ground_of(machine, replace(observed, context=ground.context.filled()))
     known = {identity(one.effect) for one in given.effects}
     starts = {identity(one.effect): one for one in start}
     at_once, waiting = [], []

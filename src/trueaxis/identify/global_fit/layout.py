@@ -6,12 +6,12 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from trueaxis.identify.effects.unknowns import EffectUnknowns
-from trueaxis.identify.global_fit.basis import Basis, axis_basis
 from trueaxis.identify.global_fit.instruments import Instruments
 from trueaxis.identify.machine import IdentifiedMachine, IntArray, component_axes, scales
 from trueaxis.identify.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions
+from trueaxis.runtime.bases import LegendreBasis, axis_basis
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
 
@@ -30,7 +30,7 @@ class Layout:
     """
 
     machine: IdentifiedMachine
-    bases: tuple[Basis | None, ...]
+    bases: tuple[LegendreBasis | None, ...]
     components: IntArray
     axis: IntArray
     locations: IntArray
@@ -77,7 +77,7 @@ class Layout:
         """The unknowns of the component at a place of `components`."""
         return slice(int(self.offset[place]), int(self.offset[place + 1]))
 
-    def basis_of(self, place: int) -> Basis:
+    def basis_of(self, place: int) -> LegendreBasis:
         """The basis of the component at a place of `components`: as many functions as it has unknowns."""
         basis = self.bases[int(self.axis[place])]
         assert basis is not None

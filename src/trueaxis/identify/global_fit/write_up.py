@@ -1,11 +1,11 @@
 """The outcome of the global method as error values, covariance and report."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 import scipy.linalg
 
-from trueaxis.identify.covariance import Covariance
 from trueaxis.identify.global_fit import describe, describe_effects
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
 from trueaxis.identify.global_fit.result import GlobalResult
@@ -14,6 +14,7 @@ from trueaxis.identify.machine import lever
 from trueaxis.identify.notes import dimension_notes, weak_notes
 from trueaxis.identify.report import (
     BlockReport,
+    ComponentReport,
     DoubtedReading,
     Identification,
     IdentificationReport,
@@ -21,6 +22,8 @@ from trueaxis.identify.report import (
     OrderReport,
 )
 from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.bases import unmeasured_basis
+from trueaxis.runtime.covariance import Covariance, factor
 from trueaxis.runtime.effect_values import EffectValues, in_order
 
 
@@ -76,7 +79,7 @@ def identification(result: GlobalResult) -> Identification:
         orders=_orders(result),
         effects=describe_effects.effects(result),
     )
-    return Identification(values, report, _covariance(result))
+    return Identification(values, report, _covariance(result, found))
 
 
 def _effects(result: GlobalResult) -> tuple[EffectValues, ...]:
@@ -86,26 +89,37 @@ def _effects(result: GlobalResult) -> tuple[EffectValues, ...]:
     return found if ground is None else in_order(found, ground.model.machine.effects)
 
 
-def _covariance(result: GlobalResult) -> Covariance | None:
-    """Of the machine's values alone, whatever the instruments' are."""
+def _covariance(result: GlobalResult, components: Sequence[ComponentReport]) -> Covariance:
+    """Of the machine's values alone, whatever the instruments' are.
+
+    What the convention settles is among the open combinations: it matters only where it moves the tool.
+    """
     plan = result.layout
-    if result.covariance is None:
-        return None
     n = plan.of_machine
-    opened = result.gauge.null[:n] * plan.scale[:n, np.newaxis]
+    null = np.hstack([result.gauge.settled, result.gauge.null])[:n] * plan.scale[:n, np.newaxis]
     by_unknown, undefined = _by_unknown(result)
-    combinations = np.hstack([by_unknown @ opened[:, opened.any(axis=0)], undefined])
-    return Covariance(
+    root = None
+    if result.covariance is not None:
+        root = factor(by_unknown @ result.covariance[:n, :n] @ by_unknown.T)
+    names = plan.names()[: plan.components.size]
+    measured = Covariance(
         machine=plan.machine.name,
-        components=plan.names()[: plan.components.size],
+        components=names,
         bases=tuple(plan.basis_of(place) for place in range(plan.components.size)),
         locations=plan.names()[plan.components.size :],
-        matrix=by_unknown @ result.covariance[:n, :n] @ by_unknown.T,
-        open=combinations,
+        root=root,
+        open=np.hstack([by_unknown @ null[:, null.any(axis=0)], undefined]),
         effects=tuple(one.effect.label for one in plan.effects.members),
         effect_parameters=tuple(
             tuple(parameter.name for parameter in one.kind.parameters) for one in plan.effects.members
         ),
+    )
+    return measured.with_open_components(
+        {
+            one.name: unmeasured_basis(plan.machine.travel, one.name)
+            for one in components
+            if one.known == "not measured" and one.name not in names
+        }
     )
 
 

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from trueaxis.faults import Faults
-from trueaxis.identify.effects.faults import check_columns, filled
+from trueaxis.identify.effects.faults import check_columns
 from trueaxis.identify.effects.signature import added_by, all_rows, ground_of
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.observations import Observations
@@ -30,5 +30,5 @@ def without_effects(machine: IdentifiedMachine, observed: Observations, given: E
     ground = ground_of(machine, observed)
     pairs = [(effect, machine.kinds[effect.kind]) for effect in machine.effects]
     check_columns(ground, pairs, all_rows(observed, ground))
-    ground = ground_of(machine, replace(observed, context=filled(ground.context)))
+    ground = ground_of(machine, replace(observed, context=ground.context.filled()))
     return replace(observed, reading=observed.reading - added_by(ground, given.effects))

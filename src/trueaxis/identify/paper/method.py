@@ -11,6 +11,7 @@ from trueaxis.identify.noise import Noise, noise
 from trueaxis.identify.notes import dimension_notes, weak_notes
 from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper import describe
+from trueaxis.identify.paper.covariance import covariance_of
 from trueaxis.identify.paper.effects import without_effects
 from trueaxis.identify.paper.equations import equations
 from trueaxis.identify.paper.grid import BoolArray, Cells, grid_and_cells
@@ -107,10 +108,14 @@ def _identification(result: PaperResult) -> Identification:
     found = describe.components(result)
     notes = (*dimension_notes(machine, result.given), *weak_notes(found))
     orders: tuple[CurveOrderReport, ...] = ()
+    covariance = covariance_of(result)
     if result.options.curves != "table":
+        from trueaxis.identify.curve_fit import in_polynomials  # noqa: PLC0415
         from trueaxis.identify.curve_orders import ordered_curves  # noqa: PLC0415  statsmodels takes long to import
 
-        curves, more, orders = ordered_curves(curves, result.options.curves)
+        tabled = curves
+        curves, more, orders = ordered_curves(tabled, result.options.curves)
+        covariance = in_polynomials(covariance, tabled, curves)
         notes += more
     undetermined = describe.undetermined(result)
     located = dict(zip(machine.location_errors, result.solution.locations.tolist(), strict=True))
@@ -147,4 +152,4 @@ def _identification(result: PaperResult) -> Identification:
         notes=notes,
         curve_orders=orders,
     )
-    return Identification(values, report)
+    return Identification(values, report, covariance)

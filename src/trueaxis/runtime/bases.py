@@ -1,5 +1,6 @@
-"""Well-scaled polynomials without a constant term, and the way back to plain powers."""
+"""Functions that error curves are made of, evaluated on arrays: Legendre polynomials, hats of a table, powers."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -7,11 +8,13 @@ from functools import lru_cache
 import numpy as np
 from numpy.polynomial import legendre
 
-from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.curves import Curve, FloatArray, PolynomialCurve
+
+UNMEASURED_DEGREE = 3  # a curve that no reading holds may have any shape: low orders move the tool as much as high ones
 
 
 @dataclass(frozen=True)
-class Basis:
+class LegendreBasis:
     """Legendre polynomials on [low, high], each less its value at position 0: b_k(0) = 0, k = 1 .. degree.
 
     The first is the position divided by half the range. low, high: mm or deg.
@@ -25,6 +28,11 @@ class Basis:
         """(degree, n): the basis functions at positions (n,)."""
         values = legendre.legvander(self._scaled(positions), self.degree)
         return np.ascontiguousarray((values - _at_zero(self))[:, 1:].T)
+
+    @property
+    def count(self) -> int:
+        """How many functions there are."""
+        return self.degree
 
     @property
     def powers(self) -> FloatArray:
@@ -44,13 +52,58 @@ class Basis:
         return 0.5 * (self.low + self.high), 0.5 * (self.high - self.low) or 1.0
 
 
-def axis_basis(travel: tuple[float, float], degree: int) -> Basis:
+@dataclass(frozen=True)
+class HatBasis:
+    """Hat functions of the positions of a table, (n,) rising, mm or deg; beyond the ends the last one stays 1."""
+
+    positions: tuple[float, ...]
+
+    def __call__(self, positions: FloatArray) -> FloatArray:
+        """(n, m): the basis functions at positions (m,)."""
+        return np.array([np.interp(positions, self.positions, row) for row in np.eye(self.count)])
+
+    @property
+    def count(self) -> int:
+        """How many functions there are."""
+        return len(self.positions)
+
+
+@dataclass(frozen=True)
+class PowerBasis:
+    """Powers of the position in mm or deg, as a polynomial curve has them."""
+
+    powers: tuple[int, ...]
+
+    def __call__(self, positions: FloatArray) -> FloatArray:
+        """(n_powers, m): the basis functions at positions (m,)."""
+        return np.array([positions**power for power in self.powers]).reshape(self.count, positions.size)
+
+    @property
+    def count(self) -> int:
+        """How many functions there are."""
+        return len(self.powers)
+
+
+Basis = LegendreBasis | HatBasis | PowerBasis
+
+
+def basis_of_curve(curve: Curve) -> HatBasis | PowerBasis:
+    """The functions whose coefficients are the numbers of the curve."""
+    return PowerBasis(curve.powers) if isinstance(curve, PolynomialCurve) else HatBasis(curve.positions)
+
+
+def unmeasured_basis(travel: Mapping[str, tuple[float, float]], component: str) -> LegendreBasis:
+    """Functions that stand for a component of which nothing is known; travel: of every axis, mm or deg."""
+    return axis_basis(travel[component[2]], UNMEASURED_DEGREE)
+
+
+def axis_basis(travel: tuple[float, float], degree: int) -> LegendreBasis:
     """The basis of an axis: over its travel, position 0 included."""
-    return Basis(min(travel[0], 0.0), max(travel[1], 0.0), degree)
+    return LegendreBasis(min(travel[0], 0.0), max(travel[1], 0.0), degree)
 
 
 @lru_cache(maxsize=64)
-def _at_zero(basis: Basis) -> FloatArray:
+def _at_zero(basis: LegendreBasis) -> FloatArray:
     return np.asarray(legendre.legvander(basis._scaled(np.zeros(1)), basis.degree))
 
 

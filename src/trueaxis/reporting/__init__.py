@@ -1,0 +1,1 @@
+"""Sentences that people see. Nothing that computes imports from here."""

@@ -1,0 +1,73 @@
+"""How far a result relies on what was measured, in sentences."""
+
+from collections.abc import Iterable
+from math import isfinite
+
+from trueaxis.runtime.errors import Fit, Undetermined
+from trueaxis.runtime.extent import UncertaintyExtent
+from trueaxis.runtime.measured_range import BeyondMeasured
+from trueaxis.spec.machine import LINEAR
+
+
+def range_sentences(beyond: Iterable[BeyondMeasured], total: int) -> list[str]:
+    """One for each range that was left, of `total` positions."""
+    return [
+        f"{one.count} of {total} positions lie beyond what was measured: {', '.join(one.components)} "
+        f"from {one.axis} = {one.low:g} to {one.high:g} {_unit(one.axis)}, used at {_reached(one)}; "
+        "the curve is continued there, which nothing supports"
+        for one in beyond
+    ]
+
+
+def open_sentence(points: int, total: int, largest: float, undetermined: Iterable[Undetermined]) -> str:
+    """Where deviations rest on what nothing determines; largest: what it moves the tool by at the prior size, mm."""
+    names = dict.fromkeys(name for item in undetermined for name in item.parameters)
+    of = f" ({', '.join(names)})" if names else ""
+    return (
+        f"at {points} of {total} positions the deviation rests on values that the readings did not determine{of}: "
+        f"errors of the size to be expected would move the tool by up to {_um(largest)} there; no u is given"
+    )
+
+
+def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
+    """The largest uncertainty of the tool point over positions; where: such as `over the travel`."""
+    if extent.unknown == extent.points and not extent.open:
+        return [f"the uncertainty of the tool point {where} is not known: the noise of the readings is not"]
+    found = []
+    if extent.unknown < extent.points:
+        of = " of the positions where it is known" if extent.unknown else ""
+        found.append(f"largest standard uncertainty of the tool point {where}{of}, from home: {_um(extent.largest_u)}")
+    if extent.open:
+        found.append(
+            f"at {extent.open} of {extent.points} positions {where} the tool point rests on components that the "
+            f"readings did not determine ({', '.join(extent.components) or 'location errors'}): errors of the size to "
+            f"be expected would move it by up to {_um(extent.largest_open)}"
+        )
+    return found
+
+
+def above_sentence(u: float, limit: float) -> str:
+    """Why a result is refused by --max-u; u: the largest standard uncertainty, infinite where none is known, mm."""
+    known = f"the largest standard uncertainty is {_um(u)}" if isfinite(u) else "an uncertainty is not known"
+    return f"{known}, and --max-u allows {_um(limit)}"
+
+
+def misfit_sentence(fit: Fit) -> str:
+    """What a misfit means for whoever uses the values."""
+    size = "" if fit.chi2 is None else f" (chi2 per degree of freedom {fit.chi2:.3g})"
+    runs = f", worst in {', '.join(fit.runs[:5])}" if fit.runs else ""
+    return f"these error values do not fit the readings they come from{size}{runs}"
+
+
+def _reached(one: BeyondMeasured) -> str:
+    if one.lowest == one.highest:
+        return f"{one.axis} = {one.lowest:g}"
+    return f"{one.axis} = {one.lowest:g} to {one.highest:g}"
+
+
+def _um(length: float) -> str:
+    return f"{length * 1e3:.3g} um"
+
+
+def _unit(axis: str) -> str:
+    return "mm" if axis in LINEAR else "deg"

@@ -1,0 +1,261 @@
+"""The covariance of error values and what readings leave open of them, and its file beside the error values.
+
+The record belongs to values: a digest of them stands in the error-values file, so that values that were edited since
+are never given uncertainties that are not theirs.
+"""
+
+import hashlib
+import io
+import json
+import os
+import zipfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.sparse import block_diag, csr_array, eye_array
+
+from trueaxis.faults import Faults
+from trueaxis.input_files import input_bytes
+from trueaxis.runtime.bases import Basis, HatBasis, LegendreBasis, PowerBasis
+from trueaxis.runtime.curve_json import curve_object
+from trueaxis.runtime.curves import FloatArray
+from trueaxis.runtime.effect_json import effect_object
+from trueaxis.runtime.errors import CovarianceLink, ErrorValues
+from trueaxis.spec.machine import Machine
+
+SCHEMA = 2
+DENSE = 0.25  # share of entries that are not zero above which products with a full matrix are faster
+_ARRAYS = ("data", "indices", "indptr", "open")
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Covariance:
+    """Standard uncertainties and correlations of error values, and the combinations that nothing determines.
+
+    The values are, in this order: coefficients of each component's basis, component by component; location errors;
+    parameters of effects. mm and rad.
+
+    components: names; bases: of each; locations: names of location errors; root: (n, r), a factor whose product with
+    its transpose is the covariance, None where the noise of the readings is unknown; open: (n, d), combinations that
+    no reading determines, as steps of the values; effects: labels, effect_parameters: names of the parameters of each.
+    """
+
+    machine: str
+    components: tuple[str, ...]
+    bases: tuple[Basis, ...]
+    locations: tuple[str, ...]
+    root: FloatArray | csr_array | None
+    open: FloatArray
+    effects: tuple[str, ...] = ()
+    effect_parameters: tuple[tuple[str, ...], ...] = ()
+
+    @property
+    def count(self) -> int:
+        """n, how many values there are."""
+        of_effects = sum(len(names) for names in self.effect_parameters)
+        return sum(basis.count for basis in self.bases) + len(self.locations) + of_effects
+
+    @property
+    def matrix(self) -> FloatArray:
+        """(n, n): the covariance. Raises ValueError where the noise of the readings is unknown."""
+        if self.root is None:
+            raise ValueError("the noise of the readings is unknown")
+        product = self.root @ self.root.T
+        return np.asarray(product if isinstance(product, np.ndarray) else product.toarray())
+
+    def rows_of(self, component: str) -> slice:
+        """The values that are coefficients of a component."""
+        index = self.components.index(component)
+        start = sum(basis.count for basis in self.bases[:index])
+        return slice(start, start + self.bases[index].count)
+
+    def with_open_components(self, bases: Mapping[str, Basis]) -> "Covariance":
+        """With further components of which nothing is known at all: every coefficient of their bases is open."""
+        added = sum(basis.count for basis in bases.values())
+        at = sum(basis.count for basis in self.bases)
+        moved = _insertion(self.count, at, added)
+        opened = np.hstack([moved @ self.open, np.eye(self.count + added)[:, at : at + added]])
+        root = _mapped(moved, self.root)
+        components, kinds = (*self.components, *bases), (*self.bases, *bases.values())
+        return replace(self, components=components, bases=kinds, root=root, open=opened)
+
+    def in_bases(self, changes: Mapping[str, tuple[Basis, FloatArray]]) -> "Covariance":
+        """With components in other bases: of each the new basis and the matrix (new, old) from old coefficients."""
+        blocks = [
+            changes[name][1] if name in changes else np.eye(basis.count)
+            for name, basis in zip(self.components, self.bases, strict=True)
+        ]
+        others = self.count - sum(basis.count for basis in self.bases)
+        change = csr_array(block_diag([*map(csr_array, blocks), eye_array(others)], format="csr"))
+        bases = tuple(
+            changes[name][0] if name in changes else basis
+            for name, basis in zip(self.components, self.bases, strict=True)
+        )
+        root = _mapped(change, self.root)
+        return replace(self, bases=bases, root=root, open=np.asarray(change @ self.open))
+
+
+def _mapped(change: csr_array, root: FloatArray | csr_array | None) -> FloatArray | csr_array | None:
+    """A factor after a linear change of the values."""
+    if root is None:
+        return None
+    return csr_array(change @ root) if isinstance(root, csr_array) else np.asarray(change @ root)
+
+
+def _insertion(count: int, at: int, added: int) -> csr_array:
+    """(count + added, count): moves values from `at` on down by `added`."""
+    rows = np.arange(count) + added * (np.arange(count) >= at)
+    return csr_array((np.ones(count), (rows, np.arange(count))), shape=(count + added, count))
+
+
+def factor(matrix: FloatArray) -> FloatArray:
+    """(n, r) with factor @ factor.T = matrix, (n, n), symmetric and not negative; values of all units alike."""
+    scale = np.sqrt(np.maximum(np.diag(matrix), 0.0))
+    unit = np.where(scale > 0.0, scale, 1.0)
+    values, vectors = np.linalg.eigh(matrix / np.outer(unit, unit))
+    kept = values > 0.0
+    return np.asarray((unit * (scale > 0.0))[:, np.newaxis] * vectors[:, kept] * np.sqrt(values[kept]))
+
+
+def digest_of_values(errors: ErrorValues) -> str:
+    """SHA-256 of the values alone: uncertainties, remarks and the order in the file do not count."""
+    curves = {name: curve_object(curve) for name, curve in errors.motion_errors.items()}
+    for curve in curves.values():
+        curve.pop("u", None)
+        curve.pop("measured", None)
+    effects = [{key: part for key, part in effect_object(one).items() if key != "u"} for one in errors.effects]
+    effects.sort(key=lambda effect: json.dumps(effect, sort_keys=True))
+    parameters = {name: float(value) for name, value in errors.parameters.items()}
+    values = {"parameters": parameters, "motion_errors": curves, "effects": effects}
+    return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()
+
+
+def linked(errors: ErrorValues, covariance: Covariance, path: Path, file: Path) -> tuple[ErrorValues, bytes]:
+    """Values that name the file of their covariance, and the content of that file.
+
+    path: where the values will be written; file: where the covariance will be.
+    """
+    name = os.path.relpath(file.resolve(), path.resolve().parent)
+    link = CovarianceLink(Path(name).as_posix(), digest_of_values(errors))
+    return replace(errors, covariance=link), dump_covariance(covariance)
+
+
+def dump_covariance(covariance: Covariance) -> bytes:
+    """The content of a .npz file: plain arrays and a JSON text that names them; the same bytes each time."""
+    head: dict[str, Any] = {
+        "schema": SCHEMA,
+        "machine": covariance.machine,
+        "components": list(covariance.components),
+        "bases": [_basis_object(basis) for basis in covariance.bases],
+        "locations": list(covariance.locations),
+        "order": "coefficients of each component's basis, component by component; then locations; then effects",
+        "root": "sparse rows (data, indices, indptr); root times its transpose is the covariance",
+        "noise": "unknown" if covariance.root is None else "known",
+        "shape": [covariance.count, 0 if covariance.root is None else int(covariance.root.shape[1])],
+        "units": "mm and rad; positions mm and deg",
+        "effects": [
+            {"effect": label, "parameters": list(names)}
+            for label, names in zip(covariance.effects, covariance.effect_parameters, strict=True)
+        ],
+    }
+    root = csr_array((covariance.count, 0)) if covariance.root is None else csr_array(covariance.root)
+    arrays = {
+        "head": np.frombuffer(json.dumps(head).encode(), dtype=np.uint8),
+        "data": root.data.astype(np.float64),
+        "indices": root.indices.astype(np.int64),
+        "indptr": root.indptr.astype(np.int64),
+        "open": covariance.open,
+    }
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, array in arrays.items():
+            content = io.BytesIO()
+            np.lib.format.write_array(content, np.ascontiguousarray(array), allow_pickle=False)
+            archive.writestr(zipfile.ZipInfo(f"{name}.npy"), content.getvalue(), zipfile.ZIP_DEFLATED)
+    return buffer.getvalue()
+
+
+def read_covariance(path: Path, machine: Machine) -> Covariance:
+    """Read a covariance file of this machine. Raises InputError where it is none, or another's."""
+    faults = Faults(str(path))
+    data = input_bytes(path)
+    remedy = "run identify again"
+    try:
+        with np.load(io.BytesIO(data), allow_pickle=False) as archive:
+            head = json.loads(archive["head"].tobytes())
+            schema = head["schema"]
+            if schema == SCHEMA:
+                values, indices, indptr, opened = (archive[name] for name in _ARRAYS)
+                covariance = _parsed(head, values, indices, indptr, opened)
+    except Exception as error:  # whatever damage does to an archive
+        faults.add("", f"is no covariance file: {type(error).__name__}", remedy)
+        faults.raise_if_any()
+        raise
+    if schema != SCHEMA:
+        faults.add("schema", f"{schema!r} is not a known schema", f"this version reads schema {SCHEMA}: {remedy}")
+        faults.raise_if_any()
+    if covariance.machine != machine.name:
+        faults.add("machine", f"{covariance.machine!r} is another machine", f'the machine is "{machine.name}"')
+    for kind, given, known in (
+        ("component", covariance.components, machine.components),
+        ("location error", covariance.locations, machine.location_errors),
+        ("effect", covariance.effects, [effect.label for effect in machine.effects]),
+    ):
+        for name in given:
+            if name not in known:
+                faults.add(f"{kind}s", f"the machine has no {kind} {name}")
+    n = covariance.count
+    fits = covariance.open.ndim == 2 and covariance.open.shape[0] == n
+    if not fits or len(covariance.bases) != len(covariance.components) or head["shape"][0] != n:
+        faults.add("covariance", "does not fit the names", remedy)
+    elif not (np.isfinite(covariance.open).all() and np.isfinite(values).all()):
+        faults.add("covariance", "is not finite", remedy)
+    faults.raise_if_any()
+    return covariance
+
+
+def _parsed(head: Mapping[str, Any], values: Any, indices: Any, indptr: Any, opened: Any) -> Covariance:
+    """The record of an archive's parts; raises anything where they are damaged."""
+    rows, columns = (int(size) for size in head["shape"])
+    sparse = csr_array((np.array(values, float), indices, indptr), shape=(rows, columns))
+    sparse.check_format(full_check=True)
+    root: FloatArray | csr_array | None = None
+    if head["noise"] == "known":
+        root = np.asarray(sparse.toarray()) if sparse.nnz > DENSE * rows * columns else sparse
+    return Covariance(
+        machine=str(head["machine"]),
+        components=_names(head["components"]),
+        bases=tuple(_basis(one) for one in head["bases"]),
+        locations=_names(head["locations"]),
+        root=root,
+        open=np.array(opened, float),
+        effects=tuple(str(one["effect"]) for one in head["effects"]),
+        effect_parameters=tuple(_names(one["parameters"]) for one in head["effects"]),
+    )
+
+
+def _names(names: Sequence[Any]) -> tuple[str, ...]:
+    return tuple(map(str, names))
+
+
+def _basis_object(basis: Basis) -> dict[str, Any]:
+    if isinstance(basis, LegendreBasis):
+        return {"basis": "legendre", "range": [basis.low, basis.high], "degree": basis.degree}
+    if isinstance(basis, HatBasis):
+        return {"basis": "table", "positions": list(basis.positions)}
+    return {"basis": "polynomial", "powers": list(basis.powers)}
+
+
+def _basis(tree: Mapping[str, Any]) -> Basis:
+    """Raises KeyError, TypeError or ValueError where the object is damaged."""
+    if tree["basis"] == "legendre":
+        low, high = (float(end) for end in tree["range"])
+        return LegendreBasis(low, high, int(tree["degree"]))
+    if tree["basis"] == "table":
+        return HatBasis(tuple(float(position) for position in tree["positions"]))
+    if tree["basis"] == "polynomial":
+        return PowerBasis(tuple(int(power) for power in tree["powers"]))
+    raise ValueError(tree["basis"])

@@ -1,0 +1,49 @@
+"""Use of error curves beyond the positions that were measured."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from trueaxis.runtime.curves import FloatArray
+from trueaxis.runtime.errors import ErrorValues
+
+ROUNDING = 1e-6  # mm or deg: positions that agree so far are the same position
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BeyondMeasured:
+    """Positions of an axis beyond what was measured of some of its components.
+
+    low, high: what was measured, mm or deg; lowest, highest: of the positions beyond; count: how many these are.
+    """
+
+    axis: str
+    components: tuple[str, ...]
+    low: float
+    high: float
+    lowest: float
+    highest: float
+    count: int
+
+
+def beyond_measured(errors: ErrorValues, axes: Sequence[str], positions: FloatArray) -> tuple[BeyondMeasured, ...]:
+    """Where curves are used beyond their measured range; components of one axis and one range together.
+
+    axes: letters of the rows of positions, (n_axes, n), mm or deg. Curves that do not say what was measured count as
+    measured everywhere.
+    """
+    ranges: dict[tuple[str, float, float], list[str]] = {}
+    for name, curve in errors.motion_errors.items():
+        if curve.measured is not None:
+            ranges.setdefault((name[2], *curve.measured), []).append(name)
+    found = []
+    for (axis, low, high), names in ranges.items():
+        at = positions[list(axes).index(axis)]
+        beyond = at[(at < low - ROUNDING) | (at > high + ROUNDING)]
+        if beyond.size:
+            ends = {"lowest": float(np.min(beyond)), "highest": float(np.max(beyond))}
+            found.append(
+                BeyondMeasured(axis=axis, components=tuple(names), low=low, high=high, count=beyond.size, **ends)
+            )
+    return tuple(found)

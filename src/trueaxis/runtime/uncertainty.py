@@ -1,0 +1,227 @@
+"""How uncertain the tool point is with given error values: JCGM 100:2008, 5.2, and what nothing determines.
+
+The deviation is a first-order function of the error values within their size squared, so that u^2 of each coordinate is
+J C J' with J its derivative by the values and C their covariance.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from trueaxis.effects.kind import Effect
+from trueaxis.faults import Fault, InputError
+from trueaxis.runtime.bases import Basis, basis_of_curve, unmeasured_basis
+from trueaxis.runtime.context import Context
+from trueaxis.runtime.covariance import Covariance, digest_of_values, read_covariance
+from trueaxis.runtime.curves import Curve, FloatArray
+from trueaxis.runtime.effect_terms import component_term
+from trueaxis.runtime.effect_values import EffectValues, identity
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.model import MachineModel
+from trueaxis.spec.machine import Machine
+
+OPEN_MOVES = 1e-6  # mm: what an undetermined combination of the prior's size moves the tool by before it counts
+_ENTRIES = 4_000_000  # of the derivatives held at a time: 32 MB
+_SAMPLES = 65  # positions of a travel at which the size of a curve is judged
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class ToolUncertainty:
+    """Of n tool points in the workpiece frame, mm.
+
+    u: (3, n), standard uncertainty, NaN where it is not known or where `open` is not zero; open: (3, n), by how much
+    combinations that nothing determines move the point at the size that the prior allows, 0 where they do not.
+    """
+
+    u: FloatArray
+    open: FloatArray
+
+
+def load_uncertainty(path: Path, errors: ErrorValues, machine: Machine, file: Path | None = None) -> Covariance:
+    """What is known of the uncertainty of error values read from `path`.
+
+    From `file` if given, else from the covariance file that the values name; where they name none, from their own
+    standard uncertainties, as if these were independent. Raises InputError where the file is not theirs.
+    """
+    if file is not None:
+        return read_covariance(file, machine)
+    link = errors.covariance
+    if link is None:
+        return own_uncertainty(machine, errors)
+    if link.sha256_of_values != digest_of_values(errors):
+        problem = f"the values were edited since {link.file} was written: its uncertainties are not theirs"
+        raise InputError([Fault(str(path), "covariance", problem, "remove the key covariance, or identify again")])
+    return read_covariance(path.parent / link.file, machine)
+
+
+def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
+    """The standard uncertainties that error values carry, as if independent; values without one count as open.
+
+    Where no value has one, nothing is known (root None), and open is what the values name as undetermined.
+    """
+    named = {name for item in errors.undetermined for name in item.parameters}
+    curves = {name: errors.motion_errors[name] for name in machine.components if name in errors.motion_errors}
+    bases: dict[str, Basis] = {name: basis_of_curve(curve) for name, curve in curves.items()}
+    for name in machine.components:
+        if name in named and name not in bases:
+            bases[name] = unmeasured_basis(machine.travel, name)
+    locations = tuple(name for name in machine.location_errors if name in errors.parameters or name in named)
+    parts = [_u_of_curve(curves[name]) if name in curves else np.full(bases[name].count, np.nan) for name in bases]
+    parts.append(np.array([errors.u.get(name, np.nan) for name in locations]))
+    names = [tuple(one.name for one in machine.kinds[values.effect.kind].parameters) for values in errors.effects]
+    parts += [np.array([one.u.get(n, np.nan) for n in of]) for one, of in zip(errors.effects, names, strict=True)]
+    u = np.concatenate([*parts, np.zeros(0)])
+    owners = [*(name for name in bases for _ in range(bases[name].count)), *locations]
+    undetermined = np.array([*(name in named for name in owners), *([False] * (u.size - len(owners)))], dtype=bool)
+    known = bool(np.isfinite(u).any())
+    opened = undetermined | (np.isnan(u) if known else np.zeros(u.size, dtype=bool))
+    return Covariance(
+        machine=machine.name,
+        components=tuple(bases),
+        bases=tuple(bases.values()),
+        locations=locations,
+        root=np.diag(np.where(opened, 0.0, u)) if known else None,
+        open=np.eye(u.size)[:, opened],
+        effects=tuple(values.effect.label for values in errors.effects),
+        effect_parameters=tuple(names),
+    )
+
+
+def tool_uncertainty(
+    model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray, *, datum: FloatArray | None
+) -> ToolUncertainty:
+    """Uncertainty of the deviation of tool points.
+
+    positions: (n_axes, n), mm or deg; tool: (3, 1) or (3, n), mm; datum: (n_axes, 1), the position at which the
+    deviation is taken as zero (work offsets are touched off there), None: none. What is open is judged by how it moves
+    the point from home, whatever the datum: a displacement that is the same everywhere is a matter of convention.
+    Memory is bounded whatever n is.
+    """
+    n = positions.shape[1]
+    u, opened = np.full((3, n), np.nan), np.zeros((3, n))
+    steps, home = open_steps(model.machine, covariance), home_of(model)
+    for rows in _pieces(n, covariance.count):
+        here = tool if tool.shape[1] == 1 else np.ascontiguousarray(tool[:, rows])
+        by_value = derivative(model, covariance, np.ascontiguousarray(positions[:, rows]), here)
+        moved = _rows(by_value - derivative(model, covariance, _as_many(home, here), here))
+        opened[:, rows] = np.abs(moved @ steps).max(axis=1, initial=0.0).reshape(3, -1)
+        if covariance.root is not None:
+            if datum is not None:
+                moved = _rows(by_value - derivative(model, covariance, _as_many(datum, here), here))
+            spread = (_rows(by_value) if datum is None else moved) @ covariance.root
+            u[:, rows] = np.sqrt((spread**2).sum(axis=1)).reshape(3, -1)
+    opened[opened <= OPEN_MOVES] = 0.0
+    u[opened > 0.0] = np.nan
+    return ToolUncertainty(u=u, open=opened)
+
+
+def _rows(by_value: FloatArray) -> FloatArray:
+    """(3 n, n_values) from (3, n_values, n)."""
+    return np.ascontiguousarray(by_value.transpose(0, 2, 1)).reshape(-1, by_value.shape[1])
+
+
+def _as_many(position: FloatArray, tool: FloatArray) -> FloatArray:
+    """(n_axes, m): a position (n_axes, 1) for each of m tool points."""
+    return np.repeat(position, tool.shape[1], axis=1)
+
+
+def prior_size(model: MachineModel, positions: FloatArray, tool: FloatArray) -> FloatArray:
+    """(n,): length of the deviation of tool points that the prior sizes of all errors let expect, mm.
+
+    One standard deviation: the root of the sum of the squares of every error's size times its sensitivity.
+    """
+    machine = model.machine
+    sizes = [machine.prior.of_component(name) for name in machine.components]
+    sizes += [machine.prior.of_location(name, machine.parameter_unit(name)) for name in machine.location_errors]
+    found = np.empty(positions.shape[1])
+    for rows in _pieces(positions.shape[1], len(sizes)):
+        here = tool if tool.shape[1] == 1 else np.ascontiguousarray(tool[:, rows])
+        by_error = _by_error(model, np.ascontiguousarray(positions[:, rows]), here)
+        found[rows] = np.sqrt(((by_error * np.array(sizes)[:, np.newaxis]) ** 2).sum(axis=(0, 1)))
+    return found
+
+
+def home_of(model: MachineModel) -> FloatArray:
+    """(n_axes, 1): every axis at 0, or at the end of its travel next to it, mm or deg."""
+    return np.array([[min(max(0.0, low), high)] for low, high in (model.travel[axis] for axis in model.axes)])
+
+
+def derivative(model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray) -> FloatArray:
+    """(3, n_values, n): of the deviation of tool points in the workpiece frame by the values, error-free machine.
+
+    positions: (n_axes, n), mm or deg; tool: (3, 1) or (3, n), mm. Effects are those of axes that stand and have not
+    moved, as where the machine is evaluated without a context.
+    """
+    by_error = _by_error(model, positions, tool)
+    parts = []
+    for name, basis in zip(covariance.components, covariance.bases, strict=True):
+        at = basis(positions[model.axes.index(name[2])])
+        parts.append(by_error[:, model.components.index(name), np.newaxis] * at)
+    start = len(model.components)
+    parts += [by_error[:, start + model.location_errors.index(name), np.newaxis] for name in covariance.locations]
+    parts += _by_effects(model, by_error, positions, covariance.effects)
+    return np.concatenate(parts, axis=1) if parts else np.zeros((3, 0, positions.shape[1]))
+
+
+def _by_error(model: MachineModel, positions: FloatArray, tool: FloatArray) -> FloatArray:
+    found = model.view_sensitivity("tool_in_workpiece", positions, np.ascontiguousarray(tool))
+    return np.broadcast_to(found, (*found.shape[:2], positions.shape[1]))
+
+
+def _by_effects(
+    model: MachineModel, by_error: FloatArray, positions: FloatArray, labels: Sequence[str]
+) -> list[FloatArray]:
+    """(3, m, n) for each of the effects, at the model's values of them, axes standing.
+
+    Effects on readings and on points of a set-up move no tool: theirs is zero; a squareness is a location error.
+    """
+    by_label = {effect.label: effect for effect in model.effects}
+    return [_by_effect(model, by_error, positions, by_label[label]) for label in labels]
+
+
+def _by_effect(model: MachineModel, by_error: FloatArray, positions: FloatArray, effect: Effect) -> FloatArray:
+    kind = model.kinds[effect.kind]
+    count = positions.shape[1]
+    found = np.zeros((3, len(kind.parameters), count))
+    if kind.place == "component":
+        values = next((one for one in model.effect_values if identity(one.effect) == identity(effect)), None)
+        vector = (values or EffectValues(effect, {})).vector(kind)
+        still = Context.at_rest(len(model.axes), count).filled()
+        term = component_term(model.kernels, model.machine, effect, vector, positions, still)
+        found += by_error[:, model.components.index(effect.component or "")][:, np.newaxis] * term[np.newaxis, 1:]
+    elif kind.place == "location":
+        row = len(model.components) + model.location_errors.index(effect.component or "")
+        found += by_error[:, row][:, np.newaxis]
+    return found
+
+
+def open_steps(machine: Machine, covariance: Covariance) -> FloatArray:
+    """(n_values, d): the open combinations, each as large as the prior lets its largest part be.
+
+    Parameters of effects count as values of their own unit: the prior has no size for them.
+    """
+    relative = []
+    for name, basis in zip(covariance.components, covariance.bases, strict=True):
+        at = basis(np.linspace(*machine.travel[name[2]], _SAMPLES))
+        curve = covariance.open[covariance.rows_of(name)].T @ at
+        relative.append(np.abs(curve).max(axis=1, initial=0.0) / machine.prior.of_component(name))
+    start = sum(basis.count for basis in covariance.bases)
+    for row, name in enumerate(covariance.locations, start):
+        size = machine.prior.of_location(name, machine.parameter_unit(name))
+        relative.append(np.abs(covariance.open[row]) / size)
+    relative += list(np.abs(covariance.open[start + len(covariance.locations) :]))
+    largest = np.max(np.array(relative).reshape(len(relative), covariance.open.shape[1]), axis=0, initial=0.0)
+    return covariance.open / np.where(largest > 0.0, largest, 1.0)
+
+
+def _u_of_curve(curve: Curve) -> FloatArray:
+    count = basis_of_curve(curve).count
+    return np.full(count, np.nan) if curve.u is None else np.array(curve.u, dtype=np.float64)
+
+
+def _pieces(count: int, values: int) -> Iterator[slice]:
+    size = max(1, _ENTRIES // (3 * max(1, values)))
+    for start in range(0, count, size):
+        yield slice(start, min(start + size, count))
