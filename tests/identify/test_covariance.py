@@ -18,15 +18,18 @@ from tests.identify.test_instruments import joined
 from tests.identify.test_paper import level
 from trueaxis.cli import main
 from trueaxis.faults import InputError
+from trueaxis.identify.curve_fit import in_polynomials
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.method import fit_global, identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
 from trueaxis.identify.observations import Observations
+from trueaxis.identify.paper.method import identify_paper
+from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.bases import LegendreBasis
 from trueaxis.runtime.covariance import Covariance, dump_covariance, read_covariance
-from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel, load_model
 from trueaxis.runtime.uncertainty import derivative, tool_uncertainty
@@ -115,6 +118,41 @@ def test_predicted_uncertainty_is_the_scatter_of_repeated_identification() -> No
     spread = np.std(np.array(found), axis=0) / u
     assert np.all((spread > 0.75) & (spread < 1.25)), spread
     assert spread.mean() == pytest.approx(1.0, abs=0.1)
+
+
+@pytest.mark.parametrize("fitted", [False, True], ids=["tables", "polynomials"])
+def test_u_of_the_stepwise_method_is_the_scatter_of_repeated_identification(fitted: bool) -> None:
+    """60 draws: standard error 9 %. Polynomials are those of one draw: choosing them anew is no part of u."""
+    clean = paper_data(generator(cubic_errors()), 6)
+    options = PaperOptions(squareness="convention", noise_um=0.3)
+    source, deviations = np.random.default_rng(9), []
+    base = identify_paper(machine(), clean, options)
+    covariance, at = base.covariance, AT[:, 1:]
+    tables = base.values.motion_errors
+    powers = {name: PolynomialCurve((1, 2, 3), (0.0, 0.0, 0.0)) for name in tables}
+    if fitted:
+        covariance = in_polynomials(covariance, tables, powers)
+    for _ in range(60):
+        noisy = replace(clean, reading=clean.reading + source.normal(0.0, SIGMA, clean.reading.size))
+        values = identify_paper(machine(), noisy, options).values
+        if fitted:
+            values = replace(values, motion_errors={n: cubic(c) for n, c in values.motion_errors.items()})
+        deviations.append(machine().with_values(values).view_deviation("tool_in_workpiece", at, np.zeros((3, 1))))
+    u = predicted_u(machine(), covariance, at, np.zeros((3, 1)))
+    spread = np.std(np.array(deviations), axis=0, ddof=1) / u
+    assert np.all((spread > 0.65) & (spread < 1.4)), spread
+    assert spread.mean() == pytest.approx(1.0, abs=0.12)
+
+
+def cubic(curve: Curve) -> PolynomialCurve:
+    """Unweighted least squares by NumPy, through zero at zero."""
+    assert isinstance(curve, TableCurve)
+    x, y = np.array(curve.positions), np.array(curve.values)
+    u = np.array(curve.u)[x != 0.0]
+    weights = 1.0 / u if np.isfinite(u).all() and (u > 0.0).all() else np.ones(u.size)
+    x, y = x[x != 0.0] / 700.0, y[x != 0.0]
+    found = np.linalg.lstsq(weights[:, np.newaxis] * x[:, np.newaxis] ** [1, 2, 3], weights * y, rcond=None)[0]
+    return PolynomialCurve((1, 2, 3), tuple((found / 700.0 ** np.array([1, 2, 3])).tolist()))
 
 
 @cache

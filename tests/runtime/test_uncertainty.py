@@ -230,20 +230,22 @@ def test_a_factor_gives_its_matrix_back_whatever_the_units() -> None:
     np.testing.assert_allclose(root @ root.T, matrix, rtol=1e-12, atol=0.0)
 
 
-def test_a_change_of_basis_changes_no_uncertainty(model: MachineModel) -> None:
-    """A straight line told by a table of its ends, and by its slope."""
+def test_smoothing_acts_on_noise_and_leaves_open_what_is_open(model: MachineModel) -> None:
+    """A table whose values become their mean: its independent noise shrinks by the root of their number."""
     table = Covariance(
         machine=model.name,
         components=("EAX", "EXX"),
-        bases=(PowerBasis((1,)), HatBasis((0.0, 540.0))),
+        bases=(PowerBasis((1,)), HatBasis((0.0, 180.0, 360.0, 540.0))),
         locations=("eps_xz",),
-        root=np.array([[1e-9, 0.0], [0.0, 0.0], [2e-3, 1e-3], [0.0, 1e-6]]),
-        open=np.zeros((4, 0)),
+        root=np.diag([1e-9, 2e-3, 2e-3, 2e-3, 2e-3, 1e-6]),
+        open=np.eye(6)[:, 4:5],
     )
-    line = table.in_bases({"EXX": (PowerBasis((1,)), np.array([[0.0, 1.0 / 540.0]]))})
-    assert line.count == 3
-    before, after = (tool_uncertainty(model, one, AT, TOOL, datum=None).u for one in (table, line))
-    np.testing.assert_allclose(after, before, rtol=1e-12)
+    smooth = table.smoothed({"EXX": np.full((4, 4), 0.25)})
+    at = np.array([[180.0, 360.0], [0.0, 0.0], [0.0, 0.0]])
+    before, after = (tool_uncertainty(model, one, at, np.zeros((3, 1)), datum=None) for one in (table, smooth))
+    np.testing.assert_allclose(after.u[0], 0.5 * before.u[0], rtol=1e-12)
+    np.testing.assert_array_equal(after.u[1:], before.u[1:])
+    np.testing.assert_array_equal(smooth.open, table.open)
 
 
 def test_the_prior_at_the_tool_is_the_scatter_of_drawn_errors(model: MachineModel) -> None:

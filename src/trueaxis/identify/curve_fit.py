@@ -5,9 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from trueaxis.identify.polynomial import OptimalFit, fit_optimal
-from trueaxis.identify.polynomial.powers import to_position_powers, weighted_system
+from trueaxis.identify.polynomial.powers import scaled_powers, weighted_system
 from trueaxis.identify.polynomial.samples import Samples
-from trueaxis.runtime.bases import Basis, PowerBasis
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.curves import Curve, FloatArray, PolynomialCurve, TableCurve
 
@@ -66,25 +65,25 @@ def polynomial_curves(
 
 
 def in_polynomials(covariance: Covariance, tables: Mapping[str, Curve], curves: Mapping[str, Curve]) -> Covariance:
-    """The covariance of tables as that of the polynomials that replace them: coefficients are linear in the values.
+    """The covariance of tables after polynomials have replaced them: their values are linear in those of the tables.
 
-    A component that has no polynomial among `curves` keeps the covariance of its table: what is left at zero is as
-    uncertain as its values were.
+    A component that has no polynomial among `curves` keeps its covariance: what is left at zero is as uncertain as its
+    values were.
     """
-    changes: dict[str, tuple[Basis, FloatArray]] = {}
-    for name, table in tables.items():
-        curve = curves.get(name)
-        if isinstance(table, TableCurve) and isinstance(curve, PolynomialCurve):
-            changes[name] = PowerBasis(curve.powers), _by_value(table, curve.powers)
-    return covariance.in_bases(changes)
+    return covariance.smoothed(
+        {
+            name: _smoothing(table, curve.powers)
+            for name, table in tables.items()
+            if isinstance(table, TableCurve) and isinstance(curve := curves.get(name), PolynomialCurve)
+        }
+    )
 
 
-def _by_value(table: TableCurve, powers: tuple[int, ...]) -> FloatArray:
-    """(n_powers, n_positions): derivative of the coefficients by the values of the table."""
+def _smoothing(table: TableCurve, powers: tuple[int, ...]) -> FloatArray:
+    """(n, n): values of the fitted polynomial at the positions of a table, by the values of the table."""
     samples = _samples(table)
     design, _, exponent = weighted_system(samples, powers)
-    found = np.zeros((len(powers), len(table.positions)))
     away = np.array(table.positions) != 0.0
-    scaled = np.asarray(np.linalg.pinv(design), dtype=np.float64) * np.sqrt(samples.weights)
-    found[:, away] = to_position_powers(scaled.T, powers, exponent).T
-    return found
+    coefficients = np.zeros((len(powers), len(table.positions)))
+    coefficients[:, away] = np.linalg.pinv(design) * np.sqrt(samples.weights)
+    return np.asarray(scaled_powers(np.array(table.positions), powers, exponent) @ coefficients)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from trueaxis.faults import Fault, InputError
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.points import Points
 from trueaxis.runtime.context import Context
@@ -23,3 +24,11 @@ def predict(machine: MachineModel, points: Points, datum: FloatArray | None = No
     at_datum = np.repeat(datum, tool.shape[1], axis=1)
     still = machine.in_context(Context.at_rest(len(machine.axes), tool.shape[1]))
     return deviation - still.deviation(at_datum, tool)
+
+
+def check_finite(deviation: FloatArray, errors_file: str) -> None:
+    """Raise InputError where a deviation (3, n) is no number: parameters of effects that no machine has."""
+    wrong = np.flatnonzero(~np.isfinite(deviation).all(axis=0))
+    if wrong.size:
+        problem = f"make the deviation at point {wrong[0] + 1} no finite number"
+        raise InputError([Fault(errors_file, "effects", problem, "parameters that a machine has")])

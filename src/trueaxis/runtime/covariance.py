@@ -82,20 +82,18 @@ class Covariance:
         components, kinds = (*self.components, *bases), (*self.bases, *bases.values())
         return replace(self, components=components, bases=kinds, root=root, open=opened)
 
-    def in_bases(self, changes: Mapping[str, tuple[Basis, FloatArray]]) -> "Covariance":
-        """With components in other bases: of each the new basis and the matrix (new, old) from old coefficients."""
+    def smoothed(self, changes: Mapping[str, FloatArray]) -> "Covariance":
+        """With the noise of components as it is after their coefficients went through matrices (n, n), by component.
+
+        What is open stays as it is: a curve that is smoothed is not thereby determined.
+        """
         blocks = [
-            changes[name][1] if name in changes else np.eye(basis.count)
+            csr_array(changes.get(name, np.eye(basis.count)))
             for name, basis in zip(self.components, self.bases, strict=True)
         ]
         others = self.count - sum(basis.count for basis in self.bases)
-        change = csr_array(block_diag([*map(csr_array, blocks), eye_array(others)], format="csr"))
-        bases = tuple(
-            changes[name][0] if name in changes else basis
-            for name, basis in zip(self.components, self.bases, strict=True)
-        )
-        root = _mapped(change, self.root)
-        return replace(self, bases=bases, root=root, open=np.asarray(change @ self.open))
+        change = csr_array(block_diag([*blocks, eye_array(others)], format="csr"))
+        return replace(self, root=_mapped(change, self.root))
 
 
 def _mapped(change: csr_array, root: FloatArray | csr_array | None) -> FloatArray | csr_array | None:
