@@ -19,6 +19,7 @@ from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering, input_bytes, utf8_text
 from trueaxis.measure.data import MeasuredData
+from trueaxis.reporting.reliance import misfit_sentence
 from trueaxis.runtime.errors import ErrorValues, dump_errors
 from trueaxis.runtime.kernels import load_kernels
 from trueaxis.runtime.model import MachineModel
@@ -102,6 +103,9 @@ def run(args: argparse.Namespace) -> int:
             **extension,
         }
         write_files(contents)
+    fit = given.model.errors.fit
+    if fit is not None and fit.state == "misfit":
+        print(f"note: {misfit_sentence(fit)}")
     print(summary_text(diagnosis), end="")
     print(f"written: {', '.join(str(path) for path in contents)}")
     left = [path for path in _outputs(args.out, given.model.name) if path not in contents and path.exists()]
