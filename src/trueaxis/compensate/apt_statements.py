@@ -11,6 +11,9 @@ _MAJOR = re.compile(r"\s*([A-Za-z][A-Za-z0-9 _.]*?)\s*(?:/(.*))?\s*", re.DOTALL)
 _TEXT = re.compile(r"\s*(PARTNO|PPRINT|REMARK|INSERT|TLAXIS)\b\s*/?\s*(.*?)\s*", re.IGNORECASE | re.DOTALL)
 
 
+_NUMBER = re.compile(r"[-+]?\d*+\.?([0-9]*+)(?:[EeDd]([-+]?\d{1,3}))?")
+
+
 class Statement(NamedTuple):
     """line: first line of the statement; major: upper case, empty if there is none; minor: what follows the slash.
 
@@ -61,3 +64,11 @@ def _statement(line: int, text: str, comment: str | None, size: int) -> Statemen
         return Statement(line, "", (), text, comment, f"{text.strip()[:40]!r} is no statement")
     minor = tuple(part.strip() for part in match[2].split(",")) if match[2] is not None else ()
     return Statement(line, " ".join(match[1].upper().split()), minor, text, comment)
+
+
+def decimals_of(number: str) -> int:
+    """Digits after the decimal point of a number as a CL file writes it, `-1.25` or `1.25E-2`; none if it is none."""
+    match = _NUMBER.fullmatch(number.strip())
+    if match is None:
+        return 0
+    return max(0, len(match[1] or "") - int(match[2] or 0))

@@ -1,9 +1,9 @@
 """Post-processor vocabulary: APT statements that move nothing, as NC blocks."""
 
+import re
 from collections.abc import Callable
 
 from trueaxis.compensate.apt_statements import Statement
-from trueaxis.compensate.nc_codes import FAULTY_M
 
 # kept as comments in the written program, of no influence on positions
 TEXT = frozenset({"PARTNO", "PPRINT", "REMARK", "TOOL PATH", "END-OF-PATH"})
@@ -60,9 +60,21 @@ FAULTY = {
 }
 
 
+# LinuxCNC acts on comments that begin like this
+_ACTIVE = re.compile(r"[ \t]*\w+[ \t]*,")
+_M_CODE = re.compile(r"\bM(\d+)\b")
+
+
+def m_codes_of(block: str) -> list[int]:
+    """M codes of a block that a statement has become."""
+    return [int(code) for code in _M_CODE.findall(block)]
+
+
 def comment(text: str) -> str:
-    """An NC comment, its brackets taken out so that it stays one."""
+    """An NC comment, its brackets taken out so that it stays one, and made no command of a control (LinuxCNC)."""
     clean = text.replace("(", "[").replace(")", "]")
+    if _ACTIVE.match(clean):
+        clean = f"- {clean}"
     return f"({''.join(sign if sign.isprintable() else '?' for sign in clean)})"
 
 
@@ -101,7 +113,7 @@ def _coolant(statement: Statement) -> str | None:
 
 def _auxiliary(statement: Statement) -> str | None:
     number = number_of(statement.minor[0]) if statement.minor else None
-    return None if number is None or number in FAULTY_M else f"M{number}"
+    return None if number is None else f"M{number}"
 
 
 # statements that become words; None from the function: the statement cannot be understood
