@@ -108,7 +108,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         "0.001 mm (0.0001 inch, 0.001 deg); default: mm where --dialect is linuxcnc, siemens or "
                         "heidenhain, else such a number is a fault")  # fmt: skip
     parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
-                        help="M codes that move no axis and change no mode on this control: left as they are")  # fmt: skip
+                        help="M codes that move no axis and change no mode on this control")  # fmt: skip
     parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
                         help="folder of derived kernels (default %(default)s)")  # fmt: skip
     parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON too")

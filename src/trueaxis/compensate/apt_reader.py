@@ -242,7 +242,7 @@ class AptReader:
         return Move(
             line, kind, point + self._rotary, written, True, self._inch, lead, tail, " ", _EOL, "", arc=arc,
             feed=self._per_minute, held=self._commanded.command(written, absolute=True),
-            start_stated=arc is None and known < Commanded.ABSOLUTE,
+            start_stated=arc is None and known < Commanded.STOPPED,
         )  # fmt: skip
 
     def _open_circle(self, statement: Statement) -> Iterator[Item]:

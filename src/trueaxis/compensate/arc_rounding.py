@@ -2,7 +2,7 @@
 
 Every word is right to half a unit of its last decimal. What the words of one arc may differ by follows to first order:
 with unit vectors u1, u2 from the centre to start s and end e, and o = (I, J, K) from the start to the centre,
-d|o| - d|e - s - o| = (u1 + u2) do + u2 (ds - de), where an axis without a word has de = ds. The bound is the sum of the
+d|o| - d|e - s - o| = (u2 - u1) do + u2 (ds - de), where an axis without a word has de = ds. The bound is the sum of the
 magnitudes. Zeros at the end of a number are often left out, so the decimals of a block are those of its longest number.
 """
 
@@ -54,7 +54,7 @@ def allowed_about(start: Vector, end: Vector, centre: Vector, rounding: WordRoun
     first, first_radius = _direction(start, centre)
     last, last_radius = _direction(end, centre)
     size = sum(
-        rounding.centre * abs(a + b) + (ds + de) * abs(b)
+        rounding.centre * abs(b - a) + (ds + de) * abs(b)
         for a, b, ds, de in zip(first, last, rounding.start, rounding.end, strict=True)
     )
     both = max(rounding.start) + max(rounding.end) + 2.0 * rounding.centre

@@ -13,9 +13,10 @@ class Commanded(IntEnum):
     """
 
     DISPLACED = 0  # a tool change may have moved it
-    STATED = 1  # by --start (FROM in a CL file) or, after a stop, by what was programmed before
+    STATED = 1  # by --start (FROM in a CL file)
     BY_INCREMENTS = 2  # by increments from there: an increment put in is right wherever the axis is
-    ABSOLUTE = 3
+    STOPPED = 3  # commanded, but the operator may have moved it since, and moves it back if the way on is to be right
+    ABSOLUTE = 4
 
 
 class CommandedAxes:
@@ -40,7 +41,7 @@ class CommandedAxes:
 
     def stop(self) -> None:
         """The operator may have moved any axis."""
-        self._set([min(known, Commanded.STATED) for known in self._known])
+        self._set([min(known, Commanded.STOPPED) for known in self._known])
 
     def of(self, rows: Iterable[int]) -> Commanded:
         """The least certain of some axes."""

@@ -248,13 +248,13 @@ class NcReader:
                 "this motion counts from where the axes stand, and the tool change before it may have moved them",
                 "give their positions by G90 G0 first",
             )
-        elif arc and state.absolute and known < Commanded.ABSOLUTE:
+        elif arc and state.absolute and known < Commanded.STOPPED:
             self._faults.add(
                 number,
                 "an arc that starts where the program has not commanded the axes to",
                 "give the position by G90 G0 or G1 in the program first",
             )
-        return known < (Commanded.ABSOLUTE if state.absolute else Commanded.STATED)
+        return known < (Commanded.STOPPED if state.absolute else Commanded.STATED)
 
     def _remember(self, meaning: Meaning, body: str, block: Block) -> None:
         """Keep the words that gave the axes their positions."""

@@ -42,7 +42,7 @@ class CompensationReport:
     out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
     uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
     error left there. Rapids to such points are not in the other figures.
-    sign_check: where a gauge shows whether the sign of the error values is right; None where nothing is corrected.
+    sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
     passed: M codes that --pass-m vouches for, with their lines.
     ball: |E| of Eq. (6), mm. orientation: angle between actual and wanted tool axis, urad, on machines with rotary
     axes. over_orientation: points with orientation.after above its tolerance, where orientation is corrected.

@@ -48,14 +48,14 @@ class SignCheck:
 
 
 class SignChecker:
-    """Keeps the programmed point at which the deviation since home is largest in one direction."""
+    """Keeps the programmed point at which the deviation since home is largest in one direction, if above `least` mm."""
 
-    def __init__(self, model: ErrorModel, tool_point: FloatArray) -> None:
+    def __init__(self, model: ErrorModel, tool_point: FloatArray, least: float) -> None:
         self._model, self._tool_point = model, tool_point
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
         self._home = np.clip(np.zeros(len(model.axes)), low, high)
         self._at_home = model.deviation(self._home[:, None], tool_point)
-        self._largest = 0.0
+        self._largest = least
         self.found: SignCheck | None = None
 
     def add(

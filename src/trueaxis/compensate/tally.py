@@ -57,7 +57,7 @@ class Tally:
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._axis = ToolAxis(model, settings.tool_axis)
-        self._sign = SignChecker(model, self._tool_point)
+        self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._moves = self._points = self._short_blocks = self._take_ups = 0
         self._iterations: Counter[int] = Counter()
         self._vector = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
