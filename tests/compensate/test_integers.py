@@ -1,5 +1,7 @@
 """Numbers without a decimal point."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -28,9 +30,12 @@ def test_zero_feeds_and_dwells_mean_the_same_either_way(bench: Bench) -> None:
     assert bench.run("G0 X0 Y0 Z0\nG1 X1. F100\nG4 X5\nG4 P500\nN10 S1000 M3 T5\n")
 
 
-@pytest.mark.parametrize("how", [{"integers": "mm"}] + [{"dialect": d} for d in ("linuxcnc", "siemens", "heidenhain")])
-def test_whole_millimetres(bench: Bench, how: dict[str, str]) -> None:
-    assert execute(bench.run("G0 X10 Y0 Z0\nX20\n", shifted(), **how))[0] == pytest.approx([9.98, 19.98])
+@pytest.mark.parametrize(
+    "how", [("integers", "mm")] + [("dialect", name) for name in ("linuxcnc", "siemens", "heidenhain")]
+)
+def test_whole_millimetres(bench: Bench, how: tuple[str, str]) -> None:
+    known: dict[str, Any] = {how[0]: how[1]}
+    assert execute(bench.run("G0 X10 Y0 Z0\nX20\n", shifted(), **known))[0] == pytest.approx([9.98, 19.98])
 
 
 def test_least_increments(bench: Bench) -> None:
@@ -44,9 +49,7 @@ def test_least_increments(bench: Bench) -> None:
 
 
 def test_arcs_in_least_increments(bench: Bench) -> None:
-    common: dict[str, object] = {"chord_tolerance": 0.01}
-    dotted = bench.run("G0 X10. Y0 Z0\nG3 X0. Y10. I-10. F9\nX-10. Y0. R10.\n", **common)
-    whole = bench.run(
-        "G0 X10000 Y0 Z0\nG3 X0 Y10000 I-10000 F9\nX-10000 Y0 R10000\n", integers="least-increment", **common
-    )
+    dotted = bench.run("G0 X10. Y0 Z0\nG3 X0. Y10. I-10. F9\nX-10. Y0. R10.\n", chord_tolerance=0.01)
+    program = "G0 X10000 Y0 Z0\nG3 X0 Y10000 I-10000 F9\nX-10000 Y0 R10000\n"
+    whole = bench.run(program, chord_tolerance=0.01, integers="least-increment")
     assert execute(dotted)[:, 1:] == pytest.approx(execute(whole)[:, 1:])

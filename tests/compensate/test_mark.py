@@ -71,4 +71,4 @@ def test_a_marked_cutter_location_file_is_refused_and_its_program_marked(bench: 
     text = written(bench, source, "a.cls")
     assert text.startswith(b"%\n" + MARK + b"\nG21 ")
     with pytest.raises(InputError, match="line 1: this program is compensated already"):
-        written(bench, b"$$ Trueaxis compensated\n" + source, "b.cls")
+        written(bench, b"$$ (TRUEAXIS COMPENSATED)\n" + source, "b.cls")

@@ -21,7 +21,7 @@ def test_it_is_where_a_gauge_moves_most(bench: Bench) -> None:
     direction, index = np.unravel_index(np.argmax(np.abs(since)), since.shape)
     check = bench.report.sign_check
     assert check is not None
-    assert (check.line, check.direction, check.axis) == (index + 2, "XYZ"[direction], "XYZ"[direction])
+    assert (check.line, check.direction, check.axis) == (int(index) + 2, "XYZ"[direction], "XYZ"[direction])
     assert check.since_home == pytest.approx(since[direction, index])
     assert check.deviation == pytest.approx(machine.deviation(points.T, ORIGIN)[direction, index])
     assert check.command == pytest.approx(at[direction, index])

@@ -7,16 +7,18 @@ become M codes or comments; whatever else may move or shift anything is a fault 
 import math
 from collections.abc import Callable, Iterable, Iterator
 
-from trueaxis.compensate import apt_words, m_codes
+from trueaxis.compensate import apt_words
 from trueaxis.compensate.apt_circle import Circle, arcs_through, unit
 from trueaxis.compensate.apt_feed import feed_of, split_feed
-from trueaxis.compensate.apt_statements import Statement, decimals_of, statements
+from trueaxis.compensate.apt_statements import Statement, decimals_of, number_of, statements
 from trueaxis.compensate.arc_rounding import half_unit
 from trueaxis.compensate.arcs import Arc, ArcError, Vector
+from trueaxis.compensate.block_codes import follow_codes
 from trueaxis.compensate.commanded import Commanded, CommandedAxes
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.machine import LINEAR
-from trueaxis.compensate.moves import STOP, TOOL_CHANGE, Item, Kind, Move, Notes, Start
+from trueaxis.compensate.mark import unmarked
+from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
 _EOL = "\n"
@@ -62,7 +64,7 @@ class AptReader:
         yield f"%{_EOL}"
         if self._position is not None:
             yield Start(self._position + self._rotary)
-        for statement in statements(lines):
+        for statement in statements(unmarked(lines, self._faults)):
             if not self._headed and statement.major in _NEED_HEADER:
                 yield f"{'G20' if self._inch else 'G21'} G17 G90 G94{_EOL}"
                 self._headed = True
@@ -124,40 +126,23 @@ class AptReader:
         if text is None:
             self._faults.add(statement.line, f"{statement.text.strip()[:60]!r} cannot be made an NC block")
             return
-        for code in apt_words.m_codes_of(text):
-            if problem := m_codes.problem_of(code, self._settings.pass_m, self._settings.dialect):
-                self._faults.add(statement.line, *problem)
-            elif code == m_codes.TOOL_CHANGE:
-                self._notes.add(statement.line, TOOL_CHANGE)
-                self._commanded.displace()
-            elif code in m_codes.STOPS:
-                self._notes.add(statement.line, STOP)
-                self._commanded.stop()
-            elif code not in m_codes.KNOWN:
-                self._notes.pass_code(statement.line, code)
-            if code in m_codes.END:
-                self._ended = self._ended or statement.line
+        if follow_codes(text, statement.line, self._commanded, self._settings, self._faults, self._notes):
+            self._ended = self._ended or statement.line
         yield text + _EOL
 
     def _system(self, statement: Statement) -> Iterator[Item]:
         """A coordinate system: only the one that changes nothing (turned by nothing, shifted by nothing)."""
         numbers = self._numbers(statement, statement.minor)
-        if numbers is None:
-            return
-        neutral = {9: (0, 0, 0, 1, 0, 0, 0, 1, 0), 12: (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)}
-        if tuple(numbers) != neutral.get(len(numbers)):
+        if numbers is not None and not apt_words.changes_nothing(numbers):
             self._faults.add(statement.line, f"{statement.major} gives the positions in a shifted frame")
-            return
-        yield apt_words.comment(statement.text.strip()) + _EOL
+        elif numbers is not None:
+            yield apt_words.comment(statement.text.strip()) + _EOL
 
     def _numbers(self, statement: Statement, words: Iterable[str]) -> list[float] | None:
         values = []
         for word in words:
-            try:
-                value = float(word) if "_" not in word else float("nan")
-            except ValueError:
-                value = float("nan")
-            if not abs(value) <= 1e9:
+            value = number_of(word)
+            if value is None:
                 self._faults.add(statement.line, f"{statement.major}: {word[:30]!r} is no number of a machine")
                 return None
             values.append(value)

@@ -1,5 +1,6 @@
 """Statements of an APT cutter location file: `MAJOR / minor, ...`, `$` continues, `$$` comments."""
 
+import math
 import re
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
@@ -72,3 +73,12 @@ def decimals_of(number: str) -> int:
     if match is None:
         return 0
     return max(0, len(match[1] or "") - int(match[2] or 0))
+
+
+def number_of(word: str) -> float | None:
+    """A number of a machine; None if it is none, or of more than 1e9."""
+    try:
+        value = float(word) if "_" not in word else math.nan
+    except ValueError:
+        return None
+    return value if abs(value) <= 1e9 else None

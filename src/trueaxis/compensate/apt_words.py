@@ -1,7 +1,7 @@
 """Post-processor vocabulary: APT statements that move nothing, as NC blocks."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from trueaxis.compensate.apt_statements import Statement
 
@@ -62,12 +62,12 @@ FAULTY = {
 
 # LinuxCNC acts on comments that begin like this
 _ACTIVE = re.compile(r"[ \t]*\w+[ \t]*,")
-_M_CODE = re.compile(r"\bM(\d+)\b")
 
 
-def m_codes_of(block: str) -> list[int]:
-    """M codes of a block that a statement has become."""
-    return [int(code) for code in _M_CODE.findall(block)]
+def changes_nothing(system: Sequence[float]) -> bool:
+    """Whether the numbers of MSYS or CSYS are those of a system that is neither turned nor shifted."""
+    neutral = {9: (0, 0, 0, 1, 0, 0, 0, 1, 0), 12: (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)}
+    return tuple(system) == neutral.get(len(system))
 
 
 def comment(text: str) -> str:

@@ -12,7 +12,7 @@ from typing import BinaryIO, Literal
 from trueaxis.compensate.apt_reader import AptReader
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.machine import ErrorModel
-from trueaxis.compensate.mark import MARK, comment_of, marked, unmarked
+from trueaxis.compensate.mark import MARK, comment_of, marked
 from trueaxis.compensate.moves import Notes
 from trueaxis.compensate.nc_reader import NcReader
 from trueaxis.compensate.program import Compensator
@@ -104,7 +104,7 @@ def compensate_file(
         ends_whole = True
         with ready[0][0].open("wb") as target, program.open("rb") as source:
             lines = _Lines(source, faults, progress)
-            for text in marked(compensator.texts(reader.items(unmarked(lines, faults))), mark):
+            for text in marked(compensator.texts(reader.items(lines)), mark):
                 if text and not faults.count:
                     target.write(text.encode("latin-1"))
                     blocks_out += text.count("\n")

@@ -13,6 +13,8 @@ Held = NDArray[np.bool_]
 
 def held_axes(moves: Sequence[Move], count: int) -> Held:
     """Which axes are held in which moves, (count, n_moves)."""
+    if not any(move.held for move in moves):
+        return np.zeros((count, len(moves)), dtype=bool)
     none = (False,) * count
     return np.array([move.held or none for move in moves], dtype=bool).T.reshape(count, len(moves))
 

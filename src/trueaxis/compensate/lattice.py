@@ -27,9 +27,11 @@ class Lattice:
 
     def within(self, positions: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray:
         """Positions of the lattice, those outside low to high (n_axes, 1) moved to the last one inside."""
+        out = (positions < low - _SAME * self.step) | (positions > high + _SAME * self.step)
+        if not out.any():
+            return positions
         first = np.ceil((low - self.base) / self.step - _SAME)
         last = np.floor((high - self.base) / self.step + _SAME)
-        out = (positions < low - _SAME * self.step) | (positions > high + _SAME * self.step)
         return np.asarray(
             np.where(out, np.clip(positions, *(self.base + self.step * k for k in (first, last))), positions)
         )

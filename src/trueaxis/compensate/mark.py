@@ -9,9 +9,9 @@ from trueaxis.compensate.settings import Dialect
 
 # capitals and no sign but a blank: older controls take no other in a comment
 MARK = "TRUEAXIS COMPENSATED"
-_MARK = re.compile(rf"[(;$][^\r\n]*{MARK}", re.IGNORECASE)
+COMPENSATED_ALREADY = ("this program is compensated already", "compensate the original program")
 # what must stay first: a byte order mark, blank lines, %, the program's number, and Siemens' path in the second line
-_HEAD = re.compile(r"(?:\xef\xbb\xbf)?+(?:[ \t]*+(?:%[^\r\n]*+|[O:o][ \t]*+\d[^\r\n]*+|;\$PATH[^\r\n]*+)?+\r*+\n)*+")
+_HEAD = re.compile(r"(?:\xef\xbb\xbf)?(?:[ \t]*+(?:%[^\r\n]*+|[O:o][ \t]*+\d[^\r\n]*+|;\$PATH[^\r\n]*+)?\r*+\n)*")
 _BYTE_ORDER_MARK = "\xef\xbb\xbf"
 _HEAD_BYTES = 65536
 _SEMICOLON = frozenset({".mpf", ".spf", ".i"})  # extensions of Siemens and Heidenhain, where ( ) is no comment
@@ -33,8 +33,8 @@ def comment_of(program: Path, dialect: Dialect | None) -> str:
 def unmarked(lines: Iterable[str], faults: FaultLog) -> Iterator[str]:
     """The lines as they are; one that holds the mark is a fault."""
     for number, line in enumerate(lines, 1):
-        if ("(" in line or ";" in line or "$" in line) and _MARK.search(line):
-            faults.add(number, "this program is compensated already", "compensate the original program")
+        if MARK in line:
+            faults.add(number, *COMPENSATED_ALREADY)
         yield line
 
 

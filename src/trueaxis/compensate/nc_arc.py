@@ -1,12 +1,14 @@
 """The arc that the words of a G2 or G3 block make."""
 
+from collections.abc import Sequence
+
 from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.arc_rounding import allowed_about, allowed_beyond_radius, half_unit, rounding_of
 from trueaxis.compensate.arcs import Arc, ArcError, Vector, arc_about, arc_of_radius
 from trueaxis.compensate.machine import LINEAR
 from trueaxis.compensate.nc_block import Meaning
 from trueaxis.compensate.nc_lexer import decimals_of
-from trueaxis.compensate.nc_state import NcState, Source
+from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.settings import MM_PER_INCH, Integers
 
 _CENTRE_OF = dict(zip("XYZ", "IJK", strict=True))
@@ -30,9 +32,9 @@ def arc_of_block(
     a, b = _linear(state, start), _linear(state, end)
     flat_b = tuple(p if axis == across else q for p, q, axis in zip(a, b, LINEAR, strict=True))
     in_plane = (flat_b[0], flat_b[1], flat_b[2])
-    before = [
-        _rounding_of_word(state.sources.get(axis), integers) if axis in (first, second) else 0.0 for axis in LINEAR
-    ]
+    given = [state.numbers[state.row[axis]] for axis in (first, second)]
+    unit = _half_unit(given, state.inch, integers)
+    before = [unit if axis in (first, second) else 0.0 for axis in LINEAR]
     named = [axis in meaning.axes and axis != across for axis in LINEAR]
     rounding = rounding_of(named, meaning.decimals, before, state.absolute, state.inch)
     scale = MM_PER_INCH if state.inch else 1.0
@@ -53,10 +55,17 @@ def _linear(state: NcState, position: tuple[float, ...]) -> Vector:
     return (x, y, z)
 
 
-def _rounding_of_word(source: Source | None, integers: Integers | None) -> float:
-    """Half a unit, mm, of the words that gave an axis its position; 0 where no word did."""
-    if source is None:
-        return 0.0
-    undotted = 0 if integers != "least-increment" else 4 if source.inch else 3
-    counts = [undotted if (count := decimals_of(text)) is None else count for text in source.numbers if text]
-    return half_unit(max(counts, default=0), source.inch)
+def keep_rounding(state: NcState, inch: bool, integers: Integers | None) -> None:
+    """Before a change of units: keep what is needed of the numbers written in the old ones."""
+    if inch != state.inch:
+        state.numbers = [_half_unit([number], state.inch, integers) if number else None for number in state.numbers]
+
+
+def _half_unit(numbers: Sequence[str | float | None], inch: bool, integers: Integers | None) -> float:
+    """Half a unit, mm, of the longest of the numbers that gave positions; 0 where no word did."""
+    undotted = 0 if integers != "least-increment" else 4 if inch else 3
+    counts = [
+        undotted if (count := decimals_of(number)) is None else count for number in numbers if isinstance(number, str)
+    ]
+    known = [number for number in numbers if isinstance(number, float)]
+    return max([*known, *([half_unit(max(counts), inch)] if counts else [])], default=0.0)

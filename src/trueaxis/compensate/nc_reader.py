@@ -12,11 +12,12 @@ from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.arcs import ArcError
 from trueaxis.compensate.commanded import Commanded
 from trueaxis.compensate.fault_log import FaultLog
+from trueaxis.compensate.mark import COMPENSATED_ALREADY, MARK
 from trueaxis.compensate.moves import STOP, TOOL_CHANGE, Item, Kind, Move, Notes, Start
-from trueaxis.compensate.nc_arc import arc_of_block
+from trueaxis.compensate.nc_arc import arc_of_block, keep_rounding
 from trueaxis.compensate.nc_block import Meaning, interpret
 from trueaxis.compensate.nc_lexer import NUMBER, Block, lex
-from trueaxis.compensate.nc_state import MODE_NOTES, NcState, Source
+from trueaxis.compensate.nc_state import MODE_NOTES, NcState
 from trueaxis.compensate.nc_text import block_text
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
@@ -29,7 +30,6 @@ _PLAIN = re.compile(
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
-_POSITION_LETTERS = frozenset("XYZABC")
 MACHINE_FEED = "some controls make a G53 block at rapid even under G1"
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 
@@ -71,9 +71,8 @@ class NcReader:
             or (x is None and y is None and z is None)
         ):
             return None
-        rows, scale, absolute = state.row, MM_PER_INCH if state.inch else 1.0, state.absolute
+        rows, numbers, scale, absolute = state.row, state.numbers, MM_PER_INCH if state.inch else 1.0, state.absolute
         written = [False] * len(position)
-        source = Source(state.inch, (x, y, z))
         for axis, text in (("X", x), ("Y", y), ("Z", z)):
             if text is None:
                 continue
@@ -88,7 +87,7 @@ class NcReader:
             else:
                 position[row] += distance  # type: ignore[operator]  # known, as all axes are commanded
             written[row] = True
-            state.sources[axis] = source
+            numbers[row] = text
         if " " in line:
             self._gap = " "
         elif sum(written) > 1:
@@ -104,6 +103,8 @@ class NcReader:
 
     def _any(self, number: int, line: str) -> Item:
         """Any block: what it sets, and its move if it has one."""
+        if MARK in line:
+            self._faults.add(number, *COMPENSATED_ALREADY)
         body = line.rstrip("\r\n")
         begin = 3 if number == 1 and body.startswith(BYTE_ORDER_MARK) else 0
         text = body[begin:].strip()
@@ -157,6 +158,7 @@ class NcReader:
         if meaning.plane is not None:
             state.plane = meaning.plane
         if meaning.inch is not None:
+            keep_rounding(state, meaning.inch, self._settings.undotted)
             state.inch = meaning.inch
             state.said.add("inch")
         if meaning.absolute is not None:
@@ -220,7 +222,9 @@ class NcReader:
             self._gap = ""
         text = block_text(body, block.words, self._gap, insert, motion == 1)
         state.in_force, state.moved = motion, True
-        self._remember(meaning, body, block)
+        for word in block.words:
+            if word.letter in meaning.axes:
+                state.numbers[state.row[word.letter]] = body[word.start + 1 : word.end].strip()
         written = tuple(axis in meaning.axes for axis in self._axes)
         return Move(
             number, Kind.ARC if arc else _STRAIGHT[motion], known_end, written, state.absolute, state.inch,
@@ -255,13 +259,6 @@ class NcReader:
                 "give the position by G90 G0 or G1 in the program first",
             )
         return known < (Commanded.STOPPED if state.absolute else Commanded.STATED)
-
-    def _remember(self, meaning: Meaning, body: str, block: Block) -> None:
-        """Keep the words that gave the axes their positions."""
-        numbers = tuple(body[word.start + 1 : word.end] for word in block.words if word.letter in _POSITION_LETTERS)
-        source = Source(self._state.inch, numbers)
-        for axis in meaning.axes:
-            self._state.sources[axis] = source
 
     def _may_move(self, number: int, meaning: Meaning) -> bool:
         """Whether positions mean a motion here; a fault if they do not."""

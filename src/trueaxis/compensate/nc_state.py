@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 from trueaxis.compensate.commanded import CommandedAxes
 from trueaxis.compensate.machine import LINEAR
@@ -14,13 +13,6 @@ MODE_NOTES = {
 }
 
 
-class Source(NamedTuple):
-    """The words that gave an axis its position: their numbers as written, None where there is none, and G20 or G21."""
-
-    inch: bool
-    numbers: tuple[str | None, ...]
-
-
 @dataclass(slots=True)
 class NcState:
     """What the blocks read so far have set.
@@ -29,7 +21,9 @@ class NcState:
     (clockwise, counter-clockwise), None: none in force. in_force: the motion in force in the program that is written,
     where an arc has become lines. feed: F in force, mm/min or deg/min, NaN until known; per_turn: it counts by turns of
     the spindle instead. ended: line of the end of the program, 0 before. said: which of units (G20 G21) and distances
-    (G90 G91) the program has stated. sources: of the position of each axis that words have given.
+    (G90 G91) the program has stated.
+    numbers: of the words that gave the axes their positions, as written in the units in force; half a unit of them in
+    mm where the units have changed since; None where no word has.
     """
 
     axes: tuple[str, ...]
@@ -45,12 +39,13 @@ class NcState:
     percents: int = 0
     moved: bool = False
     said: set[str] = field(default_factory=set)
-    sources: dict[str, Source] = field(default_factory=dict)
+    numbers: list[str | float | None] = field(init=False)
     commanded: CommandedAxes = field(init=False)
     row: dict[str, int] = field(init=False)
 
     def __post_init__(self) -> None:
         self.commanded = CommandedAxes(self.axes)
+        self.numbers = [None] * len(self.axes)
         self.row = {axis: number for number, axis in enumerate(self.axes)}
 
     @property

@@ -100,20 +100,21 @@ class Tally:
         self._sign.add(path, deviation, written, lines, held)
         waiting = held.any(axis=0)
         self._uncommanded.add(lines[waiting])
+        counted: NDArray[np.int64] | slice = slice(None)
         if waiting.any():
             rows = index[waiting]
             there = placing.at(rows, np.ones(rows.size))
             self._stage(UNCOMMANDED, there, written[:, rows], path.points[:, rows], lines[rows])
-            index = index[~(waiting & path.rapid)]
+            counted = index = index[~(waiting & path.rapid)]
             model = placing.at(index, np.ones(index.size))
         if index.size:
-            self._at_points(model, index, path, solved, written, lines)
+            self._at_points(model, counted, path, solved, written, lines)
         self._along(path, done, lines, previous, settled, placing)
 
     def _at_points(
         self,
         model: ErrorModel,
-        index: NDArray[np.int64],
+        index: NDArray[np.int64] | slice,
         path: Path,
         solved: Solved,
         written: FloatArray,
