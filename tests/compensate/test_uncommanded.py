@@ -163,6 +163,23 @@ def test_absolute_words_only_for_commanded_axes(
         assert all(abs(value) <= 1000.0 + 1e-9 for value in at.values())
 
 
+def test_rotary_axes_that_are_kept_wait_for_nothing(bench: Bench) -> None:
+    from tests.compensate.five_axes import TEXTS, FiveAxes
+
+    machine = FiveAxes(TEXTS["table-table"])
+    program = "G21 G90\nG0 X10. Y20. Z30.\nG1 X40. F100\n"
+    text = bench.run(program, machine.model, start={"A": -20.00005, "C": 40.0})
+    assert not words(text, "A") + words(text, "C")
+    report = bench.report
+    assert (report.uncommanded.points, report.uncommanded_left, report.good) == (0, None, True)
+    assert not any("gets no word" in note for note in report.notes)
+    assert report.sign_check is not None
+    turned = bench.run(program, machine.model, start={"A": -20.0, "C": 40.0}, orientation="correct")
+    assert not words(turned, "A") + words(turned, "C")
+    assert not bench.report.good  # the tool axis of the cut is not corrected
+    assert any("A C gets no word" in note for note in bench.report.notes)
+
+
 def test_the_word_of_a_whole_step_has_a_decimal_point(bench: Bench) -> None:
     text = bench.run("G0 X10. Y0. Z0.\n", XyzMachine({"EXX": lambda x: 1.0 + 0 * x}), resolution=1.0, tolerance=1.0)
     assert text == b"G0 X9.0 Y0.0 Z0.0\n"

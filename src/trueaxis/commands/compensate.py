@@ -47,8 +47,8 @@ sets their step. Where the tool axis comes within 0.57 deg of the line of a rota
 of it cannot be corrected without turning far: the axis then keeps to its programmed position, and the report names the
 lines.
 
-exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or leave the travel (see the report);
-2 the input is wrong and nothing was written.
+exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
+at whose end their words stop (see the report); 2 the input is wrong and nothing was written.
 """
 
 

@@ -52,6 +52,8 @@ class Compensator:
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._writer = BlockWriter(model.axes, settings)
         self._turned = self._axis_to_turn()
+        rotary = np.array([axis not in LINEAR for axis in model.axes])
+        self._corrected = (~rotary | (self._turned is not None))[:, None]  # axes that compensation moves, (n_axes, 1)
         self._along = self._comparison()
         self._acting = acting(model, settings)
         self._model = model if self._acting is None else self._acting.model
@@ -171,8 +173,9 @@ class Compensator:
         inch = np.array([move.inch for move in moves])[path.owner]
         lines = np.array([move.line for move in moves])[path.owner]
         held = held_axes(moves, len(axes))
-        self._note_held(moves, held)
-        held = held[:, path.owner]
+        waiting = held & self._corrected
+        self._note_held(moves, waiting)
+        held, waiting = held[:, path.owner], waiting[:, path.owner]
         kinds = list(stretches(absolute, inch, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
         solved = self._solved(path, kinds, model, held)
@@ -186,7 +189,7 @@ class Compensator:
             parts.append(part)
             previous = part.positions[:, -1]
         done = joined(parts)
-        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing, held)
+        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting)
         owner = path.owner[done.point]
         self._refuse_cuts(moves, owner)
         before = np.concatenate([self._written[:, None], done.positions[:, :-1]], axis=1)

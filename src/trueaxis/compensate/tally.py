@@ -82,8 +82,8 @@ class Tally:
 
         lines: (n_points,), of the path's points. previous: (n_axes,), position named by the words before; settled:
         whether it was a compensated one. placing: gives the machine along the path. held: (n_axes, n_points), axes that
-        got no word; rapids to such points count apart, since an axis that is not where the program wants it yet is no
-        error of compensation there.
+        got no word although compensation would move them; rapids to such points count apart, since an axis that is not
+        where the program wants it yet is no error of compensation there.
         """
         self._moves += moves
         self._points += path.size
