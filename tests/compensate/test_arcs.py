@@ -105,9 +105,9 @@ def test_any_arc(radius: float, begin: float, sweep: float, sense: float, tolera
     start, end = at(begin, 0.0), at(begin + sense * sweep, rise)
     if math.dist(start[:2], end[:2]) < 1e-5:
         return
-    arc = arc_about(start, end, (centre[0], centre[1], 0.0), (0.0, 0.0, sense))
+    arc = arc_about(start, end, (centre[0], centre[1], 0.0), (0.0, 0.0, sense), 1e-9)
     assert arc.sweep == pytest.approx(sweep, abs=1e-6)
-    by_radius = arc_of_radius(start, end, radius if sweep <= math.pi else -radius, (0.0, 0.0, sense))
+    by_radius = arc_of_radius(start, end, radius if sweep <= math.pi else -radius, (0.0, 0.0, sense), 1e-9)
     # the centre by R is ill-conditioned where the ends are opposite
     assert math.dist(by_radius.centre[:2], centre[:2]) < 1e-5 * radius + 1e-6
     cut = chords(np.array([start]).T, np.array([end]).T, [arc], tolerance)
@@ -123,13 +123,13 @@ def test_any_arc(radius: float, begin: float, sweep: float, sense: float, tolera
 
 def test_words_that_make_no_arc() -> None:
     with pytest.raises(ArcError, match="radius 0"):
-        arc_about((0, 0, 0), (1, 0, 0), (0, 0, 0), (0, 0, 1))
-    with pytest.raises(ArcError, match=re.escape("1.0000 and 1.5000")):
-        arc_about((1, 0, 0), (0, 1.5, 0), (0, 0, 0), (0, 0, 1))
+        arc_about((0, 0, 0), (1, 0, 0), (0, 0, 0), (0, 0, 1), 0.01)
+    with pytest.raises(ArcError, match=re.escape("1.00000 and 1.50000 mm; rounding of its words explains 0.01000 mm")):
+        arc_about((1, 0, 0), (0, 1.5, 0), (0, 0, 0), (0, 0, 1), 0.01)
     with pytest.raises(ArcError, match="more than 2 R"):
-        arc_of_radius((0, 0, 0), (10, 0, 0), 4.9, (0, 0, 1))
+        arc_of_radius((0, 0, 0), (10, 0, 0), 4.9, (0, 0, 1), 0.01)
     with pytest.raises(ArcError, match="coincide"):
-        arc_of_radius((1, 0, 0), (1, 0, 0), 4.9, (0, 0, 1))
+        arc_of_radius((1, 0, 0), (1, 0, 0), 4.9, (0, 0, 1), 0.01)
 
 
 @pytest.mark.parametrize(

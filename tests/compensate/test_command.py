@@ -109,11 +109,36 @@ def test_a_program_that_is_not_there(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("option", [["--ball", "1,2"], ["--start", "X1Q2"], ["--start", "X1X2"], ["--words", "best"]])
+@pytest.mark.parametrize(
+    "option",
+    [
+        ["--ball", "1,2"],
+        ["--start", "X1Q2"],
+        ["--start", "X1X2"],
+        ["--words", "best"],
+        ["--pass-m", "7,x"],
+        ["--pass-m", "7.5"],
+        ["--integers", "inch"],
+        ["--dialect", "okuma"],
+    ],
+)
 def test_options_that_make_no_sense(tmp_path: Path, option: list[str]) -> None:
     with pytest.raises(SystemExit) as status:
         command(tmp_path, PROGRAM, *option)
     assert status.value.code == 2
+
+
+def test_what_the_user_vouches_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    program = "G21 G90\nG0 X400 Y350 Z100\nM110\nG1 X420 F1000\nM70\n"
+    with pytest.raises(InputError) as error:
+        command(tmp_path, program)
+    assert [fault.place for fault in error.value.faults] == ["line 2", "line 3", "line 5"]
+    assert command(tmp_path, program, "--integers", "mm", "--pass-m", "70,M110") == 0
+    shown = capsys.readouterr().out
+    assert "M110 passed, as --pass-m says" in shown
+    assert "sign check before first use: at X" in shown
+    with pytest.raises(InputError, match="--pass-m does not pass it"):
+        command(tmp_path, program, "--dialect", "linuxcnc", "--pass-m", "70,110")
 
 
 def test_folders_are_made_and_taken_away_again(tmp_path: Path) -> None:

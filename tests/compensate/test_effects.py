@@ -30,8 +30,8 @@ def coefficients() -> dict[str, tuple[float, ...]]:
 def circle(code: str, feed: float) -> str:
     """Two turns; the first brings every drive to one side of its play."""
     x, y = CENTRE
-    turns = f"{code} I-{RADIUS:g} J0.\n" * 2
-    return f"G21 G90\nG0 X0. Y0. Z0.\nG0 X{x + RADIUS:g} Y{y:g} Z-20.\nG1 F{feed:g}\n{turns}M30\n"
+    turns = f"{code} I-{RADIUS:.1f} J0.\n" * 2
+    return f"G21 G90\nG0 X0. Y0. Z0.\nG0 X{x + RADIUS:.1f} Y{y:.1f} Z-20.\nG1 F{feed:g}\n{turns}M30\n"
 
 
 def roundness(machine: MovingMachine, program: bytes) -> float:

@@ -163,7 +163,7 @@ def test_increments_from_a_start_between_words_are_made_up_by_the_slides(bench: 
     machine = FiveAxes(TEXTS["table-table"])
     start = {"X": 10.0, "Y": 20.0, "Z": 30.0, "A": -20.00005, "C": 40.0}
     settings: dict[str, Any] = {"start": start, "orientation": "correct", "resolution": 0.00001}
-    text = bench.run("G91 G0 X5. A-10.\n", machine.model, **settings)
+    text = bench.run("G91 G0 X5. Y0. Z0. A-10. C0.\n", machine.model, **settings)
     at = execute(text, AXES, list(start.values()))
     point, axis = machine.off(at, np.array([[15.0], [20.0], [30.0], [-30.00005], [40.0]]), np.zeros((3, 1)))
     assert point.max() < 0.00001  # half a word of A, 0.9 urad at an arm of 100 mm, would be ten times that

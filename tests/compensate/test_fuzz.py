@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.compensate.analytic_machine import XyzMachine
-from tests.compensate.control import Bench, execute, strip
+from tests.compensate.control import Bench, execute, strip, without_mark
 from trueaxis.faults import Fault, InputError
 
 NC = (
@@ -53,7 +53,8 @@ def right_or_refused(source: bytes, language: str) -> None:
             assert all(fault.place.startswith("line ") for fault in faults[:49])
             assert not bench.out.exists()
             return
-        assert bench.report.blocks_out == len(text.removesuffix(b"\n").split(b"\n")) - (not text)
+        marked = int(without_mark(bench.out.read_bytes()) != bench.out.read_bytes())
+        assert bench.report.blocks_out - marked == len(text.removesuffix(b"\n").split(b"\n")) - (not text)
         if bench.report.after is None:
             if language == "nc":
                 assert text == source

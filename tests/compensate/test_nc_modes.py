@@ -65,11 +65,6 @@ def test_unknown_start_is_complete_after_one_block(bench: Bench) -> None:
     assert any("unknown position" in note for note in bench.report.notes)
 
 
-def test_whole_numbers_are_whole_millimetres_and_said_so(bench: Bench) -> None:
-    assert execute(bench.run("G0 X10 Y0 Z0\n", shifted()))[0, 0] == pytest.approx(9.98)
-    assert any("decimal point" in note for note in bench.report.notes)
-
-
 def test_dwell_is_no_position(bench: Bench) -> None:
     assert execute(bench.run("G0 X1. Y1. Z1.\nG4 X5.\nG91 X1.\n", shifted()))[0] == pytest.approx([0.98, 1.98])
 

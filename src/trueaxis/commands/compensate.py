@@ -6,10 +6,11 @@ import sys
 from collections.abc import Callable
 from dataclasses import fields
 from pathlib import Path
+from typing import get_args
 
 from trueaxis.commands.paths import overwritten
 from trueaxis.compensate.files import compensate_file
-from trueaxis.compensate.settings import Settings
+from trueaxis.compensate.settings import Dialect, Integers, Settings
 from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
 from trueaxis.runtime.model import load_model
@@ -22,9 +23,12 @@ Positions in the program are axis positions (machine coordinates).
 
 Blocks that move nothing come back byte for byte. Arcs become chords; lines are cut where the errors along them bend.
 Whatever moves or shifts axes in a way the program does not state (offsets, cycles, macros, tool compensation,
-mirror, scaling, inverse time ...) is a fault with its line, and nothing is written.
-Numbers without a decimal point are whole mm, inches or degrees.
-An axis has no known position until the program gives it one; --start states where the machine stands before.
+mirror, scaling, inverse time ...) is a fault with its line, and nothing is written. So is an M code that does not mean
+the same on every control, unless --pass-m names it, and a number without a decimal point, unless --integers says
+what it counts.
+An axis has no known position until the program gives it one; --start states where the machine stands before. An axis
+that the program has not commanded gets no word. What is written holds a mark in a comment, and a program with the mark
+is refused: compensated twice, every correction would double.
 """
 
 _EPILOG = """\
@@ -43,8 +47,8 @@ sets their step. Where the tool axis comes within 0.57 deg of the line of a rota
 of it cannot be corrected without turning far: the axis then keeps to its programmed position, and the report names the
 lines.
 
-exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or leave the travel (see the report);
-2 the input is wrong and nothing was written.
+exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
+at whose end their words stop (see the report); 2 the input is wrong and nothing was written.
 """
 
 
@@ -97,6 +101,14 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         help="time since start, for effects that depend on it (default: left alone)")  # fmt: skip
     parser.add_argument("--block-delete", choices=("fault", "run", "skip"), default=default.block_delete,
                         help="what motions in / blocks are (default %(default)s)")  # fmt: skip
+    parser.add_argument("--dialect", choices=get_args(Dialect),
+                        help="the control's language: what its codes and X100 mean (default: not known)")  # fmt: skip
+    parser.add_argument("--integers", choices=get_args(Integers),
+                        help="what numbers without a decimal point count: mm (inch, deg), or least increments of "
+                        "0.001 mm (0.0001 inch, 0.001 deg); default: mm where --dialect is linuxcnc, siemens or "
+                        "heidenhain, else such a number is a fault")  # fmt: skip
+    parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
+                        help="M codes that move no axis and change no mode on this control")  # fmt: skip
     parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
                         help="folder of derived kernels (default %(default)s)")  # fmt: skip
     parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON too")
@@ -112,6 +124,12 @@ def _point(text: str) -> tuple[float, float, float]:
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r} is not x,y,z") from None
     return x, y, z
+
+
+def _codes(text: str) -> tuple[int, ...]:
+    if not re.fullmatch(r"[Mm]?\d{1,6}(,[Mm]?\d{1,6})*", text, re.ASCII):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a list of M codes like 70,110")
+    return tuple(sorted({int(code.lstrip("Mm")) for code in text.split(",")}))
 
 
 def _start(text: str) -> dict[str, float]:

@@ -2,9 +2,11 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from trueaxis.compensate.arcs import RADIUS_MISMATCH, Arc, ArcError, Vector, arc_about
+from trueaxis.compensate.arcs import Arc, ArcError, Vector, arc_about
 
+_ROUNDED_AXIS = 1e-6  # a direction of unit length as CL files give it, six decimals
 _FULL = 2.0 * math.pi + 1e-6
 
 
@@ -19,16 +21,36 @@ def unit(vector: Sequence[float]) -> Vector:
     return (vector[0] / length, vector[1] / length, vector[2] / length)
 
 
-def on_circle(point: Vector, centre: Vector, axis: Vector, radius: float) -> bool:
-    """Whether a point lies on the cylinder over the circle, to `RADIUS_MISMATCH` mm."""
-    to_point = tuple(p - c for p, c in zip(point, centre, strict=True))
-    along = sum(p * a for p, a in zip(to_point, axis, strict=True))
-    across = math.hypot(*(p - along * a for p, a in zip(to_point, axis, strict=True)))
-    return abs(across - radius) <= RADIUS_MISMATCH
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """Centre (mm), axis (unit vector), radius (mm); rounding: half a unit of the last decimal of these numbers, mm."""
+
+    centre: Vector
+    axis: Vector
+    radius: float
+    rounding: float
+
+    def distance(self, point: Vector) -> float:
+        """Distance of a point from the cylinder over the circle, mm."""
+        to_point = tuple(p - c for p, c in zip(point, self.centre, strict=True))
+        along = sum(p * a for p, a in zip(to_point, self.axis, strict=True))
+        across = math.hypot(*(p - along * a for p, a in zip(to_point, self.axis, strict=True)))
+        return abs(across - self.radius)
+
+    def allowed(self, rounding: float) -> float:
+        """Distance that rounding explains, mm, of a point whose coordinates are rounded by so much.
+
+        Three coordinates of either point, the radius, and what a rounded axis moves a point at the end of the radius.
+        """
+        return math.sqrt(3.0) * (rounding + self.rounding) + self.rounding + _ROUNDED_AXIS * self.radius
+
+    def holds(self, point: Vector, rounding: float) -> bool:
+        """Whether a point lies on the circle as far as rounding lets one know."""
+        return self.distance(point) <= self.allowed(rounding)
 
 
-def arcs_through(start: Vector, points: Sequence[Vector], centre: Vector, axis: Vector) -> list[Arc]:
-    """One arc for each GOTO of a circle.
+def arcs_through(start: Vector, points: Sequence[Vector], circle: Circle) -> list[Arc]:
+    """One arc for each GOTO of a circle; start and points lie on it (`Circle.holds`).
 
     The sense is counter-clockwise about the axis unless that takes more than a full turn to pass all points in order
     and the other way does not: some systems give the same axis for both senses.
@@ -36,11 +58,11 @@ def arcs_through(start: Vector, points: Sequence[Vector], centre: Vector, axis: 
     """
     problem = ""
     for sense in (1.0, -1.0):
-        normal = (sense * axis[0], sense * axis[1], sense * axis[2])
+        normal = (sense * circle.axis[0], sense * circle.axis[1], sense * circle.axis[2])
         found = []
         place = start
         for point in points:
-            found.append(arc_about(place, point, centre, normal))
+            found.append(arc_about(place, point, circle.centre, normal, math.inf))
             place = point
         total = sum(arc.sweep for arc in found)
         if total <= _FULL:

@@ -8,16 +8,19 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 
 from trueaxis.compensate import apt_words
-from trueaxis.compensate.apt_circle import arcs_through, on_circle, unit
-from trueaxis.compensate.apt_statements import Statement, statements
+from trueaxis.compensate.apt_circle import Circle, arcs_through, unit
+from trueaxis.compensate.apt_feed import feed_of, split_feed
+from trueaxis.compensate.apt_statements import Statement, decimals_of, number_of, statements
+from trueaxis.compensate.arc_rounding import half_unit
 from trueaxis.compensate.arcs import Arc, ArcError, Vector
+from trueaxis.compensate.block_codes import follow_codes
+from trueaxis.compensate.commanded import Commanded, CommandedAxes
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.machine import LINEAR
-from trueaxis.compensate.moves import TOOL_CHANGE, Item, Kind, Move, Notes, Start
+from trueaxis.compensate.mark import unmarked
+from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
-_PER_MINUTE = {"MMPM": False, "PERMIN": None, "IPM": True}
-_PER_TURN = {"MMPR": False, "PERREV": None, "IPR": True}
 _EOL = "\n"
 _NEED_HEADER = frozenset({"GOTO", "GODLTA", "CIRCLE", "LOADTL", "SPINDL", "COOLNT", "AUXFUN"})
 
@@ -27,6 +30,8 @@ class AptReader:
 
     def __init__(self, axes: tuple[str, ...], settings: Settings, faults: FaultLog, notes: Notes) -> None:
         self._axes = axes
+        self._settings = settings
+        self._commanded = CommandedAxes(axes)
         self._faults = faults
         self._notes = notes
         rotary = [settings.start.get(axis, 0.0) for axis in axes if axis not in LINEAR]
@@ -43,7 +48,8 @@ class AptReader:
         self._feed_mode = "G94"
         self._per_minute = math.nan  # F in force, mm/min
         self._tool_axis: Vector | None = None
-        self._circle: tuple[int, Vector, Vector, float] | None = None
+        self._circle: tuple[int, Circle] | None = None
+        self._rounding = 0.0  # mm, half a unit of the numbers that gave the position
         self._along: list[tuple[int, Vector]] = []
         self._ended = 0
         missing = [axis for axis in axes if axis not in LINEAR and axis not in settings.start]
@@ -58,7 +64,7 @@ class AptReader:
         yield f"%{_EOL}"
         if self._position is not None:
             yield Start(self._position + self._rotary)
-        for statement in statements(lines):
+        for statement in statements(unmarked(lines, self._faults)):
             if not self._headed and statement.major in _NEED_HEADER:
                 yield f"{'G20' if self._inch else 'G21'} G17 G90 G94{_EOL}"
                 self._headed = True
@@ -120,33 +126,31 @@ class AptReader:
         if text is None:
             self._faults.add(statement.line, f"{statement.text.strip()[:60]!r} cannot be made an NC block")
             return
-        if statement.major == "LOADTL":
-            self._notes.add(statement.line, TOOL_CHANGE)
+        if follow_codes(text, statement.line, self._commanded, self._settings, self._faults, self._notes):
+            self._ended = self._ended or statement.line
         yield text + _EOL
 
     def _system(self, statement: Statement) -> Iterator[Item]:
         """A coordinate system: only the one that changes nothing (turned by nothing, shifted by nothing)."""
         numbers = self._numbers(statement, statement.minor)
-        if numbers is None:
-            return
-        neutral = {9: (0, 0, 0, 1, 0, 0, 0, 1, 0), 12: (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)}
-        if tuple(numbers) != neutral.get(len(numbers)):
+        if numbers is not None and not apt_words.changes_nothing(numbers):
             self._faults.add(statement.line, f"{statement.major} gives the positions in a shifted frame")
-            return
-        yield apt_words.comment(statement.text.strip()) + _EOL
+        elif numbers is not None:
+            yield apt_words.comment(statement.text.strip()) + _EOL
 
     def _numbers(self, statement: Statement, words: Iterable[str]) -> list[float] | None:
         values = []
         for word in words:
-            try:
-                value = float(word) if "_" not in word else float("nan")
-            except ValueError:
-                value = float("nan")
-            if not abs(value) <= 1e9:
+            value = number_of(word)
+            if value is None:
                 self._faults.add(statement.line, f"{statement.major}: {word[:30]!r} is no number of a machine")
                 return None
             values.append(value)
         return values
+
+    def _half_unit(self, numbers: Iterable[str]) -> float:
+        """Half a unit of the last decimal of the longest of some numbers, mm."""
+        return half_unit(max((decimals_of(number) for number in numbers), default=0), self._inch)
 
     def _point(self, statement: Statement) -> Vector | None:
         """Point of a GOTO or FROM, mm; checks that the tool axis stays parallel."""
@@ -175,7 +179,7 @@ class AptReader:
         if self._motion is not None:
             self._faults.add(statement.line, "FROM after the first motion")
         elif point is not None:
-            self._position = point
+            self._position, self._rounding = point, self._half_unit(statement.minor[:3])
             yield Start(point + self._rotary)
 
     def _goto(self, statement: Statement) -> Iterator[Item]:
@@ -183,11 +187,11 @@ class AptReader:
         if point is None:
             return
         if self._circle is not None:
-            _, centre, axis, radius = self._circle
-            if on_circle(point, centre, axis, radius):
+            if self._circle[1].holds(point, self._half_unit(statement.minor[:3])):
                 self._along.append((statement.line, point))
                 return
             yield from self._finish_circle()
+        self._rounding = self._half_unit(statement.minor[:3])
         yield self._to(statement.line, point, None)
 
     def _delta(self, statement: Statement) -> Iterator[Item]:
@@ -199,6 +203,7 @@ class AptReader:
             return
         scale = MM_PER_INCH if self._inch else 1.0
         x, y, z = (p + scale * d for p, d in zip(self._position, numbers, strict=True))
+        self._rounding = max(self._rounding, self._half_unit(statement.minor))
         yield self._to(statement.line, (x, y, z), None)
 
     def _to(self, line: int, point: Vector, arc: Arc | None) -> Move:
@@ -214,9 +219,15 @@ class AptReader:
         self._position = point
         kind = Kind.ARC if arc else Kind(motion)
         written = (True, True, True) + (False,) * len(self._rotary)
+        known = self._commanded.of(range(3))
+        if arc and known == Commanded.DISPLACED:
+            self._faults.add(line, "a circle right after a tool change, which may have moved the axes", "GOTO first")
+        elif arc and known == Commanded.STATED:
+            self._notes.add(line, "a circle from a position that FROM or --start states: the tool must stand there")
         return Move(
             line, kind, point + self._rotary, written, True, self._inch, lead, tail, " ", _EOL, "", arc=arc,
-            feed=self._per_minute,
+            feed=self._per_minute, held=self._commanded.command(written, absolute=True),
+            start_stated=arc is None and known < Commanded.STOPPED,
         )  # fmt: skip
 
     def _open_circle(self, statement: Statement) -> Iterator[Item]:
@@ -239,22 +250,28 @@ class AptReader:
             self._faults.add(statement.line, f"axis of the circle: {problem}")
             return
         x, y, z = self._position
-        if not on_circle((x, y, z), centre, axis, radius):
-            self._faults.add(statement.line, "the position before CIRCLE is not on it")
+        circle = Circle(centre, axis, radius, self._half_unit(statement.minor[:7]))
+        if not circle.holds((x, y, z), self._rounding):
+            off = circle.distance((x, y, z))
+            self._faults.add(
+                statement.line,
+                f"the position before CIRCLE is {off:.5f} mm off it; "
+                f"rounding of its numbers explains {circle.allowed(self._rounding):.5f} mm",
+            )
             return
-        self._circle, self._rapid = (statement.line, centre, axis, radius), False
+        self._circle, self._rapid = (statement.line, circle), False
 
     def _finish_circle(self) -> Iterator[Item]:
         if self._circle is None or self._position is None:
             return
-        line, centre, axis, _ = self._circle
+        line, circle = self._circle
         along, self._circle, self._along = self._along, None, []
         if not along:
             self._faults.add(line, "CIRCLE without a GOTO on it")
             return
         x, y, z = self._position
         try:
-            arcs = arcs_through((x, y, z), [point for _, point in along], centre, axis)
+            arcs = arcs_through((x, y, z), [point for _, point in along], circle)
         except ArcError as problem:
             self._faults.add(line, str(problem))
             return
@@ -279,22 +296,14 @@ class AptReader:
         if words == ["RAPID"]:
             self._rapid = True
             return
-        numbers = [word for word in words if word[:1] in "+-.0123456789" and word]
-        units = [word for word in words if word not in numbers]
+        numbers, units = split_feed(words)
         values = self._numbers(statement, numbers)
         if values is None:
             return
-        unit_name = units[0] if len(units) == 1 else "PERMIN" if not units else ""
-        table = {**_PER_MINUTE, **_PER_TURN}
-        if len(values) != 1 or unit_name not in table or values[0] <= 0:
+        feed = feed_of(values, units, self._inch)
+        if feed is None:
             self._faults.add(
                 statement.line, "FEDRAT is not one positive number with MMPM, IPM, MMPR or IPR", "FEDRAT/100.0,MMPM"
             )
             return
-        inch = table[unit_name]
-        value = values[0]
-        if inch is not None and inch != self._inch:
-            value *= MM_PER_INCH if inch else 1.0 / MM_PER_INCH
-        turns = unit_name in _PER_TURN
-        self._per_minute = math.nan if turns else value * (MM_PER_INCH if self._inch else 1.0)
-        self._feed = ("G95" if turns else "G94", f"F{value:.4f}".rstrip("0").rstrip("."))
+        self._per_minute, self._feed = feed.per_minute, (feed.mode, feed.word)

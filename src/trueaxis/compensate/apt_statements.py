@@ -1,5 +1,6 @@
 """Statements of an APT cutter location file: `MAJOR / minor, ...`, `$` continues, `$$` comments."""
 
+import math
 import re
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
@@ -9,6 +10,9 @@ LONGEST = 100_000  # characters of one statement with its continuations
 _MAJOR = re.compile(r"\s*([A-Za-z][A-Za-z0-9 _.]*?)\s*(?:/(.*))?\s*", re.DOTALL)
 # free text follows these without a slash
 _TEXT = re.compile(r"\s*(PARTNO|PPRINT|REMARK|INSERT|TLAXIS)\b\s*/?\s*(.*?)\s*", re.IGNORECASE | re.DOTALL)
+
+
+_NUMBER = re.compile(r"[-+]?\d*+\.?([0-9]*+)(?:[EeDd]([-+]?\d{1,3}))?")
 
 
 class Statement(NamedTuple):
@@ -61,3 +65,20 @@ def _statement(line: int, text: str, comment: str | None, size: int) -> Statemen
         return Statement(line, "", (), text, comment, f"{text.strip()[:40]!r} is no statement")
     minor = tuple(part.strip() for part in match[2].split(",")) if match[2] is not None else ()
     return Statement(line, " ".join(match[1].upper().split()), minor, text, comment)
+
+
+def decimals_of(number: str) -> int:
+    """Digits after the decimal point of a number as a CL file writes it, `-1.25` or `1.25E-2`; none if it is none."""
+    match = _NUMBER.fullmatch(number.strip())
+    if match is None:
+        return 0
+    return max(0, len(match[1] or "") - int(match[2] or 0))
+
+
+def number_of(word: str) -> float | None:
+    """A number of a machine; None if it is none, or of more than 1e9."""
+    try:
+        value = float(word) if "_" not in word else math.nan
+    except ValueError:
+        return None
+    return value if abs(value) <= 1e9 else None

@@ -1,9 +1,9 @@
 """Post-processor vocabulary: APT statements that move nothing, as NC blocks."""
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 
 from trueaxis.compensate.apt_statements import Statement
-from trueaxis.compensate.nc_codes import FAULTY_M
 
 # kept as comments in the written program, of no influence on positions
 TEXT = frozenset({"PARTNO", "PPRINT", "REMARK", "TOOL PATH", "END-OF-PATH"})
@@ -60,9 +60,21 @@ FAULTY = {
 }
 
 
+# LinuxCNC acts on comments that begin like this
+_ACTIVE = re.compile(r"[ \t]*\w+[ \t]*,")
+
+
+def changes_nothing(system: Sequence[float]) -> bool:
+    """Whether the numbers of MSYS or CSYS are those of a system that is neither turned nor shifted."""
+    neutral = {9: (0, 0, 0, 1, 0, 0, 0, 1, 0), 12: (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)}
+    return tuple(system) == neutral.get(len(system))
+
+
 def comment(text: str) -> str:
-    """An NC comment, its brackets taken out so that it stays one."""
+    """An NC comment, its brackets taken out so that it stays one, and made no command of a control (LinuxCNC)."""
     clean = text.replace("(", "[").replace(")", "]")
+    if _ACTIVE.match(clean):
+        clean = f"- {clean}"
     return f"({''.join(sign if sign.isprintable() else '?' for sign in clean)})"
 
 
@@ -101,7 +113,7 @@ def _coolant(statement: Statement) -> str | None:
 
 def _auxiliary(statement: Statement) -> str | None:
     number = number_of(statement.minor[0]) if statement.minor else None
-    return None if number is None or number in FAULTY_M else f"M{number}"
+    return None if number is None else f"M{number}"
 
 
 # statements that become words; None from the function: the statement cannot be understood

@@ -11,7 +11,6 @@ from trueaxis.compensate.machine import FloatArray
 
 Vector = tuple[float, float, float]
 
-RADIUS_MISMATCH = 0.01  # mm; more than rounding of the words of an arc can cause
 SAME_POINT = 1e-7  # mm; far below any word, far above the accumulated rounding of incremental positions
 MOST_CHORDS = 200_000
 
@@ -59,31 +58,40 @@ def sweep_between(start: Vector, end: Vector, centre: Vector, normal: Vector) ->
     return angle if angle > 0.0 else angle + 2.0 * math.pi
 
 
-def arc_about(start: Vector, end: Vector, centre: Vector, normal: Vector) -> Arc:
-    """Arc from start to end about a centre (I, J, K words; CIRCLE).
+def arc_about(start: Vector, end: Vector, centre: Vector, normal: Vector, allowed: float) -> Arc:
+    """Arc from start to end about a centre (I, J, K words; CIRCLE); allowed: what rounding explains, see arc_rounding.
 
-    Raises ArcError when there is no radius or the ends lie at different radii.
+    Raises ArcError when there is no radius or the radii of the ends differ by more than `allowed` mm.
     """
     first = math.hypot(*_across(_minus(start, centre), normal))
     last = math.hypot(*_across(_minus(end, centre), normal))
     if min(first, last) <= SAME_POINT:
         raise ArcError("an arc of radius 0")
-    if not abs(first - last) <= RADIUS_MISMATCH:
-        raise ArcError(f"start and end of the arc lie at different radii, {first:.4f} and {last:.4f} mm")
+    if not abs(first - last) <= allowed:
+        raise ArcError(
+            f"start and end of the arc lie at different radii, {first:.5f} and {last:.5f} mm; "
+            f"rounding of its words explains {allowed:.5f} mm"
+        )
     return Arc(centre, normal, sweep_between(start, end, centre, normal))
 
 
-def arc_of_radius(start: Vector, end: Vector, radius: float, normal: Vector) -> Arc:
+def arc_of_radius(start: Vector, end: Vector, radius: float, normal: Vector, allowed: float) -> Arc:
     """Arc from start to end by an R word: at most half a turn for R > 0, at least half for R < 0.
 
-    Raises ArcError for a full circle (its centre is not determined), R = 0, or ends further apart than 2 R.
+    allowed: what half the chord may be longer than R by rounding, mm; the arc is then half a turn about its middle.
+    Raises ArcError for a full circle (its centre is not determined), R = 0, or ends further apart than that.
     """
     chord = _across(_minus(end, start), normal)
     half = math.hypot(*chord) / 2.0
     if half <= SAME_POINT:
         raise ArcError("start and end of an arc by R coincide: its centre is not determined")
-    if not half - abs(radius) <= RADIUS_MISMATCH / 2.0:
-        raise ArcError(f"the ends of the arc are {2 * half:.4f} mm apart, more than 2 R = {2 * abs(radius):.4f}")
+    if radius == 0.0:
+        raise ArcError("an arc of R = 0")
+    if not half - abs(radius) <= allowed:
+        raise ArcError(
+            f"the ends of the arc are {2 * half:.5f} mm apart, more than 2 R = {2 * abs(radius):.5f}; "
+            f"rounding of its words explains {2 * allowed:.5f} mm"
+        )
     rise = math.copysign(math.sqrt(max(radius * radius - half * half, 0.0)), radius) / (2.0 * half)
     left = _cross(normal, chord)
     centre = (

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensate.fault_log import FaultLog
+from trueaxis.compensate.mark import MARK
 from trueaxis.compensate.moves import Move, Notes
 from trueaxis.compensate.nc_reader import NcReader
 from trueaxis.compensate.settings import Settings
@@ -19,7 +20,8 @@ def commanded_ends(program: Path, axes: tuple[str, ...]) -> NDArray[np.float64]:
     faults = FaultLog(str(program))
     reader = NcReader(axes, Settings(), faults, Notes())
     with program.open(encoding="latin-1", newline="") as file:
-        moves = [item for item in reader.items(file) if isinstance(item, Move)]
+        lines = ("\n" if MARK in line else line for line in file)
+        moves = [item for item in reader.items(lines) if isinstance(item, Move)]
     for move in moves:
         if move.arc is not None:
             faults.add(move.line, "is an arc", "chords, as compensate writes them")

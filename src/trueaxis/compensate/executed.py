@@ -1,10 +1,11 @@
 """What the control will execute: positions named by words, and the programmed positions they stand for."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensate.held import Held, standing
 from trueaxis.compensate.lattice import Lattice, Stretch
 from trueaxis.compensate.machine import ErrorModel, FloatArray, linear_jacobian, linear_rows, rotary_rows
 from trueaxis.compensate.middles import passages, passages_allowed
@@ -21,13 +22,15 @@ class Executed:
 
     positions: (n_axes, n), mm and deg, on the lattice of the words. reference: (n_axes, n), programmed positions that
     they stand for. point: (n,), index of the path's point. passed: (n,), true for the second end of a short block, in
-    whose middle the path's point is passed (see middles).
+    whose middle the path's point is passed (see middles). stopped: (n,), where a word stops at the end of the travel
+    because the compensated position lies beyond.
     """
 
     positions: FloatArray
     reference: FloatArray
     point: NDArray[np.int64]
     passed: NDArray[np.bool_]
+    stopped: NDArray[np.bool_]
 
     def at_points(self, previous: FloatArray) -> FloatArray:
         """Positions (n_axes, n_points) where the path's points are reached or passed."""
@@ -46,8 +49,33 @@ def execute(
     model: ErrorModel,
     tool_point: FloatArray,
     settings: Settings,
+    held: Held,
 ) -> Executed:
-    """Choose the words of one stretch; `previous` (n_axes,) is the position named by the words before it."""
+    """Choose the words of one stretch; `previous` (n_axes,) is the position named by the words before it.
+
+    held: (n_axes, n_points), axes that get no word. No word names a position outside the travel.
+    """
+    held = held[:, stretch.first : stretch.last]
+    chosen = _chosen(stretch, previous, path, solution, passable, model, tool_point, settings, held)
+    base = np.zeros_like(previous) if stretch.absolute else previous
+    low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
+    inside = Lattice(base[:, None], stretch.step).within(chosen.positions, low[:, None], high[:, None])
+    held_now = held[:, chosen.point - stretch.first]
+    stopped = ((inside != chosen.positions) & ~held_now).any(axis=0)
+    return replace(chosen, positions=standing(inside, held_now, previous), stopped=stopped)
+
+
+def _chosen(
+    stretch: Stretch,
+    previous: FloatArray,
+    path: Path,
+    solution: Solution,
+    passable: NDArray[np.bool_],
+    model: ErrorModel,
+    tool_point: FloatArray,
+    settings: Settings,
+    held: Held,
+) -> Executed:
     part = slice(stretch.first, stretch.last)
     model = of_points(model, part)
     base = np.zeros_like(previous) if stretch.absolute else previous
@@ -56,7 +84,9 @@ def execute(
     near = lattice.nearest(commands)
     point = np.arange(stretch.first, stretch.last)
     programmed = path.points[:, part]
-    plain = Executed(near, programmed, point, np.zeros(point.size, dtype=bool))
+    none = np.zeros(point.size, dtype=bool)
+    plain = Executed(near, programmed, point, none, none)
+    free = ~held.any(axis=0)
     if settings.words == "nearest" or settings.ball is None:
         return plain
     rows = list(linear_rows(model.axes))
@@ -70,7 +100,7 @@ def execute(
 
     moves = jacobian * stretch.step[rows][None, :, :]
     chosen, _ = choose(error(near, point - stretch.first), target, ball, moves, 1, limit)
-    near[rows] += stretch.step[rows] * chosen[:, 0]
+    near[rows] += stretch.step[rows] * chosen[:, 0] * free
     if settings.words == "ends":
         return plain
 
@@ -83,7 +113,7 @@ def execute(
     fed = ~path.rapid[part]
     fed[:-1] &= fed[1:]
     allowed, direction, half = passages_allowed(
-        commands[rows], passable[part] & fed, still, float(stretch.step[rows].max())
+        commands[rows], passable[part] & fed & free, still, float(stretch.step[rows].max())
     )
     index = np.flatnonzero(allowed)
     if index.size == 0:
@@ -111,7 +141,7 @@ def execute(
         for row, linear in enumerate(rows):
             positions[linear, column] = ends[row, kept]
             reference[linear, column] += way[kept] * direction[row, index]
-    return Executed(positions, reference, point[source], passed)
+    return Executed(positions, reference, point[source], passed, np.zeros_like(passed))
 
 
 def joined(parts: list[Executed]) -> Executed:
@@ -121,4 +151,5 @@ def joined(parts: list[Executed]) -> Executed:
         np.concatenate([part.reference for part in parts], axis=1),
         np.concatenate([part.point for part in parts]),
         np.concatenate([part.passed for part in parts]),
+        np.concatenate([part.stopped for part in parts]),
     )

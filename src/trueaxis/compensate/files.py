@@ -12,6 +12,7 @@ from typing import BinaryIO, Literal
 from trueaxis.compensate.apt_reader import AptReader
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.machine import ErrorModel
+from trueaxis.compensate.mark import MARK, comment_of, marked
 from trueaxis.compensate.moves import Notes
 from trueaxis.compensate.nc_reader import NcReader
 from trueaxis.compensate.program import Compensator
@@ -96,13 +97,14 @@ def compensate_file(
     faults, notes = FaultLog(name), Notes()
     compensator = Compensator(model, settings, faults, notes)
     reader = (AptReader if language == "apt" else NcReader)(model.axes, settings, faults, notes)
+    mark = comment_of(program, settings.dialect) if language == "nc" else f"({MARK})"
     with ExitStack() as undo:
         ready = [(_beside(out, undo), out)]
         blocks_out = 0
         ends_whole = True
         with ready[0][0].open("wb") as target, program.open("rb") as source:
             lines = _Lines(source, faults, progress)
-            for text in compensator.texts(reader.items(lines)):
+            for text in marked(compensator.texts(reader.items(lines)), mark):
                 if text and not faults.count:
                     target.write(text.encode("latin-1"))
                     blocks_out += text.count("\n")

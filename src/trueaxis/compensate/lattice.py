@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from trueaxis.compensate.machine import LINEAR, FloatArray, rotary_rows
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
+_SAME = 1e-6  # of a step: what doubles lose in positions of the lattice
+
 
 @dataclass(frozen=True, slots=True)
 class Lattice:
@@ -22,6 +24,17 @@ class Lattice:
         """Nearest position of the lattice, or of the one with steps divided by `parts`."""
         fine = self.step / parts
         return np.asarray(self.base + fine * np.rint((positions - self.base) / fine))
+
+    def within(self, positions: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray:
+        """Positions of the lattice, those outside low to high (n_axes, 1) moved to the last one inside."""
+        out = (positions < low - _SAME * self.step) | (positions > high + _SAME * self.step)
+        if not out.any():
+            return positions
+        first = np.ceil((low - self.base) / self.step - _SAME)
+        last = np.floor((high - self.base) / self.step + _SAME)
+        return np.asarray(
+            np.where(out, np.clip(positions, *(self.base + self.step * k for k in (first, last))), positions)
+        )
 
 
 @dataclass(frozen=True, slots=True)

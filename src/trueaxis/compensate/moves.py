@@ -6,7 +6,10 @@ from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import NamedTuple
 
+import numpy as np
+
 from trueaxis.compensate.arcs import Arc
+from trueaxis.compensate.statistics import LineLog
 
 
 class Kind(IntEnum):
@@ -35,6 +38,8 @@ class Move(NamedTuple):
     again: what the further blocks of a split begin with. split: lead and tail when split, None if the same.
     passable: whether the tool may run through the end without anything due there. feed: F in force, mm/min (deg/min);
     NaN where it is not known or counts by turns of the spindle.
+    held: for each axis whether it gets no word here, see commanded; empty if all may. start_stated: whether it starts
+    where the program has not commanded the axes to: only its end counts. whole: why it may not be cut; empty if it may.
     """
 
     line: int
@@ -53,6 +58,9 @@ class Move(NamedTuple):
     arc: Arc | None = None
     passable: bool = True
     feed: float = math.nan
+    held: tuple[bool, ...] = ()
+    start_stated: bool = False
+    whole: str = ""
 
 
 class Start(NamedTuple):
@@ -63,15 +71,26 @@ class Start(NamedTuple):
 
 Item = str | Move | Start
 
-TOOL_CHANGE = "M6 is taken to leave the axes where they are, and --tool-point to hold for the new tool too"
+TOOL_CHANGE = (
+    "--tool-point is taken to hold after M6 too, whatever the tool; M6 may have moved any axis, so each gets words "
+    "again only once the program has commanded it"
+)
+STOP = "the operator may move axes at M0 and M1: each gets words again only once the program has commanded it"
 
 
 @dataclass(slots=True)
 class Notes:
-    """Remarks on a program that are no faults: text, how often, and the first line."""
+    """Remarks on a program that are no faults: text, how often, and the first line. passed: lines of each M code that
+    the user vouches for.
+    """
 
     counts: Counter[str] = field(default_factory=Counter)
     first: dict[str, int] = field(default_factory=dict)
+    passed: dict[int, LineLog] = field(default_factory=dict)
+
+    def pass_code(self, line: int, code: int) -> None:
+        """Note an M code that the user vouches for."""
+        self.passed.setdefault(code, LineLog()).add(np.array([line]))
 
     def add(self, line: int, text: str) -> None:
         """Note a remark once more."""

@@ -2,9 +2,11 @@
 
 from dataclasses import dataclass, field
 
+from trueaxis.compensate import m_codes
 from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.machine import LINEAR, ROTARY
 from trueaxis.compensate.nc_lexer import Block, Word
+from trueaxis.compensate.settings import LEAST_DEG, LEAST_INCH, LEAST_MM, Settings
 
 _AXES = frozenset(LINEAR + ROTARY)
 _CENTRE = frozenset("IJK")
@@ -20,7 +22,8 @@ class Meaning:
     """A block taken apart; complaints are (problem, remedy) and none may be passed over.
 
     motion, plane, inch, absolute, per_turn (F counts by turns), feed (as written): None where the block says nothing
-    of it. axes: words that are positions.
+    of it. axes: words that are positions. decimals: digits written after the decimal point of axis and arc words.
+    undotted: letters of axis and arc words other than 0 without a decimal point.
     """
 
     motion: int | None = None
@@ -38,7 +41,8 @@ class Meaning:
     centre: dict[str, float] = field(default_factory=dict)
     radius: float | None = None
     program_number: bool = False
-    undotted: bool = False
+    undotted: set[str] = field(default_factory=set)
+    decimals: dict[str, int] = field(default_factory=dict)
     parameters: set[str] = field(default_factory=set)
     complaints: list[tuple[str, str]] = field(default_factory=list)
 
@@ -48,16 +52,37 @@ class Meaning:
         return bool(self.axes or self.centre or self.radius is not None)
 
     @property
+    def in_machine_coordinates(self) -> bool:
+        """Whether the block has G53."""
+        return codes.MACHINE_COORDINATES in self.codes
+
+    @property
+    def uncertain_codes(self) -> str:
+        """M codes of which it is not known whether they act before or after a motion, as `M70 M71`."""
+        return " ".join(f"M{code}" for code in self.miscellaneous if code not in m_codes.KNOWN)
+
+    @property
     def changes_modes(self) -> bool:
         """Whether later blocks read differently after this one."""
         return self.cancel_cycle or not (self.motion is self.plane is self.inch is self.absolute is None)
+
+    def count_in_least_increments(self, inch: bool) -> None:
+        """Take numbers without a decimal point as multiples of the least increment."""
+        for letter in self.undotted:
+            least = LEAST_DEG if letter in ROTARY else LEAST_INCH if inch else LEAST_MM
+            for values in (self.axes, self.centre):
+                if letter in values:
+                    values[letter] *= least
+            if letter == "R" and self.radius is not None:
+                self.radius *= least
+            self.decimals[letter] = 4 if least == LEAST_INCH else 3
 
     def complain(self, problem: str, remedy: str = "") -> None:
         """Note what is wrong."""
         self.complaints.append((problem, remedy))
 
 
-def interpret(block: Block, machine_axes: tuple[str, ...]) -> Meaning:
+def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings) -> Meaning:
     """Sort the words of a block by what they do."""
     meaning = Meaning()
     if block.problem:
@@ -70,9 +95,9 @@ def interpret(block: Block, machine_axes: tuple[str, ...]) -> Meaning:
                 meaning.complain(f"{word.letter} occurs twice in the block")
             seen.add(word.letter)
         if word.letter == "G":
-            _preparatory(word.value, meaning)
+            _preparatory(word.value, meaning, settings)
         elif word.letter == "M":
-            _miscellaneous(word.value, meaning)
+            _miscellaneous(word.value, meaning, settings)
         else:
             others.append(word)
     for word in others:
@@ -83,22 +108,31 @@ def interpret(block: Block, machine_axes: tuple[str, ...]) -> Meaning:
         and (meaning.parameters or meaning.motion is not None)
     ):
         meaning.complain("X in a block of G4 (dwell): a time, or where to go", "give the motion a block of its own")
-    if meaning.codes & codes.CANCELS_WITH_AXES and meaning.positions:
-        if meaning.motion is not None:
-            meaning.complain(
-                "a cancelling code and a motion in one block: whose axis words these are is not determined"
-            )
-        meaning.axes, meaning.centre, meaning.radius = {}, {}, None
+    _cancels(meaning)
     return meaning
 
 
-def _preparatory(value: float, meaning: Meaning) -> None:
+def _cancels(meaning: Meaning) -> None:
+    """Axis words beside a cancelling code: whether they are positions differs by code and control."""
+    with_axes, alone = meaning.codes & codes.CANCELS_WITH_AXES, meaning.codes & codes.CANCELS_ALONE
+    if not (with_axes or alone) or not meaning.positions:
+        return
+    name = f"G{min(with_axes | alone) / 10:g}"
+    if alone or meaning.motion is not None:
+        meaning.complain(f"{name} and axis words in one block: whose they are is not determined", "make it two blocks")
+    elif 921 in with_axes and any((*meaning.axes.values(), *meaning.centre.values(), meaning.radius)):
+        meaning.complain(f"{name} with words other than 0 may shift the frame of the positions", codes.OFFSET_REMEDY)
+    meaning.axes, meaning.centre, meaning.radius = {}, {}, None
+    meaning.undotted.clear()
+
+
+def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
     code = round(value * 10)
     name = f"G{value:g}"
     if abs(value * 10 - code) > 1e-6 or code < 0:
-        meaning.complain(f"{name} is not a known code", "only codes whose effect on positions is known are accepted")
-    elif code in codes.FAULTY:
-        meaning.complain(f"{name} {codes.FAULTY[code]}", codes.OFFSET_REMEDY)
+        meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
+    elif code in codes.FAULTY and code not in codes.HARMLESS_ON.get(settings.dialect or "", ()):
+        meaning.complain(f"{name} {codes.FAULTY[code].why}", codes.FAULTY[code].remedy)
     elif code in codes.MOTION:
         _set(meaning, "motion", code // 10, name)
     elif code in codes.PLANES:
@@ -115,8 +149,8 @@ def _preparatory(value: float, meaning: Meaning) -> None:
         meaning.cancel_cycle = True
     elif code == codes.EXACT_STOP:
         meaning.exact_stop = True
-    elif code not in codes.HARMLESS:
-        meaning.complain(f"{name} is not a known code", "only codes whose effect on positions is known are accepted")
+    elif code not in codes.HARMLESS and code not in codes.FAULTY:
+        meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
     meaning.codes.add(code)
 
 
@@ -127,12 +161,12 @@ def _set(meaning: Meaning, what: str, value: int | bool, name: str) -> None:
     setattr(meaning, what, value)
 
 
-def _miscellaneous(value: float, meaning: Meaning) -> None:
+def _miscellaneous(value: float, meaning: Meaning, settings: Settings) -> None:
     code = int(value)
     if code != value or code < 0:
         meaning.complain(f"M{value:g} is not a code")
-    elif code in codes.FAULTY_M:
-        meaning.complain(f"M{code} {codes.FAULTY_M[code]}", codes.OFFSET_REMEDY)
+    elif problem := m_codes.problem_of(code, settings.pass_m, settings.dialect):
+        meaning.complain(*problem)
     meaning.miscellaneous.append(code)
 
 
@@ -148,9 +182,10 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         _axis(word, meaning, machine_axes)
     elif letter in _CENTRE:
         meaning.centre[letter] = word.value
-        meaning.undotted |= not word.dot and word.value != 0.0
+        _number(word, meaning)
     elif letter == "R":
         meaning.radius = word.value
+        _number(word, meaning)
     elif letter == "O":
         meaning.program_number = True
     elif letter in _OFFSETS and word.value != 0.0:
@@ -173,4 +208,11 @@ def _axis(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
         return
     meaning.axes[letter] = word.value
-    meaning.undotted |= not word.dot and word.value != 0.0
+    _number(word, meaning)
+
+
+def _number(word: Word, meaning: Meaning) -> None:
+    """Note how the number of an axis or arc word is written."""
+    meaning.decimals[word.letter] = word.decimals or 0
+    if not word.dot and word.value != 0.0:
+        meaning.undotted.add(word.letter)

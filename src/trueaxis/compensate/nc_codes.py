@@ -1,8 +1,10 @@
-"""What the G and M codes of a milling control do to positions.
+"""What the G codes of milling controls do to positions.
 
 Keys are ten times the number, so that G54.1 is 541. A code in none of the tables is a fault: a code that is not known
-may move anything.
+may move anything. Where controls differ, the words of a refusal name them: Fanuc stands for Fanuc, Haas and the like.
 """
+
+from typing import NamedTuple
 
 MOTION = {0: "rapid", 10: "line", 20: "clockwise arc", 30: "counter-clockwise arc"}
 PLANES = {170: ("X", "Y", "Z"), 180: ("Z", "X", "Y"), 190: ("Y", "Z", "X")}
@@ -10,70 +12,98 @@ PLANES = {170: ("X", "Y", "Z"), 180: ("Z", "X", "Y"), 190: ("Y", "Z", "X")}
 EXACT_STOP = 90  # G9, once: belongs to the end of its block
 DWELL = 40
 CANCEL_CYCLE = 800
+MACHINE_COORDINATES = 530  # G53, for its block
 
-# no influence on where the axes go: cancels of what is a fault to start, path and feed modes, stored stroke checks off
-HARMLESS = frozenset({90, 131, 150, 230, 400, 401, 490, 500, 501, 610, 611, 640, 670, 690, 911, 970, 980, 990})
-# cancels whose axis words, if any, are parameters and not positions
-CANCELS_WITH_AXES = frozenset({500, 501, 690, 150, 131})
-
-_OFFSET = "gives the positions in a shifted frame"
-_TOOL = "shifts positions by a tool value that is not in the program"
-_CYCLE = "is a canned cycle: its motions are not in the program"
-_HOME = "moves by way of a position that is not in the program"
-_CURVE = "is a curve that is not followed"
+# no influence on where the axes go: cancels of what is a fault to start, path and feed modes
+HARMLESS = frozenset(
+    {90, 131, 400, 401, 490, 500, 501, 530, 610, 611, 640, 670, 690, 911, 921, 922, 970, 980, 990}
+)  # fmt: skip
+# cancels whose axis words only name axes; they must be 0 where they could be a shift
+CANCELS_WITH_AXES = frozenset({501, 921})
+# cancels beside which axis words are a motion on one control and parameters or another code on the next
+CANCELS_ALONE = frozenset({131, 150, 500, 690, 922})
+# what only one control's users can mean by it
+HARMLESS_ON = {"fanuc": frozenset({150})}
 
 # exact path modes that take a tolerance or a number of blocks
 WITH_PARAMETERS = frozenset({610, 611, 640})
 
-FAULTY: dict[int, str] = {
-    50: _CURVE, 51: _CURVE, 52: _CURVE, 53: _CURVE, 61: _CURVE, 62: _CURVE,
-    22: _CURVE, 23: _CURVE, 32: _CURVE, 33: _CURVE,
-    70: "switches to diameters or imaginary axes", 71: "interpolates on a cylinder",
-    80: "switches lathe diameters or look-ahead by a table that is not in the program",
-    100: "changes offsets or parameters", 110: "changes offsets or parameters", 101: "changes offsets or parameters",
-    120: "is a circular pocket cycle", 121: "interpolates in polar coordinates", 130: "is a circular pocket cycle",
-    160: "gives positions in polar coordinates",
-    220: "limits the stroke or starts a cycle",
-    270: _HOME, 280: _HOME, 290: _HOME, 300: _HOME, 301: _HOME, 310: "skips the rest of a motion on a signal",
-    330: "couples the feed to the spindle (thread)",
-    340: _CYCLE, 350: _CYCLE, 360: _CYCLE, 370: "measures the tool",
-    382: _TOOL, 383: _TOOL, 384: _TOOL, 385: _TOOL,
-    410: _TOOL, 411: _TOOL, 420: _TOOL, 421: _TOOL, 430: _TOOL, 431: _TOOL, 434: _TOOL, 435: _TOOL, 440: _TOOL,
+
+class Refused(NamedTuple):
+    """Why a code is a fault, as what follows its name, and what would be right."""
+
+    why: str
+    remedy: str
+
+
+_MACHINE = "write the program in machine coordinates without it before compensating"
+_MOTIONS = "have its motions written out as G0, G1, G2 and G3"
+_OFFSET = Refused("gives the positions in a shifted frame", _MACHINE)
+_TOOL = Refused("shifts positions by a tool value that is not in the program", _MACHINE)
+_CYCLE = Refused("is a canned cycle: its motions are not in the program", _MOTIONS)
+_PATTERN = Refused("is a hole pattern or a thread: its motions are not in the program", _MOTIONS)
+_HOME = Refused("moves by way of a position that is not in the program", "give the position by G0 (or G53 G0)")
+_CURVE = Refused("is a curve that is not followed", _MOTIONS)
+_PROBE = Refused("probes: where the axes stop is not in the program", "take it out before compensating")
+_MACRO = Refused("calls a macro, which is not followed", _MOTIONS)
+_POINT_CONTROL = Refused("moves the linear axes with the rotary ones (tool centre point control)", _MACHINE)
+_SPINDLE = Refused("couples the feed to the spindle (thread)", "take it out before compensating")
+_DATA = Refused("changes offsets or parameters (Fanuc, LinuxCNC) or is a polar motion (Heidenhain)", _MACHINE)
+
+FAULTY: dict[int, Refused] = {
+    50: Refused("is a curve, or a mode that may round the path (Fanuc)", "take it out, or have lines and arcs written"),
+    51: Refused("is a curve, or a mode that may round the path (Fanuc)", "take it out, or have lines and arcs written"),
+    52: _CURVE, 53: _CURVE, 60: _CURVE, 61: _CURVE, 62: _CURVE, 22: _CURVE, 23: _CURVE, 32: _CURVE, 33: _CURVE,
+    70: Refused("reads diameters (LinuxCNC) or makes an axis imaginary (Fanuc)", _MACHINE),
+    71: Refused("interpolates on a cylinder", _MOTIONS),
+    80: Refused("reads radii (LinuxCNC) or changes look-ahead (Fanuc)", "take it out before compensating"),
+    100: _DATA, 101: _DATA, 110: _DATA,
+    120: Refused("is a circular pocket cycle or a polar motion", _MOTIONS),
+    130: Refused("is a circular pocket cycle or a polar motion", _MOTIONS),
+    121: Refused("interpolates in polar coordinates", _MOTIONS),
+    150: Refused("ends polar coordinates (Fanuc), is a polar circle (Heidenhain) or selects a zero point (Okuma)",
+                 "leave it out, or say --dialect fanuc"),
+    160: Refused("gives positions in polar coordinates", "have them written as X, Y and Z"),
+    220: Refused("limits the stroke (Fanuc), reads radii (Siemens) or starts a cycle", "take it out"),
+    230: Refused("ends a limit of the stroke (Fanuc) or reads diameters (Siemens)", "take it out"),
+    270: Refused("moves to a reference position (Fanuc), or departs tangentially (Heidenhain)", _MOTIONS),
+    280: Refused("moves by way of a reference position (Fanuc, LinuxCNC), or mirrors (Heidenhain)",
+                 "give the position by G0 (or G53 G0)"),
+    300: Refused("moves by way of a reference position (Fanuc, LinuxCNC), or defines the blank (Heidenhain)",
+                 "give the position by G0 (or G53 G0); leave a blank out"),
+    281: _HOME, 290: _HOME, 301: _HOME,
+    310: Refused("skips the rest of a motion on a signal (Fanuc), or defines the blank (Heidenhain)", "take it out"),
+    330: _SPINDLE, 331: _SPINDLE, 340: _PATTERN, 350: _PATTERN, 360: _PATTERN,
+    370: Refused("measures the tool (Fanuc) or defines a pocket (Heidenhain)", "take it out before compensating"),
+    382: _PROBE, 383: _PROBE, 384: _PROBE, 385: _PROBE,
+    410: _TOOL, 411: _TOOL, 420: _TOOL, 421: _TOOL, 430: _TOOL, 431: _TOOL, 432: _TOOL, 440: _TOOL,
+    434: _POINT_CONTROL, 435: _POINT_CONTROL,
     450: _TOOL, 460: _TOOL, 470: _TOOL, 480: _TOOL,
-    510: "scales the positions", 511: "mirrors the positions",
-    520: _OFFSET, 521: _OFFSET, 522: _OFFSET, 523: _OFFSET, 530: _OFFSET, 531: _OFFSET,
+    510: Refused("scales the positions", _MACHINE), 511: Refused("mirrors the positions", _MACHINE),
+    520: _OFFSET, 521: _OFFSET, 522: _OFFSET, 523: _OFFSET,
+    531: Refused("turns rotary axes to a tilted plane: where to is not in the program", _MACHINE),
     540: _OFFSET, 541: _OFFSET, 542: _OFFSET, 544: _OFFSET, 550: _OFFSET, 560: _OFFSET, 570: _OFFSET, 580: _OFFSET,
     590: _OFFSET, 591: _OFFSET, 592: _OFFSET, 593: _OFFSET,
-    600: "positions from one side by an amount that is not in the program",
-    650: "calls a macro", 660: "calls a macro", 661: "calls a macro",
-    680: "turns the coordinates", 682: "tilts the coordinates", 683: "tilts the coordinates",
-    **{10 * code: _CYCLE for code in (70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 81, 82, 83, 84, 85, 86, 87, 88, 89)},
+    600: Refused("positions from one side by an amount that is not in the program (Fanuc), or stops exactly (Siemens)",
+                 "take it out, or write G61"),
+    650: _MACRO, 660: _MACRO, 661: _MACRO,
+    680: Refused("turns the coordinates", _MACHINE),
+    682: Refused("tilts the coordinates", _MACHINE), 683: Refused("tilts the coordinates", _MACHINE),
+    700: Refused("reads inches (Siemens, Heidenhain) or is a lathe cycle (Fanuc, LinuxCNC)", "write G20 for inches"),
+    710: Refused("reads millimetres (Siemens, Heidenhain) or is a lathe cycle (Fanuc, LinuxCNC)",
+                 "leave it out where it says millimetres, or write G21"),
+    720: Refused("is a canned cycle (Fanuc) or scales (Heidenhain)", _MOTIONS),
+    730: Refused("is a canned cycle (Fanuc, LinuxCNC) or turns the coordinates (Heidenhain)", _MOTIONS),
+    **{10 * code: _CYCLE for code in (74, 75, 76, 77, 78, 79, 81, 82, 83, 84, 85, 86, 87, 88, 89)},
     841: _CYCLE, 842: _CYCLE, 843: _CYCLE, 882: _CYCLE,
-    901: "makes I J K absolute, which is not handled",
-    920: _OFFSET, 921: _OFFSET, 922: _OFFSET, 923: _OFFSET,
-    930: "makes F an inverse time, which changes when a block is cut",
-    960: "couples the spindle to an axis position",
-    1070: "interpolates on a cylinder", 1121: "interpolates in polar coordinates",
+    901: Refused("makes I J K absolute, which is not handled", "have them written from the start of the arc"),
+    920: Refused("shifts the frame of the positions, or sets where the axes are taken to stand", _MACHINE),
+    923: Refused("restores a shift of the frame that is not in the program", _MACHINE),
+    930: Refused("makes F an inverse time, which changes when a block is cut", "have F written in mm/min (G94)"),
+    960: Refused("couples the spindle to an axis position", "write G97 with a speed"),
+    1070: Refused("interpolates on a cylinder", _MOTIONS),
+    1121: Refused("interpolates in polar coordinates", _MOTIONS),
 }  # fmt: skip
 
-FAULTY_M: dict[int, str] = {
-    91: "gives the positions of its block in a shifted frame",
-    92: "gives the positions of its block in a shifted frame",
-    96: "calls or repeats parts of programs",
-    97: "calls or repeats parts of programs",
-    98: "calls a subprogram",
-    99: "returns or repeats from the start",
-    114: "moves the linear axes with the rotary ones",
-    126: "changes the way on which rotary axes turn",
-    128: "moves the linear axes with the rotary ones",
-    130: "gives positions in an untilted frame",
-    144: "changes positions by kinematics that are not in the program",
-    198: "calls a subprogram",
-}
-M_END_OF_PROGRAM = frozenset({2, 30})
-M_TOOL_CHANGE = 6
-# due before the motion of their block (spindle and coolant on, tool change) and after it (stops, off)
-M_BEFORE = frozenset({3, 4, 6, 7, 8, 13, 14, 48, 49, 50, 51})
-M_AFTER = frozenset({0, 1, 2, 5, 9, 30, 60})
-
-OFFSET_REMEDY = "write the program in machine coordinates without it before compensating"
+NOT_KNOWN = "only codes whose effect on positions is known are accepted"
+OFFSET_REMEDY = _MACHINE

@@ -10,14 +10,26 @@ _TOKEN = re.compile(rf"([ \t]++)|([A-Za-z])[ \t]*+({NUMBER})|(\([^()]*+\)|;.*+)"
 _MACRO = re.compile(r"[#\[\]=<>&|]|(?i:\b(?:WHILE|GOTO|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
 
 
+# LinuxCNC runs such a comment as Python, which may do anything
+_PYTHON = re.compile(r"[(;][ \t]*+py[ \t]*+,", re.IGNORECASE)
+_FURTHER_BLOCK = re.compile(rf";[ \t;]*+(?:[A-Z][ \t]*+{NUMBER}[ \t;]*+)+", re.IGNORECASE)
+
+
 class Word(NamedTuple):
-    """An address and its value; start and end are the place in the block, dot whether a decimal point is given."""
+    """An address and its value; start and end are the place in the block, decimals the digits written after the decimal
+    point, None where there is none.
+    """
 
     letter: str
     value: float
     start: int
     end: int
-    dot: bool
+    decimals: int | None
+
+    @property
+    def dot(self) -> bool:
+        """Whether the number has a decimal point."""
+        return self.decimals is not None
 
 
 class Block(NamedTuple):
@@ -39,9 +51,26 @@ def lex(body: str, begin: int = 0) -> Block:
             value = float(token[3])
             if abs(value) > 1e9:
                 return Block(tuple(words), f"{token[2]} has the value {token[3][:20]}..., which is no machine's")
-            words.append(Word(token[2].upper(), value, place, token.end(), "." in token[3]))
+            words.append(Word(token[2].upper(), value, place, token.end(), decimals_of(token[3])))
+        elif token[4] and (problem := _active_comment(token[4], bool(words))):
+            return Block(tuple(words), f"column {place + 1}: {problem}")
         place = token.end()
     return Block(tuple(words), "")
+
+
+def decimals_of(number: str) -> int | None:
+    """Digits after the decimal point of a number as written; None where there is none."""
+    _, dot, part = number.partition(".")
+    return len(part) if dot else None
+
+
+def _active_comment(text: str, after_words: bool) -> str:
+    """Why a comment could do more than comment; empty if it cannot."""
+    if _PYTHON.match(text):
+        return "LinuxCNC runs this comment as Python, which is not followed"
+    if after_words and _FURTHER_BLOCK.fullmatch(text):
+        return "; ends a block on some controls and begins a comment on others, and words follow it"
+    return ""
 
 
 def _complaint(body: str, place: int) -> str:

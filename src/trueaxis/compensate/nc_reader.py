@@ -1,19 +1,23 @@
 """Reads NC programs (ISO 6983-1, RS-274) block by block, following every mode that bears on positions.
 
-What it does not follow is a fault of its line; nothing that could move an axis is passed over. Numbers without a
-decimal point are whole millimetres (inches, degrees). A program says where its modes begin: until it does, G90 G21 G17.
+What it does not follow is a fault of its line; nothing that could move an axis is passed over. What numbers without a
+decimal point count is for `--integers` to say. A program says where its modes begin: until it does, G90 G21 G17.
 """
 
 import re
 from collections.abc import Iterable, Iterator
 
+from trueaxis.compensate import m_codes
 from trueaxis.compensate import nc_codes as codes
-from trueaxis.compensate.arcs import Arc, ArcError, Vector, arc_about, arc_of_radius
+from trueaxis.compensate.arcs import ArcError
+from trueaxis.compensate.commanded import Commanded
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.moves import TOOL_CHANGE, Item, Kind, Move, Notes, Start
+from trueaxis.compensate.mark import COMPENSATED_ALREADY, MARK
+from trueaxis.compensate.moves import STOP, TOOL_CHANGE, Item, Kind, Move, Notes, Start
+from trueaxis.compensate.nc_arc import arc_of_block, keep_rounding
 from trueaxis.compensate.nc_block import Meaning, interpret
 from trueaxis.compensate.nc_lexer import NUMBER, Block, lex
-from trueaxis.compensate.nc_state import NcState
+from trueaxis.compensate.nc_state import MODE_NOTES, NcState
 from trueaxis.compensate.nc_text import block_text
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
@@ -26,6 +30,7 @@ _PLAIN = re.compile(
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
+MACHINE_FEED = "some controls make a G53 block at rapid even under G1"
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 
 
@@ -38,6 +43,7 @@ class NcReader:
         self._faults = faults
         self._notes = notes
         self._gap = " "  # between words, as in the last block that shows it
+        self._undotted_said = False  # whether the fault of numbers without a decimal point is in the log
         self._state = NcState(axes, [settings.start.get(axis) for axis in axes])
 
     def items(self, lines: Iterable[str]) -> Iterator[Item]:
@@ -60,12 +66,12 @@ class NcReader:
             motion is None
             or motion > 1
             or (code is None and state.in_force != motion)
-            or None in position
+            or not state.commanded.linear_complete
             or state.ended
             or (x is None and y is None and z is None)
         ):
             return None
-        rows, scale, absolute = state.row, MM_PER_INCH if state.inch else 1.0, state.absolute
+        rows, numbers, scale, absolute = state.row, state.numbers, MM_PER_INCH if state.inch else 1.0, state.absolute
         written = [False] * len(position)
         for axis, text in (("X", x), ("Y", y), ("Z", z)):
             if text is None:
@@ -74,13 +80,14 @@ class NcReader:
             distance = float(text) * scale
             if row is None or abs(distance) > 1e9:
                 return None
+            if "." not in text and distance and self._settings.undotted != "mm":
+                return None
             if absolute:
                 position[row] = distance
             else:
-                position[row] += distance  # type: ignore[operator]  # known, see above
+                position[row] += distance  # type: ignore[operator]  # known, as all axes are commanded
             written[row] = True
-            if "." not in text and distance:
-                self._notes.add(number, "numbers without a decimal point are read as whole mm, inches or degrees")
+            numbers[row] = text
         if " " in line:
             self._gap = " "
         elif sum(written) > 1:
@@ -91,11 +98,13 @@ class NcReader:
             state.feed = float(feed) * scale
         return Move(
             number, _STRAIGHT[motion], tuple(position), tuple(written), absolute, state.inch,  # type: ignore[arg-type]
-            lead, tail, self._gap, eol, line, feed=state.feed_in_minutes,
+            lead, tail, self._gap, eol, line, feed=state.feed_in_minutes, held=state.commanded.held[absolute],
         )  # fmt: skip
 
     def _any(self, number: int, line: str) -> Item:
         """Any block: what it sets, and its move if it has one."""
+        if MARK in line:
+            self._faults.add(number, *COMPENSATED_ALREADY)
         body = line.rstrip("\r\n")
         begin = 3 if number == 1 and body.startswith(BYTE_ORDER_MARK) else 0
         text = body[begin:].strip()
@@ -112,7 +121,7 @@ class NcReader:
                 return line
             lead += 2 if body[lead + 1 : lead + 2].isdigit() else 1
         block = lex(body, lead)
-        meaning = interpret(block, self._axes)
+        meaning = interpret(block, self._axes, self._settings)
         meaning.program_number |= aligned is not None and not block.words
         if optional and self._settings.block_delete == "fault" and (meaning.positions or meaning.changes_modes):
             meaning.complain(
@@ -121,8 +130,12 @@ class NcReader:
         for problem, remedy in meaning.complaints:
             self._faults.add(number, problem, remedy)
         self._modes(number, meaning)
+        self._known_numbers(number, meaning)
         move = self._move(number, line, body, block, meaning, "/" if optional else "")
-        if not self._state.ended and codes.M_END_OF_PROGRAM.intersection(meaning.miscellaneous):
+        if m_codes.STOPS.intersection(meaning.miscellaneous):
+            self._state.commanded.stop()
+            self._notes.add(number, STOP)
+        if not self._state.ended and m_codes.END.intersection(meaning.miscellaneous):
             self._state.ended = number
         return line if move is None else move
 
@@ -145,18 +158,39 @@ class NcReader:
         if meaning.plane is not None:
             state.plane = meaning.plane
         if meaning.inch is not None:
+            keep_rounding(state, meaning.inch, self._settings.undotted)
             state.inch = meaning.inch
+            state.said.add("inch")
         if meaning.absolute is not None:
             state.absolute = meaning.absolute
+            state.said.add("absolute")
         state.per_turn = state.per_turn if meaning.per_turn is None else meaning.per_turn
         if meaning.feed is not None:
             state.feed = meaning.feed * (MM_PER_INCH if state.inch else 1.0)
         if meaning.program_number and state.moved and not state.ended:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
-        if codes.M_TOOL_CHANGE in meaning.miscellaneous:
+        if m_codes.TOOL_CHANGE in meaning.miscellaneous:
             self._notes.add(number, TOOL_CHANGE)
-        if meaning.undotted:
-            self._notes.add(number, "numbers without a decimal point are read as whole mm, inches or degrees")
+            state.commanded.displace()
+        for code in meaning.miscellaneous:
+            if code in self._settings.pass_m and code not in m_codes.KNOWN:
+                self._notes.pass_code(number, code)
+
+    def _known_numbers(self, number: int, meaning: Meaning) -> None:
+        """See to what numbers without a decimal point count."""
+        if not meaning.undotted:
+            return
+        if self._settings.undotted == "least-increment":
+            meaning.count_in_least_increments(self._state.inch)
+        elif self._settings.undotted is None:
+            if not self._undotted_said:
+                letters = " ".join(sorted(meaning.undotted))
+                self._faults.add(
+                    number,
+                    f"{letters} without a decimal point: X100 is 100 mm on some controls and 0.1 mm on others",
+                    "say --integers mm (or inch, deg) or --integers least-increment (0.001 mm, 0.0001 inch, 0.001 deg)",
+                )
+            self._undotted_said = True
 
     def _move(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> Move | None:
         if not meaning.positions or meaning.complaints or not self._may_move(number, meaning):
@@ -168,12 +202,14 @@ class NcReader:
         if None in needed:
             self._unknown(number, needed, end)
             return None
-        state.position, state.moved = end, True
+        stated = self._stated_start(number, meaning)
+        state.position = end
         known_end = tuple(value for value in end if value is not None)
         arc = None
         if state.motion in (2, 3):
             try:
-                arc = self._arc(tuple(value for value in start if value is not None), known_end, meaning)
+                known_start = tuple(value for value in start if value is not None)
+                arc = arc_of_block(state, known_start, known_end, meaning, self._settings.undotted)
             except ArcError as problem:
                 self._faults.add(number, str(problem))
                 return None
@@ -185,18 +221,44 @@ class NcReader:
         elif len(block.words) > 1:
             self._gap = ""
         text = block_text(body, block.words, self._gap, insert, motion == 1)
-        state.in_force = motion
-        due = set(meaning.miscellaneous)
-        if due - codes.M_BEFORE - codes.M_AFTER:
-            self._notes.add(number, "an M code of unknown timing stays with the first part of a block that is cut")
-        kind = Kind.ARC if arc else _STRAIGHT[motion]
+        state.in_force, state.moved = motion, True
+        for word in block.words:
+            if word.letter in meaning.axes:
+                state.numbers[state.row[word.letter]] = body[word.start + 1 : word.end].strip()
         written = tuple(axis in meaning.axes for axis in self._axes)
         return Move(
-            number, kind, known_end, written, state.absolute, state.inch, text.lead, text.tail, self._gap,
-            line[len(body) :],
-            "" if arc or insert else line, again, text.split, arc, not due and not meaning.exact_stop,
-            state.feed_in_minutes,
+            number, Kind.ARC if arc else _STRAIGHT[motion], known_end, written, state.absolute, state.inch,
+            text.lead, text.tail, self._gap, line[len(body) :], "" if arc or insert else line,
+            again + (f"G53{self._gap}" if meaning.in_machine_coordinates else ""), text.split, arc,
+            not meaning.miscellaneous and not meaning.exact_stop, state.feed_in_minutes,
+            state.commanded.command(written, state.absolute), stated,
+            meaning.uncertain_codes,
         )  # fmt: skip
+
+    def _stated_start(self, number: int, meaning: Meaning) -> bool:
+        """Whether the block starts where the program has not commanded its axes to; notes and faults that follow."""
+        state = self._state
+        if not state.moved:
+            for mode, text in MODE_NOTES.items():
+                if mode not in state.said:
+                    self._notes.add(number, text)
+        arc = state.motion in (2, 3)
+        moved = set(meaning.axes) | (set(codes.PLANES[state.plane][:2]) if arc else set())
+        rows = [state.row[axis] for axis in moved if axis in state.row]
+        known = state.commanded.of(rows)
+        if known == Commanded.DISPLACED and (arc or not state.absolute):
+            self._faults.add(
+                number,
+                "this motion counts from where the axes stand, and the tool change before it may have moved them",
+                "give their positions by G90 G0 first",
+            )
+        elif arc and state.absolute and known < Commanded.STOPPED:
+            self._faults.add(
+                number,
+                "an arc that starts where the program has not commanded the axes to",
+                "give the position by G90 G0 or G1 in the program first",
+            )
+        return known < (Commanded.STOPPED if state.absolute else Commanded.STATED)
 
     def _may_move(self, number: int, meaning: Meaning) -> bool:
         """Whether positions mean a motion here; a fault if they do not."""
@@ -207,9 +269,13 @@ class NcReader:
             self._faults.add(
                 number, "a position, but no motion (G0 G1 G2 G3) is in force", "put the G code in the block"
             )
+        elif meaning.in_machine_coordinates and (state.motion > 1 or not state.absolute):
+            self._faults.add(number, "G53 goes with G0 or G1 and G90 only", "write the block so")
         elif state.motion < 2 and (meaning.centre or meaning.radius is not None):
             self._faults.add(number, f"I J K R belong to arcs, but G{state.motion} is in force")
         else:
+            if meaning.in_machine_coordinates and state.motion == 1:
+                self._notes.add(number, MACHINE_FEED)
             return True
         return False
 
@@ -229,38 +295,3 @@ class NcReader:
             f"give it in the program or by --start {''.join(f'{axis}0' for axis in names.split())} (with its value)",
         )
         self._state.position = [0.0 if value is None else value for value in end]  # said once
-
-    def _arc(self, start: tuple[float, ...], end: tuple[float, ...], meaning: Meaning) -> Arc:
-        """Arc of a G2 or G3 block in the plane in force.
-
-        Raises ArcError when the words make none.
-        """
-        state = self._state
-        first, second, across = codes.PLANES[state.plane]
-        if not {first, second} <= set(self._axes):
-            raise ArcError(f"the plane {first}{second} of the arc is not one of this machine's")
-        sense = 1.0 if state.motion == 3 else -1.0
-        a, b = self._vector(start), self._vector(end)
-        normal = tuple(sense if axis == across else 0.0 for axis in "XYZ")
-        scale = MM_PER_INCH if state.inch else 1.0
-        if meaning.parameters:
-            raise ArcError(
-                f"{' '.join(sorted(meaning.parameters))} in the block of an arc: turns of it are not followed"
-            )
-        if meaning.radius is not None:
-            if meaning.centre:
-                raise ArcError("an arc has either R or I J K")
-            return arc_of_radius(a, b, meaning.radius * scale, (normal[0], normal[1], normal[2]))
-        letters = dict(zip("XYZ", "IJK", strict=True))
-        if meaning.centre.get(letters[across]):
-            raise ArcError(f"{letters[across]} points out of the plane {first}{second} in force")
-        if not meaning.centre:
-            raise ArcError("an arc without I J K or R")
-        offset = [scale * meaning.centre.get(letters[axis], 0.0) for axis in "XYZ"]
-        centre = (a[0] + offset[0], a[1] + offset[1], a[2] + offset[2])
-        return arc_about(a, b, centre, (normal[0], normal[1], normal[2]))
-
-    def _vector(self, position: tuple[float, ...]) -> Vector:
-        row = self._state.row
-        x, y, z = (position[row[axis]] if axis in row else 0.0 for axis in "XYZ")
-        return (x, y, z)

@@ -3,8 +3,14 @@
 import math
 from dataclasses import dataclass, field
 
+from trueaxis.compensate.commanded import CommandedAxes
 from trueaxis.compensate.machine import LINEAR
 from trueaxis.compensate.settings import MM_PER_INCH
+
+MODE_NOTES = {
+    "inch": "no G20 or G21 before this motion: it is read in mm, and is wrong on a control that starts in inches",
+    "absolute": "no G90 or G91 before this motion: it is read as G90, and is wrong on a control that starts in G91",
+}
 
 
 @dataclass(slots=True)
@@ -14,7 +20,10 @@ class NcState:
     position: programmed position of each axis, mm or deg, None until known. motion: 0 rapid, 1 line, 2 and 3 arc
     (clockwise, counter-clockwise), None: none in force. in_force: the motion in force in the program that is written,
     where an arc has become lines. feed: F in force, mm/min or deg/min, NaN until known; per_turn: it counts by turns of
-    the spindle instead. ended: line of the end of the program, 0 before.
+    the spindle instead. ended: line of the end of the program, 0 before. said: which of units (G20 G21) and distances
+    (G90 G91) the program has stated.
+    numbers: of the words that gave the axes their positions, as written in the units in force; half a unit of them in
+    mm where the units have changed since; None where no word has.
     """
 
     axes: tuple[str, ...]
@@ -29,9 +38,14 @@ class NcState:
     ended: int = 0
     percents: int = 0
     moved: bool = False
+    said: set[str] = field(default_factory=set)
+    numbers: list[str | float | None] = field(init=False)
+    commanded: CommandedAxes = field(init=False)
     row: dict[str, int] = field(init=False)
 
     def __post_init__(self) -> None:
+        self.commanded = CommandedAxes(self.axes)
+        self.numbers = [None] * len(self.axes)
         self.row = {axis: number for number, axis in enumerate(self.axes)}
 
     @property

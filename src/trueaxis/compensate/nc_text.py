@@ -2,8 +2,9 @@
 
 from typing import NamedTuple
 
+from trueaxis.compensate import m_codes
 from trueaxis.compensate.moves import Split
-from trueaxis.compensate.nc_codes import EXACT_STOP, M_AFTER
+from trueaxis.compensate.nc_codes import EXACT_STOP
 from trueaxis.compensate.nc_lexer import Word
 
 _REPLACED = frozenset("XYZABCIJKR")
@@ -66,6 +67,6 @@ def _joined(lead: str, insert: str, gap: str) -> str:
 
 
 def _due_at_end(word: Word) -> bool:
-    return (word.letter == "M" and word.value in M_AFTER) or (
+    return (word.letter == "M" and word.value in m_codes.AFTER) or (
         word.letter == "G" and round(word.value * 10) == EXACT_STOP
     )

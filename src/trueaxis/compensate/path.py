@@ -33,12 +33,17 @@ class Path:
 
 
 def path_of(moves: Sequence[Move], start: FloatArray, axes: tuple[str, ...], chord_tolerance: float) -> Path:
-    """Points of the moves; `start` (n_axes,) is the position before them, NaN where it is not known."""
+    """Points of the moves; `start` (n_axes,) is the position before them, NaN where it is not known.
+
+    Where a move starts is not known either where its axes stand only where the program has not commanded them to.
+    """
     ends = np.array([move.end for move in moves], dtype=np.float64).T
     starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
     rapid = np.array([move.kind == Kind.RAPID for move in moves])
+    stated = np.array([move.start_stated for move in moves])
     arcs = np.array([index for index, move in enumerate(moves) if move.arc is not None], dtype=np.int64)
     if arcs.size == 0:
+        starts[:, stated] = np.nan
         return Path(ends, starts, np.arange(len(moves)), rapid, np.zeros_like(rapid))
 
     def xyz(positions: FloatArray) -> FloatArray:
@@ -67,4 +72,5 @@ def path_of(moves: Sequence[Move], start: FloatArray, axes: tuple[str, ...], cho
     points = np.concatenate([ends[:, straight], on_arcs], axis=1)[:, order]
     owner = owner[order]
     origins = np.concatenate([start[:, None], points[:, :-1]], axis=1)
+    origins[:, stated[owner]] = np.nan  # such a move is no arc in G90: it has one point
     return Path(points, origins, owner, rapid[owner], np.zeros(owner.size, dtype=bool))

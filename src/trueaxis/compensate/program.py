@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,7 @@ from trueaxis.compensate.along import Along, PointAlong, PoseAlong
 from trueaxis.compensate.arcs import MOST_CHORDS, Arc, chord_counts
 from trueaxis.compensate.executed import Executed, execute, joined
 from trueaxis.compensate.fault_log import FaultLog
+from trueaxis.compensate.held import Held, held_axes, standing
 from trueaxis.compensate.lattice import Stretch, rotary_on_words, stretches
 from trueaxis.compensate.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
 from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
@@ -30,6 +32,10 @@ FEW_ROTARY_AXES = (
     "this machine has no rotary axis: the orientation of the tool is not corrected",
     "this machine has one rotary axis: the tool axis is corrected in the direction in which it turns it, not across",
 )
+HELD = (
+    "gets no word here, and its error is left: the program has not commanded it to a position since its start, "
+    "or since the last tool change or stop"
+)
 TURNS_ALONE = (
     "a feed block of rotary axes alone gets words of linear axes too: some controls then read its F as a feed in mm/min"
 )
@@ -46,6 +52,8 @@ class Compensator:
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._writer = BlockWriter(model.axes, settings)
         self._turned = self._axis_to_turn()
+        rotary = np.array([axis not in LINEAR for axis in model.axes])
+        self._corrected = (~rotary | (self._turned is not None))[:, None]  # axes that compensation moves, (n_axes, 1)
         self._along = self._comparison()
         self._acting = acting(model, settings)
         self._model = model if self._acting is None else self._acting.model
@@ -54,7 +62,7 @@ class Compensator:
         self._programmed = nowhere  # position programmed last
         self._written = nowhere  # position named by the words written last
         self._settled = False  # whether the machine stands at a compensated position
-        self._tally = Tally(model, settings, () if self._acting is None else self._acting.notes)
+        self._tally = Tally(self._model, settings, () if self._acting is None else self._acting.notes)
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
         self._low, self._high = low[:, None] - 1e-9, high[:, None] + 1e-9
 
@@ -164,27 +172,51 @@ class Compensator:
         absolute = np.array([move.absolute for move in moves])[path.owner]
         inch = np.array([move.inch for move in moves])[path.owner]
         lines = np.array([move.line for move in moves])[path.owner]
+        held = held_axes(moves, len(axes))
+        waiting = held & self._corrected
+        self._note_held(moves, waiting)
+        held, waiting = held[:, path.owner], waiting[:, path.owner]
         kinds = list(stretches(absolute, inch, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
-        solved = self._solved(path, kinds, model)
+        solved = self._solved(path, kinds, model, held)
         last_of_move = np.append(np.diff(path.owner) > 0, True)
         passable = ~last_of_move | follows[path.owner]
 
         parts: list[Executed] = []
         previous = self._written
         for stretch in kinds:
-            part = execute(stretch, previous, path, solved.linear, passable, model, tool_point, settings)
+            part = execute(stretch, previous, path, solved.linear, passable, model, tool_point, settings, held)
             parts.append(part)
             previous = part.positions[:, -1]
         done = joined(parts)
-        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing)
+        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting)
         owner = path.owner[done.point]
+        self._refuse_cuts(moves, owner)
         before = np.concatenate([self._written[:, None], done.positions[:, :-1]], axis=1)
         self._written, self._settled = previous, True
         ends = np.array([move.end for move in moves]).T
         starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
         programmed = (ends[:, owner], starts[:, owner])
         return self._writer.texts(moves, owner, done.positions, before, steps[:, done.point], programmed)
+
+    def _note_held(self, moves: list[Move], held: Held) -> None:
+        """Note axes that get no word; held: (n_axes, n_moves)."""
+        for index in np.flatnonzero(held.any(axis=0)):
+            names = " ".join(axis for axis, stays in zip(self._model.axes, held[:, index], strict=True) if stays)
+            self._notes.add(moves[index].line, f"{names} {HELD}")
+
+    def _refuse_cuts(self, moves: list[Move], owner: NDArray[np.int64]) -> None:
+        """Faults of blocks that become several and may not; owner: (n,), move of each block to be written."""
+        pieces = np.bincount(owner, minlength=len(moves))
+        for index in np.flatnonzero(pieces > 1):
+            move = moves[index]
+            if move.whole:
+                self._faults.add(
+                    move.line,
+                    f"the block becomes {pieces[index]} blocks, and whether {move.whole} acts before or after its "
+                    "motion is not known",
+                    f"give {move.whole} a block of its own",
+                )
 
     def _note_turns(self, moves: list[Move], start: FloatArray) -> None:
         """Note feed blocks whose F may be read differently once they have words of linear axes."""
@@ -198,8 +230,8 @@ class Compensator:
             if moves[index].kind == Kind.LINE:
                 self._notes.add(moves[index].line, TURNS_ALONE)
 
-    def _solved(self, path: Path, kinds: list[Stretch], model: ErrorModel) -> Solved:
-        """Solve with the rotary positions that their words can name."""
+    def _solved(self, path: Path, kinds: list[Stretch], model: ErrorModel, held: Held) -> Solved:
+        """Solve with the rotary positions that their words can name; held axes stay."""
         settings, points = self._settings, path.points
         pose = None
         if self._turned is not None:
@@ -208,7 +240,12 @@ class Compensator:
                 settings.tolerance, 1e-6 * settings.orientation_tolerance_urad, settings.method,
             )  # fmt: skip
         begin = rotary_on_words(points if pose is None else pose.commands, kinds, self._written, model.axes)
+        rotary = list(rotary_rows(model.axes))
+        begin[rotary] = standing(begin[rotary], held[rotary], self._written[rotary])
         linear = solve(points, begin, model, self._tool_point, settings.tolerance, settings.method)
+        linear = replace(linear, commands=standing(linear.commands, held, self._written))
+        if pose is not None:
+            pose = replace(pose, commands=standing(pose.commands, held, self._written))
         return Solved(linear, pose)
 
     def report(self, program: str, language: str, blocks_in: int, blocks_out: int) -> CompensationReport:

@@ -5,6 +5,7 @@ from dataclasses import asdict, dataclass
 
 from trueaxis.compensate.acting import EffectNote
 from trueaxis.compensate.settings import Settings
+from trueaxis.compensate.sign_check import SignCheck
 from trueaxis.compensate.statistics import Lines, Summary
 
 
@@ -21,6 +22,14 @@ class Errors:
 
 
 @dataclass(frozen=True, slots=True)
+class PassedCode:
+    """An M code that --pass-m vouches for, and where it occurs."""
+
+    code: int
+    lines: Lines
+
+
+@dataclass(frozen=True, slots=True)
 class CompensationReport:
     """Counts, and lengths of error vectors (actual minus wanted tool point, workpiece frame) in mm.
 
@@ -30,7 +39,11 @@ class CompensationReport:
     before: as programmed, uncompensated. solved: after the solver, before words are rounded. after: with the words, at
     the points. along: at the ends and middles of all executed feed blocks, whose ends are not all programmed points.
     not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
-    out_of_travel: points whose command leaves the travel of an axis.
+    out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
+    uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
+    error left there. Rapids to such points are not in the other figures.
+    sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
+    passed: M codes that --pass-m vouches for, with their lines.
     ball: |E| of Eq. (6), mm. orientation: angle between actual and wanted tool axis, urad, on machines with rotary
     axes. over_orientation: points with orientation.after above its tolerance, where orientation is corrected.
     effects: what was done about each effect of the machine.
@@ -58,7 +71,11 @@ class CompensationReport:
     out_of_travel: Lines
     over_orientation: Lines
     singular: Lines
+    uncommanded: Lines
+    uncommanded_left: Summary | None
     effects: tuple[EffectNote, ...]
+    sign_check: SignCheck | None
+    passed: tuple[PassedCode, ...]
     notes: tuple[str, ...]
 
     @property
@@ -98,7 +115,7 @@ class CompensationReport:
         for name, found in (
             ("not converged", self.not_converged),
             ("above tolerance", self.over_tolerance),
-            ("out of travel", self.out_of_travel),
+            ("out of travel, words stop at its end", self.out_of_travel),
             (f"above {settings.orientation_tolerance_urad:g} urad", self.over_orientation),
             ("singular poses, one direction of the tool axis not corrected", self.singular),
         ):
@@ -108,7 +125,20 @@ class CompensationReport:
             f"effect {one.effect}: {'compensated' if one.compensated else 'left alone'}, {one.how}"
             for one in self.effects
         )
+        if self.uncommanded_left is not None:
+            left = self.uncommanded_left
+            lines.append(
+                f"axes not commanded yet get no words: {self.uncommanded}; "
+                f"largest error left {left.largest:.4f} mm at line {left.line}"
+            )
+        lines.extend(
+            f"M{one.code} passed, as --pass-m says that it moves nothing and changes no mode: "
+            f"{one.lines.points} times, lines {one.lines.shown}"
+            for one in self.passed
+        )
         lines.extend(f"note: {note}" for note in self.notes)
+        if self.sign_check is not None:
+            lines.append(str(self.sign_check))
         return "\n".join(lines)
 
 

@@ -10,8 +10,12 @@ Method = Literal["iterative", "ordinary"]
 WordChoice = Literal["nearest", "ends", "middles"]
 Orientation = Literal["keep", "correct"]
 BlockDelete = Literal["fault", "run", "skip"]
+Dialect = Literal["fanuc", "linuxcnc", "siemens", "heidenhain"]
+Integers = Literal["mm", "least-increment"]
 
 MM_PER_INCH = 25.4
+LEAST_MM, LEAST_INCH, LEAST_DEG = 0.001, 0.0001, 0.001  # least increments, ISO 6983-1 controls of the common class IS-B
+WHOLE_MILLIMETRES = frozenset({"linuxcnc", "siemens", "heidenhain"})  # controls on which X100 can only be 100 mm
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +32,8 @@ class Settings:
     orientation: `keep` corrects with the linear axes alone; `correct` turns rotary axes too, so that the tool axis
     points where the error-free machine's would, to orientation_tolerance_urad. tool_axis: its direction, tool frame.
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
+    dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
+    the dialect fixes. pass_m: M codes that the user vouches for, see m_codes.
     temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
     batch_points: points computed at a time; bounds the memory.
 
@@ -48,6 +54,9 @@ class Settings:
     orientation_tolerance_urad: float = 2.0  # words of 0.0001 deg are up to 0.87 urad off in each of two axes
     tool_axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
     block_delete: BlockDelete = "fault"
+    dialect: Dialect | None = None
+    integers: Integers | None = None
+    pass_m: tuple[int, ...] = ()
     temperature: float | None = None
     time: float | None = None
     batch_points: int = 16384
@@ -55,6 +64,11 @@ class Settings:
     def __post_init__(self) -> None:
         if problems := list(self._problems()):
             raise ValueError("; ".join(problems))
+
+    @property
+    def undotted(self) -> Integers | None:
+        """What a number without a decimal point counts; None: not known, a Fanuc control's parameter decides."""
+        return self.integers or ("mm" if self.dialect in WHOLE_MILLIMETRES else None)
 
     def _problems(self) -> Iterator[str]:
         """Everything that is out of its range."""

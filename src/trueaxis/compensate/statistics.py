@@ -66,9 +66,13 @@ class Lines:
     points: int
     first: tuple[int, ...]
 
+    @property
+    def shown(self) -> str:
+        """The first lines, for people."""
+        return ", ".join(map(str, self.first[:10])) + (" ..." if len(self.first) > 10 else "")
+
     def __str__(self) -> str:
-        shown = ", ".join(map(str, self.first[:10]))
-        return f"{self.points} points, lines {shown}{' ...' if len(self.first) > 10 else ''}"
+        return f"{self.points} points, lines {self.shown}"
 
 
 class LineLog:

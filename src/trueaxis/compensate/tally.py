@@ -8,19 +8,22 @@ from numpy.typing import NDArray
 
 from trueaxis.compensate.acting import EffectNote
 from trueaxis.compensate.executed import Executed
+from trueaxis.compensate.held import Held
 from trueaxis.compensate.machine import ErrorModel, FloatArray
 from trueaxis.compensate.moves import Notes
 from trueaxis.compensate.orientation import ToolAxis, angle
 from trueaxis.compensate.path import Path
 from trueaxis.compensate.placed import Placing
-from trueaxis.compensate.report import CompensationReport, Errors
+from trueaxis.compensate.report import CompensationReport, Errors, PassedCode
 from trueaxis.compensate.settings import Settings
+from trueaxis.compensate.sign_check import SignChecker
 from trueaxis.compensate.solve import Solution
 from trueaxis.compensate.solve_pose import PoseSolution
 from trueaxis.compensate.statistics import LineLog, Running
 from trueaxis.compensate.word_choice import bar_error
 
 STAGES = ("before", "solved", "after", "along")
+UNCOMMANDED = "uncommanded"
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,15 +57,14 @@ class Tally:
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._axis = ToolAxis(model, settings.tool_axis)
-        low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
-        self._low, self._high = low[:, None] - 1e-9, high[:, None] + 1e-9
+        self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._moves = self._points = self._short_blocks = self._take_ups = 0
         self._iterations: Counter[int] = Counter()
-        self._vector = {stage: Running() for stage in STAGES}
-        self._bar = {stage: Running() for stage in STAGES}
-        self._orientation = {stage: Running() for stage in STAGES}
+        self._vector = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
+        self._bar = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
+        self._orientation = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
         self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
-        self._over_orientation, self._singular = LineLog(), LineLog()
+        self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
 
     def add(
         self,
@@ -74,11 +76,14 @@ class Tally:
         previous: FloatArray,
         settled: bool,
         placing: Placing,
+        held: Held,
     ) -> None:
         """Evaluate what was written of one batch.
 
         lines: (n_points,), of the path's points. previous: (n_axes,), position named by the words before; settled:
-        whether it was a compensated one. placing: gives the machine along the path.
+        whether it was a compensated one. placing: gives the machine along the path. held: (n_axes, n_points), axes that
+        got no word although compensation would move them; rapids to such points count apart, since an axis that is not
+        where the program wants it yet is no error of compensation there.
         """
         self._moves += moves
         self._points += path.size
@@ -86,20 +91,57 @@ class Tally:
         self._take_ups += int(path.halts.sum())
         self._iterations.update(dict(enumerate(np.bincount(solved.steps).tolist())))
         self._not_converged.add(lines[~solved.converged])
-        outside = ((done.positions < self._low) | (done.positions > self._high)).any(axis=0)
-        self._out_of_travel.add(lines[done.point[outside]])
+        self._out_of_travel.add(lines[done.point[done.stopped]])
 
-        model = placing.at(np.arange(path.size), np.ones(path.size))
-        self._stage("before", model, path.points, path.points, lines)
-        self._stage("solved", model, solved.commands, path.points, lines)
-        length, turned = self._stage("after", model, done.at_points(previous), path.points, lines)
-        self._over_tolerance.add(lines[~(length <= self._settings.tolerance)])
+        index = np.arange(path.size)
+        model = placing.at(index, np.ones(path.size))
+        written = done.at_points(previous)
+        deviation, _ = self._stage("before", model, path.points, path.points, lines)
+        self._sign.add(path, deviation, written, lines, held)
+        waiting = held.any(axis=0)
+        self._uncommanded.add(lines[waiting])
+        counted: NDArray[np.int64] | slice = slice(None)
+        if waiting.any():
+            rows = index[waiting]
+            there = placing.at(rows, np.ones(rows.size))
+            self._stage(UNCOMMANDED, there, written[:, rows], path.points[:, rows], lines[rows])
+            counted = index = index[~(waiting & path.rapid)]
+            model = placing.at(index, np.ones(index.size))
+        if index.size:
+            self._at_points(model, counted, path, solved, written, lines)
+        self._along(path, done, lines, previous, settled, placing)
+
+    def _at_points(
+        self,
+        model: ErrorModel,
+        index: NDArray[np.int64] | slice,
+        path: Path,
+        solved: Solved,
+        written: FloatArray,
+        lines: NDArray[np.int64],
+    ) -> None:
+        """Evaluate the programmed points that count."""
+        points, at = path.points[:, index], lines[index]
+        self._stage("solved", model, solved.commands[:, index], points, at)
+        error, turned = self._stage("after", model, written[:, index], points, at)
+        self._over_tolerance.add(at[~(_length(error) <= self._settings.tolerance)])
         if solved.pose is not None and turned is not None:
-            self._singular.add(lines[solved.pose.singular])
-            self._over_orientation.add(lines[~(1e6 * turned <= self._settings.orientation_tolerance_urad)])
+            self._singular.add(at[solved.pose.singular[index]])
+            self._over_orientation.add(at[~(1e6 * turned <= self._settings.orientation_tolerance_urad)])
 
+    def _along(
+        self,
+        path: Path,
+        done: Executed,
+        lines: NDArray[np.int64],
+        previous: FloatArray,
+        settled: bool,
+        placing: Placing,
+    ) -> None:
+        """Evaluate the middles and ends of the feed blocks."""
         fed = ~path.rapid[done.point]
         fed[0] &= settled  # the way from where the machine stood at first is half uncompensated
+        fed &= np.isfinite(path.origins[0])[done.point]
         fed &= ~path.halts[done.point]  # what is taken up there moves the axis, not the tool
         index = np.flatnonzero(fed)
         reference = np.concatenate([path.origins[:, :1], done.reference], axis=1)
@@ -115,20 +157,19 @@ class Tally:
     ) -> tuple[FloatArray, FloatArray | None]:
         """Note where positions put the tool instead of where the error-free machine is at `wanted`.
 
-        Returns the lengths of the error vectors, mm, and with rotary axes the orientation errors, rad; (n,).
+        Returns the error vectors (3, n), mm, and with rotary axes the orientation errors (n,), rad.
         """
         target = model.ideal(wanted, self._tool_point)
         actual = model.ideal(positions, self._tool_point) + model.deviation(positions, self._tool_point)
         error = actual - target
-        length = np.sqrt((error**2).sum(axis=0))
-        self._vector[stage].add(length, lines)
+        self._vector[stage].add(_length(error), lines)
         if self._ball is not None:
             self._bar[stage].add(bar_error(target, error, self._ball), lines)
         if not self._axis.turns:
-            return length, None
+            return error, None
         turned = angle(self._axis.on(model).actual(positions), self._axis.wanted(wanted))
         self._orientation[stage].add(1e6 * turned, lines)
-        return length, turned
+        return error, turned
 
     def report(self, program: str, language: str, blocks_in: int, blocks_out: int, notes: Notes) -> CompensationReport:
         """What has been counted so far."""
@@ -156,9 +197,17 @@ class Tally:
             self._out_of_travel.lines(),
             self._over_orientation.lines(),
             self._singular.lines(),
+            self._uncommanded.lines(),
+            self._vector[UNCOMMANDED].summary(),
             self._effects,
+            self._sign.found,
+            tuple(PassedCode(code, log.lines()) for code, log in sorted(notes.passed.items())),
             notes.texts(),
         )
+
+
+def _length(vectors: FloatArray) -> FloatArray:
+    return np.asarray(np.sqrt((vectors**2).sum(axis=0)))
 
 
 def _errors(stages: dict[str, Running]) -> Errors:

@@ -20,7 +20,10 @@ class BlockWriter:
         for inch in (False, True):
             linear = settings.inch_resolution if inch else settings.resolution
             steps = [linear if axis in LINEAR else settings.rotary_resolution for axis in axes]
-            self._formats[inch] = [(step, f"{axis}%.{decimals(step)}f") for axis, step in zip(axes, steps, strict=True)]
+            # always with a decimal point: some controls read X100 as 0.1 mm
+            self._formats[inch] = [
+                (step, f"{axis}%.{max(decimals(step), 1)}f") for axis, step in zip(axes, steps, strict=True)
+            ]
 
     def texts(
         self,

@@ -1,0 +1,28 @@
+"""Axes that get no word: they stay where the words before have put them."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensate.machine import FloatArray
+from trueaxis.compensate.moves import Move
+
+Held = NDArray[np.bool_]
+
+
+def held_axes(moves: Sequence[Move], count: int) -> Held:
+    """Which axes are held in which moves, (count, n_moves)."""
+    if not any(move.held for move in moves):
+        return np.zeros((count, len(moves)), dtype=bool)
+    none = (False,) * count
+    return np.array([move.held or none for move in moves], dtype=bool).T.reshape(count, len(moves))
+
+
+def standing(positions: FloatArray, held: Held, previous: FloatArray) -> FloatArray:
+    """Positions (n_axes, n) with those of held axes as they were last; previous: (n_axes,), before the first."""
+    if not held.any():
+        return positions
+    last = np.maximum.accumulate(np.where(held, -1, np.arange(positions.shape[1])), axis=1)
+    before = np.take_along_axis(positions, np.maximum(last, 0), axis=1)
+    return np.where(last >= 0, before, previous[:, None])

@@ -1,0 +1,93 @@
+"""What M codes do to positions and modes, and when they act.
+
+A code passes by itself only if ISO 6983-1 and the common controls (Fanuc, Haas, Siemens, Heidenhain, LinuxCNC) agree
+that it moves no axis and changes no mode. Most others are the builder's: the user vouches for them by `--pass-m`.
+"""
+
+from collections.abc import Collection
+from enum import IntEnum
+from typing import NamedTuple
+
+
+class Timing(IntEnum):
+    """When a code acts in a block that moves."""
+
+    BEFORE = 0
+    AFTER = 1
+
+
+class MCode(NamedTuple):
+    """A code with the same meaning everywhere. ends: it ends the program. axes_kept: whether every axis is certain to
+    stand where it stood before: an operator may move one during a stop, and a tool change often does.
+    """
+
+    meaning: str
+    timing: Timing
+    ends: bool = False
+    axes_kept: bool = True
+
+
+KNOWN: dict[int, MCode] = {
+    0: MCode("program stop", Timing.AFTER, axes_kept=False),
+    1: MCode("optional stop", Timing.AFTER, axes_kept=False),
+    2: MCode("end of program", Timing.AFTER, ends=True),
+    3: MCode("spindle on, clockwise", Timing.BEFORE),
+    4: MCode("spindle on, counter-clockwise", Timing.BEFORE),
+    5: MCode("spindle stop", Timing.AFTER),
+    6: MCode("tool change", Timing.BEFORE, axes_kept=False),
+    7: MCode("coolant 2 on", Timing.BEFORE),
+    8: MCode("coolant 1 on", Timing.BEFORE),
+    9: MCode("coolant off", Timing.AFTER),
+    30: MCode("end of program, rewind", Timing.AFTER, ends=True),
+}
+TOOL_CHANGE = 6
+END = frozenset(code for code, known in KNOWN.items() if known.ends)
+STOPS = frozenset(code for code, known in KNOWN.items() if not known.axes_kept and code != TOOL_CHANGE)
+AFTER = frozenset(code for code, known in KNOWN.items() if known.timing == Timing.AFTER)
+
+_SUBPROGRAM = "calls, ends or repeats a subprogram, which is not followed"
+_FRAME = "gives the positions of its block in another frame (Heidenhain)"
+_POINT_CONTROL = "moves the linear axes with the rotary ones"
+_MODES = "saves or restores modes, so that later blocks read differently"
+
+# never passed, whoever vouches for them
+HARMFUL: dict[int, str] = {
+    91: _FRAME, 92: _FRAME,
+    96: _SUBPROGRAM, 97: _SUBPROGRAM, 98: _SUBPROGRAM, 99: _SUBPROGRAM, 198: _SUBPROGRAM,
+    114: _POINT_CONTROL, 128: _POINT_CONTROL, 428: _POINT_CONTROL,
+    126: "changes the way on which rotary axes turn (Heidenhain)",
+    130: "gives positions in an untilted frame (Heidenhain)",
+    144: "changes positions by kinematics that are not in the program (Heidenhain)",
+}  # fmt: skip
+# harmful on one control and the builder's on the others: passed unless --dialect names that control
+HARMFUL_ON: dict[str, dict[int, str]] = {
+    "linuxcnc": dict.fromkeys((70, 71, 72, 73), _MODES),
+    "fanuc": {29: "starts rigid tapping, whose motions are not in the program"},
+    "siemens": {17: _SUBPROGRAM},
+    "heidenhain": {
+        89: "calls a cycle at every position",
+        94: "changes what positions of rotary axes mean",
+        118: "lets the handwheel shift positions",
+        136: "makes F count by turns of the spindle",
+        140: "retracts along the tool axis; where it stops is not in the program",
+        150: "lets axes leave the travel",
+    },
+}
+
+NOT_PASSED = "--pass-m does not pass it; write the program without it before compensating"
+
+
+def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple[str, str] | None:
+    """What is wrong with a code, and what would be right; None if it is known or `passed` names it."""
+    if code in KNOWN:
+        return None
+    harm = HARMFUL.get(code) or HARMFUL_ON.get(dialect or "", {}).get(code)
+    if harm:
+        return f"M{code} {harm}", NOT_PASSED
+    if code in passed:
+        return None
+    known = "; ".join(f"{control}: {harmful[code]}" for control, harmful in HARMFUL_ON.items() if code in harmful)
+    return (
+        f"M{code} does not mean the same on every control{f' ({known})' if known else ''}",
+        f"say --pass-m {code} if it moves no axis and changes no mode on this one",
+    )
