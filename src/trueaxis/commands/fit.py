@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.commands.arguments import share, whole
+from trueaxis.commands.arguments import file_to_write, share, whole
 from trueaxis.commands.paths import overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
@@ -33,12 +33,16 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="error values with tables")
-    parser.add_argument("--out", type=Path, required=True, metavar="E.json", help="error values, to be written")
+    parser.add_argument(
+        "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
+    )
     parser.add_argument(
         "--max-order", type=whole(1, HIGHEST_ORDER), default=7, metavar="N", help="highest power tried (%(default)s)"
     )
     parser.add_argument("--alpha", type=share, default=0.05, help="significance level of the tests (%(default)s)")
-    parser.add_argument("--picture", type=Path, metavar="P.png", help="draw values and polynomials, before and after")
+    parser.add_argument(
+        "--picture", type=file_to_write, metavar="P.png", help="draw values and polynomials, before and after"
+    )
     parser.set_defaults(run=run)
 
 

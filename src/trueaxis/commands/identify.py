@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trueaxis.commands.arguments import file_to_write
 from trueaxis.commands.identify_options import degree_option, instruments_option, noise_option
 from trueaxis.commands.measured import read_measured
 from trueaxis.commands.paths import overwritten
@@ -43,7 +44,9 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser = subparsers.add_parser("identify", help="error values from measured data", description=DESCRIPTION)
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
-    parser.add_argument("--out", type=Path, required=True, metavar="E.json", help="error values, to be written")
+    parser.add_argument(
+        "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
+    )
     parser.add_argument("--method", choices=("paper", "global"), default="paper", help="(default %(default)s)")
     parser.add_argument(
         "--squareness",
@@ -97,9 +100,12 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="method global: weigh down readings that lie too far off (Huber 1.345, Tukey 4.685 standard deviations)",
     )
     parser.add_argument(
-        "--covariance", type=Path, metavar="FILE.npz", help="method global: write the covariance of the values, too"
+        "--covariance",
+        type=file_to_write,
+        metavar="FILE.npz",
+        help="method global: write the covariance of the values, too",
     )
-    parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON, too")
+    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON, too")
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
@@ -175,5 +181,5 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
         found.append(Fault(str(args.covariance), "", "is not a .npz file", "a name that ends in .npz"))
     inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
     outputs = {"--out": args.out, "--report": args.report, "--covariance": args.covariance}
-    found += overwritten(inputs, outputs)
+    found += overwritten(inputs, outputs, args.kernels)
     return found

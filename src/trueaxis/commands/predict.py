@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trueaxis.commands.arguments import file_to_write
 from trueaxis.commands.paths import overwritten
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
@@ -35,7 +36,9 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
     parser.add_argument("--at", type=Path, required=True, metavar="POINTS", help="axis positions, .csv or .parquet")
     parser.add_argument("--covariance", type=Path, metavar="FILE.npz", help="covariance of the error values")
-    parser.add_argument("--out", type=Path, required=True, metavar="OUT", help="table to write, .csv or .parquet")
+    parser.add_argument(
+        "--out", type=file_to_write, required=True, metavar="OUT", help="table to write, .csv or .parquet"
+    )
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
@@ -45,7 +48,7 @@ def add_parser(subparsers: "Subparsers") -> None:
 def run(args: argparse.Namespace) -> int:
     """Predict and write; raises InputError with the faults of every file."""
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--at": args.at, "--covariance": args.covariance}
-    found = overwritten(inputs, {"--out": args.out})
+    found = overwritten(inputs, {"--out": args.out}, args.kernels)
     machine = read_machine(args.machine)
     with gathering(found):
         model = load_model(args.machine, args.errors, args.kernels)
