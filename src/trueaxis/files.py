@@ -107,12 +107,13 @@ class OutputFiles:
             self._made.pop_all()
 
     def _make_folder(self, target: Path, folder: Path) -> None:
+        for path in (*target.parents, folder):
+            if path.exists() and not path.is_dir():
+                raise InputError([Fault(str(path), "", "is a file", "a folder to write to")])
         for path in reversed([folder, *folder.parents]):
             if not path.exists():
                 self._made.callback(_remove_empty, path)
                 path.mkdir(exist_ok=True)
-            elif not path.is_dir():
-                raise InputError([Fault(str(target), "", f"{path} is a file", "a folder to write to")])
 
     def _keep_old(self, destination: Path, undo: ExitStack) -> None:
         """Keep the old file under a temporary name until all is done; it comes back when `undo` closes."""

@@ -1,7 +1,7 @@
 """No command writes over what it reads, or writes two things into one file."""
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 from trueaxis.faults import Fault
@@ -42,15 +42,10 @@ def overwritten(
 def _among_kernels(path: Path, kernels: Path) -> bool:
     """Whether it is a file of derived kernels, or would be a further one in their folder."""
     folder = _real(path).parent
-    return any(
-        folder == _real(machine) or any(_same(path, machine / file) for file in KERNEL_FILES)
-        for machine in _machines(kernels)
-    )
-
-
-def _machines(kernels: Path) -> Iterator[Path]:
-    if kernels.is_dir():
-        yield from (manifest.parent for manifest in kernels.glob(f"*/{MANIFEST}"))
+    if folder.parent == _real(kernels) and (path.name in KERNEL_FILES or (folder / MANIFEST).exists()):
+        return True
+    machines = [manifest.parent for manifest in kernels.glob(f"*/{MANIFEST}")] if kernels.is_dir() else []
+    return any(_same(path, machine / file) for machine in machines for file in KERNEL_FILES)
 
 
 def _same(one: Path, other: Path) -> bool:
