@@ -26,7 +26,7 @@ MODULES = sorted(
 def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("hostile")
     prepare(folder)
-    for place in (folder, folder / "plan", folder / "data", folder / "out"):
+    for place in (folder, folder / "dmu60p_runs", folder / "data", folder / "out"):
         place.mkdir(exist_ok=True)
         for name in MODULES:
             (place / f"{name}.py").write_text(EVIL)
