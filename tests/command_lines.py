@@ -34,7 +34,7 @@ COMMANDS: Mapping[str, str] = {
 
 
 def prepare(folder: Path) -> None:
-    """The inputs of COMMANDS: m.toml, e.json, dmu60p_runs/, data/, regular/, tables.json, points.parquet, part.nc, test.csv."""
+    """The inputs of COMMANDS: a machine, its errors, a plan, data, tables, points, a program and a positioning test."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "m.toml").write_bytes(DMU60P.read_bytes())
     (folder / "e.json").write_bytes(ERRORS.read_bytes())
