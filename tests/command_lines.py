@@ -4,7 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -50,15 +50,15 @@ def prepare(folder: Path) -> None:
         assert done.returncode == 0, done.stderr
 
 
-def words_of(words: str) -> list[str]:
+def words_of(words: Sequence[str]) -> list[str]:
     """With the kernels of the repository where the command takes some."""
-    parts = words.split()
-    return parts if parts[0] in ("derive", "fit", "evaluate", "demo") else [*parts, "--kernels", str(KERNELS)]
+    without = words[0] in ("derive", "fit", "evaluate", "demo")
+    return list(words) if without else [*words, "--kernels", str(KERNELS)]
 
 
 def command_line(words: str) -> list[str]:
     """What starts the program as its script does."""
-    return [sys.executable, "-P", "-c", PROGRAM, *words_of(words)]
+    return [sys.executable, "-P", "-c", PROGRAM, *words_of(words.split())]
 
 
 def run(folder: Path, words: str, **options: Any) -> "subprocess.CompletedProcess[str]":
