@@ -207,6 +207,8 @@ def test_odd_names_of_inputs_and_outputs_are_one_line(
         assert code in ((2,) if number == 1 or len(name) > 255 else (0, 1)), told
         for character in ("\x1b", "\u202e", "\udcff"):
             assert character not in told
+        if "\n" in name:
+            assert name not in told
         if code == 2:
             assert all(line.startswith("trueaxis: ") for line in told.splitlines())
     assert leftovers(tmp_path) == []

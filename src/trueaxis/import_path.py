@@ -17,7 +17,7 @@ def leave_current_folder_out() -> None:
 
 
 def without_current_folder(entries: Iterable[str]) -> list[str]:
-    """The entries of an import path as absolute paths, less those that are the current folder.
+    """The entries of an import path, folders as absolute paths, less those that are the current folder.
 
     The folder that holds this package stays: the program could not go on without it.
     """
@@ -26,7 +26,8 @@ def without_current_folder(entries: Iterable[str]) -> list[str]:
     for entry in entries:
         absolute = os.path.abspath(entry)  # noqa: PTH100
         if absolute == package or not _is_current(absolute):
-            kept.append(absolute)
+            # an entry that is no folder may be a name that an installer's import hook knows
+            kept.append(absolute if os.path.isdir(absolute) else entry)  # noqa: PTH112
     return kept
 
 

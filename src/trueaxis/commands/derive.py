@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.measure.data import MeasuredData, read_data
 from trueaxis.measure.setup import PointOn
@@ -78,7 +78,7 @@ def run(args: argparse.Namespace) -> int:
             lack = f"   (singular at these points: rank {system.rank})" if system.rank < len(system.unknowns) else ""
             print(f"  {number}. {', '.join(system.runs)} -> {', '.join(system.unknowns)}{lack}")
     for name in files:
-        print(f"wrote {folder / name}")
+        print(f"wrote {named(folder / name)}")
     return 0
 
 

@@ -10,7 +10,7 @@ from trueaxis.commands.arguments import positive
 from trueaxis.commands.beside import beside, cores
 from trueaxis.commands.derive import identification_runs
 from trueaxis.commands.measured import read_measured
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.commands.progress import Progress, progress
 from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
@@ -98,10 +98,10 @@ def run(args: argparse.Namespace) -> int:
         }
         write_files(contents)
     print(summary_text(diagnosis), end="")
-    print(f"written: {', '.join(str(path) for path in contents)}")
+    print(f"written: {', '.join(map(named, contents))}")
     left = [path for path in _outputs(args.out, given.model.name) if path not in contents and path.exists()]
     if left:
-        print(f"left from before, no part of this diagnosis: {', '.join(map(str, left))}")
+        print(f"left from before, no part of this diagnosis: {', '.join(map(named, left))}")
     return 1 if diagnosis.verdict in NO_ANSWER else 0
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.commands.arguments import file_to_write
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
@@ -64,5 +64,5 @@ def run(args: argparse.Namespace) -> int:
     write_files(contents)
     print(report_text(str(args.data), evaluation), end="")
     if contents:
-        print(f"written: {', '.join(str(path) for path in contents)}")
+        print(f"written: {', '.join(map(named, contents))}")
     return 0

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.commands.arguments import file_to_write, share, whole
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.runtime.curves import TableCurve
@@ -88,5 +88,5 @@ def run(args: argparse.Namespace) -> int:
         print(f"{name}: {fit.verdict}\n{statistics_table(fit, unit, factor)}\n")
     for note in notes:
         print(f"note: {note}")
-    print(f"written: {', '.join(str(path) for path in contents)}")
+    print(f"written: {', '.join(map(named, contents))}")
     return 0 if all(fit.after.powers for fit in fits.values()) else 1

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from trueaxis.commands.arguments import file_to_write
 from trueaxis.commands.identify_options import degree_option, instruments_option, noise_option
 from trueaxis.commands.measured import read_measured
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.covariance import dump_covariance
@@ -132,7 +132,7 @@ def run(args: argparse.Namespace) -> int:
         contents[args.covariance] = dump_covariance(identified.covariance)
     write_files(contents)
     print(report_text(identified.report), end="")
-    print(f"written: {', '.join(str(path) for path in contents)}")
+    print(f"written: {', '.join(map(named, contents))}")
     return 1 if identified.report.nothing_determined else 0
 
 

@@ -1,4 +1,4 @@
-"""No command writes over what it reads, or writes two things into one file."""
+"""Outputs by name: no command writes over what it reads, or writes two things into one file."""
 
 import os
 from collections.abc import Mapping
@@ -6,6 +6,7 @@ from pathlib import Path
 
 from trueaxis.faults import Fault
 from trueaxis.measure import readings, setup
+from trueaxis.plain_text import shown
 from trueaxis.runtime.manifest import KERNEL_FILES, MANIFEST
 
 _DATA_FILES = (setup.FILE_NAME, readings.FILE_NAME, readings.PARQUET_NAME)
@@ -37,6 +38,11 @@ def overwritten(
             found.append(Fault(str(path), "", f"is both {other} and {option}", "a file for each"))
         written.append((option, path))
     return found
+
+
+def named(path: Path) -> str:
+    """The path as a line of a report names it."""
+    return shown(str(path))
 
 
 def _among_kernels(path: Path, kernels: Path) -> bool:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from trueaxis.commands.arguments import file_to_write, positive, whole
 from trueaxis.commands.measured import read_measured
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.measure import readings as readings_files
@@ -119,7 +119,7 @@ def run(args: argparse.Namespace) -> int:
     write_files(contents)
     print(report_text(report), end="")
     if contents:
-        print(f"written: {', '.join(str(path) for path in contents)}")
+        print(f"written: {', '.join(map(named, contents))}")
     return 1 if report.nothing_determined else 0
 
 

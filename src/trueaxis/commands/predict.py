@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.commands.arguments import file_to_write
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.identify.covariance import predicted_u, read_covariance
@@ -69,5 +69,5 @@ def run(args: argparse.Namespace) -> int:
     deviation = predict(model, points)
     spread = None if covariance is None else predicted_u(model, covariance, points.positions, points.tool)
     write_files({args.out: dump_predicted(points, deviation, args.out.suffix, spread)})
-    print(f"{args.out}: {deviation.shape[1]} points")
+    print(f"{named(args.out)}: {deviation.shape[1]} points")
     return 0

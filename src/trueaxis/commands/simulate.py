@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.commands.arguments import size, whole
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
@@ -85,7 +85,7 @@ def run(args: argparse.Namespace) -> int:
     )
     kept = 0 if args.replace else int((~readings.planned).sum())
     told = f"; {kept} were there already and stay (--replace makes them anew)" if kept else ""
-    print(f"{args.out}: {len(setup.runs)} runs, {len(readings.run) - kept} readings made{told}")
+    print(f"{named(args.out)}: {len(setup.runs)} runs, {len(readings.run) - kept} readings made{told}")
     return 0
 
 
