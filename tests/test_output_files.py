@@ -296,19 +296,19 @@ class TestSweeping:
 
         def write(number: int) -> None:
             try:
-                for turn in range(60):
+                for turn in range(20):
                     write_files({tmp_path / f"{number}": f"{turn}" * 1000, tmp_path / "shared": f"{number}" * 1000})
             except BaseException as error:
                 failures.append(error)
 
-        threads = [threading.Thread(target=write, args=(number,)) for number in range(6)]
+        threads = [threading.Thread(target=write, args=(number,)) for number in range(4)]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
         assert failures == []
-        assert sorted(path.name for path in tmp_path.iterdir()) == [*map(str, range(6)), "shared"]
-        assert all((tmp_path / str(number)).read_text() == "59" * 1000 for number in range(6))
+        assert sorted(path.name for path in tmp_path.iterdir()) == [*map(str, range(4)), "shared"]
+        assert all((tmp_path / str(number)).read_text() == "19" * 1000 for number in range(4))
         assert len(set((tmp_path / "shared").read_text())) == 1
 
     def test_a_name_is_never_that_of_another(self, tmp_path: Path) -> None:

@@ -5,7 +5,6 @@ import io
 import os
 import sys
 from contextlib import suppress
-from pathlib import Path
 from types import TracebackType
 from typing import TextIO
 
@@ -93,5 +92,7 @@ class StandardStreams:
 
 def _give_up(stream: TextIO) -> None:
     """Let what the stream still holds go nowhere: Python would try once more at its end, and complain."""
-    with suppress(OSError), Path(os.devnull).open("wb") as nowhere:
-        os.dup2(nowhere.fileno(), stream.fileno())
+    with suppress(OSError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
