@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from trueaxis.faults import InputError
 from trueaxis.files import write_files
 
 
@@ -30,7 +31,6 @@ def failing_at(count: int, real: Callable[..., object]) -> Callable[..., object]
 def test_texts_and_bytes_are_written_in_folders_that_are_made(tmp_path: Path) -> None:
     write_files({tmp_path / "a.txt": "µm\n", tmp_path / "new" / "deep" / "b.bin": b"\x00\xff"})
     assert contents(tmp_path) == {"a.txt": "µm\n".encode(), "new/deep/b.bin": b"\x00\xff"}
-    assert (tmp_path / "a.txt").stat().st_mode & 0o777 == 0o644
 
 
 def test_line_ends_are_left_as_they_are(tmp_path: Path) -> None:
@@ -47,8 +47,7 @@ def test_old_files_are_replaced_whole_while_readers_keep_the_old(tmp_path: Path)
     assert contents(tmp_path) == {"a": b"new"}
 
 
-@pytest.mark.parametrize("count", [1, 2, 3])
-@pytest.mark.parametrize("what", ["replace", "chmod"])
+@pytest.mark.parametrize(("what", "count"), [("replace", 1), ("replace", 2), ("replace", 3), ("chmod", 1)])
 def test_a_failure_in_the_middle_leaves_everything_as_it_was(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, what: str, count: int
 ) -> None:
@@ -66,7 +65,7 @@ def test_a_failure_in_the_middle_leaves_everything_as_it_was(
 
 def test_a_target_that_is_a_folder_leaves_the_others_alone(tmp_path: Path) -> None:
     (tmp_path / "folder").mkdir()
-    with pytest.raises(IsADirectoryError):
+    with pytest.raises(InputError, match="folder: is a folder"):
         write_files({tmp_path / "new" / "a": "a", tmp_path / "folder": "b"})
     assert list(tmp_path.iterdir()) == [tmp_path / "folder"]
 
@@ -82,6 +81,6 @@ def test_a_folder_that_may_not_be_written_leaves_the_others_alone(tmp_path: Path
 
 def test_a_file_where_a_folder_should_be_leaves_the_others_alone(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x")
-    with pytest.raises(OSError, match="file"):
+    with pytest.raises(InputError, match="file: is a file; a folder to write to"):
         write_files({tmp_path / "a": "a", tmp_path / "file" / "b": "b"})
     assert contents(tmp_path) == {"file": b"x"}

@@ -7,11 +7,16 @@ import os
 import re
 import sys
 from collections.abc import Sequence
+from typing import NoReturn
 
 from trueaxis import __version__
-from trueaxis.faults import InputError
+from trueaxis.faults import Fault, InputError
+from trueaxis.plain_text import shown
+from trueaxis.stopping import Stopped
+from trueaxis.told import NOT_DELIVERED, StandardStreams
 
 COMMANDS = ("derive", "predict", "simulate", "plan", "identify", "fit", "compensate", "diagnose", "evaluate", "demo")
+WRONG_INPUT = 2
 INTERRUPTED = 130  # as shells have it
 # threads of linear algebra, unless the user says otherwise: more of them cost more than they gain on matrices of our
 # size, and the last digits of a result would depend on the number of processors
@@ -20,12 +25,13 @@ ONE_THREAD = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS
 
 def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
     """The parser of these commands; each command's module is imported for it."""
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="trueaxis",
         description="Geometric errors of machine tools: derive the model of a machine from a short spec, identify its "
         "errors from laser, ball-bar and probe data, compensate its NC programs, name what the model lacks.",
         epilog="trueaxis COMMAND --help tells more of each. Exit codes: 0 done; 1 done, and the answer is no; "
-        "2 the input is wrong, every fault is listed and no output file was touched.",
+        "2 the input is wrong, every fault is listed and no output file was touched; 3 done, but standard output could "
+        "not take the text.",
     )
     parser.add_argument("--version", action="version", version=f"trueaxis {__version__}")
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
@@ -38,25 +44,64 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command. Returns the exit code."""
     for name in ONE_THREAD:
         os.environ.setdefault(name, "1")
+    with StandardStreams() as streams:
+        try:
+            code = _run(sys.argv[1:] if arguments is None else arguments)
+        except SystemExit as stop:  # help and wrong usage
+            code = _delivered(streams, int(stop.code or 0))
+            raise SystemExit(code) from None
+        return _delivered(streams, code)
+
+
+def _run(arguments: Sequence[str]) -> int:
     try:
-        words = _joined(sys.argv[1:] if arguments is None else arguments)
+        words = _joined(arguments)
         # A command needs no other command's libraries; help and mistakes are told of all.
         args = build_parser(words[:1] if words and words[0] in COMMANDS else COMMANDS).parse_args(words)
-        logging.basicConfig(format="trueaxis: %(message)s", level=logging.WARNING)
+        logging.basicConfig(handlers=[_Warnings()], level=logging.WARNING)
         return int(args.run(args))
     except InputError as error:
-        for fault in error.faults:
-            print(f"trueaxis: {fault}", file=sys.stderr)
-    except BrokenPipeError:
-        # Whoever read our output has stopped; what was to be written to files has been.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
+        faults = error.faults
     except OSError as error:
-        print(f"trueaxis: {error.filename or ''}: {error.strerror or error}", file=sys.stderr)
+        faults = (Fault(str(error.filename or "system"), "", error.strerror or str(error)),)
     except KeyboardInterrupt:
         print("trueaxis: stopped", file=sys.stderr)
         return INTERRUPTED
-    return 2
+    except Stopped as stopped:
+        print("trueaxis: stopped", file=sys.stderr)
+        return stopped.code
+    for fault in faults:
+        print(f"trueaxis: {fault}", file=sys.stderr)
+    return WRONG_INPUT
+
+
+def _delivered(streams: StandardStreams, code: int) -> int:
+    """The exit code, another one where standard output could not take the text of a command that was done.
+
+    A reader that has stopped (`| head`) has what it wanted.
+    """
+    streams.out.flush()
+    failure = streams.out.failure
+    if failure is None or isinstance(failure, BrokenPipeError) or code >= WRONG_INPUT:
+        return code
+    print(f"trueaxis: standard output: {failure.strerror}; files were written, the text was not", file=sys.stderr)
+    return NOT_DELIVERED
+
+
+class _Warnings(logging.Handler):
+    """Shows warnings on what is standard error at the time, each as one line."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Show one warning."""
+        print(f"trueaxis: {shown(record.getMessage())}", file=sys.stderr)
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser whose errors are one line that is safe to show, whatever was typed."""
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong and how the command is used; ends with exit code 2."""
+        super().error(shown(message))
 
 
 def _joined(words: Sequence[str]) -> list[str]:

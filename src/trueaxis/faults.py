@@ -3,13 +3,16 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from trueaxis.plain_text import shown
+
 
 @dataclass(frozen=True, slots=True)
 class Fault:
     """One thing wrong with an input file.
 
     file: the file as the user named it; place: key, line or column within it (may be empty);
-    problem: what is wrong; remedy: what would be right (may be empty).
+    problem: what is wrong; remedy: what would be right (may be empty). As text it is one line, each part of it made
+    safe to show and cut to a length that can be read, whatever an input put into it.
     """
 
     file: str
@@ -18,8 +21,9 @@ class Fault:
     remedy: str = ""
 
     def __str__(self) -> str:
-        where = f"{self.file}: {self.place}" if self.place else self.file
-        return f"{where}: {self.problem}" + (f"; {self.remedy}" if self.remedy else "")
+        file, place, problem, remedy = (shown(part) for part in (self.file, self.place, self.problem, self.remedy))
+        where = f"{file}: {place}" if place else file
+        return f"{where}: {problem}" + (f"; {remedy}" if remedy else "")
 
 
 class InputError(ValueError):

@@ -5,7 +5,6 @@ import json
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import numpy.typing as npt
@@ -14,9 +13,11 @@ import pytest
 from tests.identify.data import TRAVEL, paper_runs
 from tests.machines import DMU60P, ROOT
 from trueaxis.cli import main
-from trueaxis.commands import diagnose as command
+from trueaxis.commands.progress import progress
 from trueaxis.measure.setup import Run
 from trueaxis.plan.extended import _table
+from trueaxis.runtime.manifest import KERNEL_FILES
+from trueaxis.told import Told
 
 ERRORS = ROOT / "machines" / "dmu60p_errors.json"
 KERNELS = ROOT / "generated"
@@ -157,7 +158,7 @@ class TestFaults:
             ({"errors": "out/errors.json"}, "is both --errors, which is read, and errors.json of --out"),
             (
                 {"kernels": "out/generated"},
-                "is both kernels.c of --kernels, which is read, and generated/dmu60p/kernels.c",
+                "kernels.c of --out lies among the kernels of",
             ),
         ],
     )
@@ -179,34 +180,37 @@ class TestFaults:
         assert {path: path.read_bytes() for path in out.rglob("*") if path.is_file()} == before
 
 
+def looked_at(monkeypatch: pytest.MonkeyPatch, terminal: bool) -> io.StringIO:
+    """What standard error shows, where it is a terminal or not."""
+    shown = io.StringIO()
+    monkeypatch.setattr(shown, "isatty", lambda: terminal)
+    monkeypatch.setattr("sys.stderr", Told(shown))
+    return shown
+
+
 class TestProgress:
     def test_a_terminal_sees_each_stage_and_is_left_clean(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        terminal = io.StringIO()
-        monkeypatch.setattr(terminal, "isatty", lambda: True)
-        monkeypatch.setattr(command, "sys", SimpleNamespace(stderr=terminal))
-        with command._progress() as show:
+        terminal = looked_at(monkeypatch, True)
+        with progress() as show:
             show("reading")
             show("noise")
-        assert terminal.getvalue() == "\rreading\x1b[K\rnoise\x1b[K\r\x1b[K"
+        assert terminal.getvalue() == "\rreading\x1b[K\r\rnoise\x1b[K\r\r\x1b[K\r"
 
     def test_a_terminal_is_left_clean_by_what_fails(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        terminal = io.StringIO()
-        monkeypatch.setattr(terminal, "isatty", lambda: True)
-        monkeypatch.setattr(command, "sys", SimpleNamespace(stderr=terminal))
+        terminal = looked_at(monkeypatch, True)
 
         def fail() -> None:
-            with command._progress() as show:
+            with progress() as show:
                 show("reading")
                 raise KeyError
 
         with pytest.raises(KeyError):
             fail()
-        assert terminal.getvalue().endswith("\r\x1b[K")
+        assert terminal.getvalue().endswith("\r\x1b[K\r")
 
     def test_a_pipe_sees_nothing(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        pipe = io.StringIO()
-        monkeypatch.setattr(command, "sys", SimpleNamespace(stderr=pipe))
-        with command._progress() as show:
+        pipe = looked_at(monkeypatch, False)
+        with progress() as show:
             show("reading")
         assert pipe.getvalue() == ""
 
@@ -274,7 +278,7 @@ class TestRun:
             "diagnosis.json",
             "dmu60p.toml",
             "errors.json",
-            *(f"generated/dmu60p/{name}" for name in sorted(command.KERNEL_FILES)),
+            *(f"generated/dmu60p/{name}" for name in sorted(KERNEL_FILES)),
             "report.html",
         ]
 

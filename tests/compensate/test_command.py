@@ -153,7 +153,7 @@ def test_folders_are_made_and_taken_away_again(tmp_path: Path) -> None:
 
 def test_a_report_that_cannot_be_written_leaves_the_program_alone(tmp_path: Path) -> None:
     (tmp_path / "out.nc").write_text("before")
-    with pytest.raises(InputError, match="irectory"):
+    with pytest.raises(InputError, match="is a folder"):
         command(tmp_path, PROGRAM, "--report", str(tmp_path))
     assert (tmp_path / "out.nc").read_text() == "before"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["in.nc", "out.nc"]

@@ -177,7 +177,7 @@ def test_faults_of_all_files_come_at_once_and_nothing_is_written(tmp_path: Path,
 def test_a_folder_that_cannot_be_made_leaves_nothing_behind(tmp_path: Path, errors: Path) -> None:
     (tmp_path / "out").write_text("a file")
     before = sorted(tmp_path.iterdir())
-    with pytest.raises(OSError, match="out"):
+    with pytest.raises(InputError, match="out: is a file; a folder to write to"):
         simulated(errors, PLAN, tmp_path / "out")
     assert sorted(tmp_path.iterdir()) == before
     assert (tmp_path / "out").read_text() == "a file"

@@ -19,7 +19,7 @@ from trueaxis.emit.c_source import c_header, c_source
 from trueaxis.emit.meta import ABI
 from trueaxis.emit.numpy_source import numpy_source
 from trueaxis.runtime.c_kernels import CRoutine, load_c_kernels
-from trueaxis.runtime.compiler import compile_kernels, find_compiler
+from trueaxis.runtime.compiler import find_compiler
 from trueaxis.spec import Machine
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
@@ -202,11 +202,10 @@ def test_kernels_of_another_spec_or_abi_are_refused(compiled: Compiled) -> None:
 def test_library_that_is_none_is_told(compiled: Compiled, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TRUEAXIS_CACHE", str(tmp_path))
     arguments_ = (compiled.source, compiled.machine.name, compiled.machine.digest, ABI)
-    library = compile_kernels(compiled.source).library
-    assert library is not None
-    copy = tmp_path / "kernels" / "broken"
-    copy.write_bytes(b"no library")
-    copy.replace(library)
+    compiler = tmp_path / "cc"
+    compiler.write_text('#!/bin/sh\nwhile [ "$1" != -o ]; do shift || exit 0; done; echo no library > "$2"\n')
+    compiler.chmod(0o755)
+    monkeypatch.setenv("CC", str(compiler))
     found, reason = load_c_kernels(*arguments_, compiled.numpy.META["routines"])
     assert found == {}
     assert "cannot be used" in reason

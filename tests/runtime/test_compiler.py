@@ -1,8 +1,13 @@
 """Compiling the kernels: once, privately, and with a reason where it cannot be done."""
 
 import ctypes
+import errno
+import os
 import shutil
+import signal
+import subprocess
 import sys
+import time
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -137,3 +142,62 @@ def test_cache_of_the_platform(source: Path, tmp_path: Path, monkeypatch: pytest
     library = compile_kernels(source).library
     assert library is not None
     assert library.parent == tmp_path / "home" / ".cache" / "trueaxis" / "kernels"
+
+
+@pytest.mark.parametrize("damage", ["truncated", "zeros", "one byte", "empty"])
+def test_a_damaged_library_is_compiled_anew(source: Path, damage: str) -> None:
+    library = compile_kernels(source).library
+    assert library is not None
+    content = library.read_bytes()
+    flipped = content[:1000] + bytes([content[1000] ^ 1]) + content[1001:]
+    damaged = {
+        "truncated": content[: len(content) // 2],
+        "zeros": bytes(len(content)),
+        "one byte": flipped,
+        "empty": b"",
+    }
+    library.write_bytes(damaged[damage])
+    again = compile_kernels(source).library
+    assert answer(again) == 41
+    assert [path.suffix for path in library.parent.iterdir()] == [".so"]
+
+
+def test_a_full_cache_is_a_reason(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object) -> int:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
+    found = compile_kernels(source)
+    assert found.library is None
+    assert "No space left on device" in found.reason
+    assert list((tmp_path / "cache" / "kernels").iterdir()) == []
+
+
+def test_a_killed_compilation_is_cleared_up_by_the_next(source: Path, tmp_path: Path) -> None:
+    slow = script(tmp_path / "slow-cc", '[ "$1" = --version ] || { touch "$STARTED"; sleep 60; }')
+    code = "import sys; from pathlib import Path; from trueaxis.runtime.compiler import compile_kernels as c\n"
+    environment = os.environ | {"CC": slow, "STARTED": str(tmp_path / "started")}
+    words = [sys.executable, "-c", f"{code}c(Path(sys.argv[1]))", str(source)]
+    with subprocess.Popen(words, env=environment, start_new_session=True) as process:
+        while not (tmp_path / "started").exists():
+            time.sleep(0.01)
+        cache = tmp_path / "cache" / "kernels"
+        (folder,) = cache.iterdir()
+        assert compile_kernels(source).library is not None
+        assert folder.is_dir(), "what a running process holds is not removed"
+        os.killpg(process.pid, signal.SIGKILL)
+    assert folder.is_dir()
+    source.write_text(source.read_text() + "\n")
+    assert answer(compile_kernels(source).library) == 41
+    assert {path.suffix for path in cache.iterdir()} == {".so"}
+
+
+def test_a_relative_cache_of_the_user_is_passed_over(
+    source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("TRUEAXIS_CACHE")
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.setenv("XDG_CACHE_HOME", "relative")
+    library = compile_kernels(source).library
+    assert library is not None
+    assert library.is_relative_to(tmp_path / "home")

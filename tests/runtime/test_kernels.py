@@ -1,5 +1,7 @@
 """Loading generated kernels: only those of this machine and this runtime, and what to run for others."""
 
+import json
+from hashlib import sha256
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +14,7 @@ from trueaxis.emit.render import render
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.runtime.kernels import ABI, Kernels, load_kernels
+from trueaxis.runtime.manifest import CODE_FILES, MANIFEST
 from trueaxis.spec import Machine
 
 
@@ -38,11 +41,19 @@ def fault_of(folder: Path, machine: Machine | None = None) -> str:
     return str(fault)
 
 
-def changed(folder: Path, old: str, new: str) -> None:
-    path = folder / "dmu60p" / "kernels.py"
+def changed(folder: Path, old: str, new: str, file: str = "kernels.py") -> None:
+    path = folder / "dmu60p" / file
     text = path.read_text()
     assert old in text
     path.write_text(text.replace(old, new))
+
+
+def sealed(folder: Path) -> None:
+    """Write the manifest of the kernels as they are now."""
+    path = folder / "dmu60p" / MANIFEST
+    record = json.loads(path.read_text())
+    record["files"] = {name: sha256(path.with_name(name).read_bytes()).hexdigest() for name in record["files"]}
+    path.write_text(json.dumps(record))
 
 
 def test_emitter_and_loader_are_of_one_abi() -> None:
@@ -65,13 +76,13 @@ def test_missing_kernels(tmp_path: Path) -> None:
 
 
 def test_kernels_of_another_abi(folder: Path) -> None:
-    changed(folder, f"ABI = {ABI}\n", f"ABI = {ABI + 1}\n")
-    assert f"ABI: is {ABI + 1}, not {ABI}" in fault_of(folder)
+    changed(folder, f'"kernel_abi": {ABI}', f'"kernel_abi": {ABI + 1}', MANIFEST)
+    assert f"kernel_abi: is {ABI + 1}, not {ABI}" in fault_of(folder)
 
 
 def test_kernels_of_another_spec(folder: Path) -> None:
     other = machine_of(DMU60P.read_text().replace("540.0", "541.0"))
-    assert "SPEC_HASH: is not that of machines/dmu60p.toml as it is now" in fault_of(folder, other)
+    assert "spec_sha256: is not that of machines/dmu60p.toml as it is now" in fault_of(folder, other)
 
 
 def test_references_and_layout_of_a_spec_leave_its_kernels_good(folder: Path) -> None:
@@ -91,7 +102,60 @@ def test_references_and_layout_of_a_spec_leave_its_kernels_good(folder: Path) ->
 )
 def test_damaged_kernels(folder: Path, old: str, new: str, told: str) -> None:
     changed(folder, old, new)
+    sealed(folder)
     assert told in fault_of(folder)
+
+
+@pytest.mark.parametrize("backend", ["numpy", "c"])
+@pytest.mark.parametrize("name", CODE_FILES)
+def test_no_other_content_is_run_than_was_derived(folder: Path, name: str, backend: str) -> None:
+    path = folder / "dmu60p" / name
+    content = path.read_bytes()
+    # a constant, a comment, an end that is missing, nothing at all
+    for other in (content.replace(b"1.0", b"1.5", 1), content + b"\n", content[:-100], bytes(len(content)), b""):
+        if other == content:  # the header has no constant
+            continue
+        path.write_bytes(other)
+        with pytest.raises(InputError) as caught:
+            load(folder, backend=backend)
+        (fault,) = caught.value.faults
+        assert str(fault).startswith(f"{path}: is not as it was derived")
+        assert fault.remedy == f"run: trueaxis derive machines/dmu60p.toml --out {folder}"
+    path.write_bytes(content)
+    assert load(folder)
+    path.unlink()
+    with pytest.raises(InputError, match=name):
+        load(folder, backend=backend)
+
+
+def test_every_file_that_was_changed_is_told(folder: Path) -> None:
+    for name in CODE_FILES:
+        (folder / "dmu60p" / name).write_bytes(b"")
+    with pytest.raises(InputError) as caught:
+        load(folder)
+    assert [Path(fault.file).name for fault in caught.value.faults] == list(CODE_FILES)
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"files": 3}', "[" * 100000, "\0"])
+def test_a_manifest_that_is_none(folder: Path, text: str) -> None:
+    (folder / "dmu60p" / MANIFEST).write_text(text)
+    assert MANIFEST in fault_of(folder)
+    (folder / "dmu60p" / MANIFEST).unlink()
+    assert "there is no manifest of these kernels" in fault_of(folder)
+
+
+def test_no_code_is_run_before_it_is_known(folder: Path, tmp_path: Path) -> None:
+    changed(folder, "import numpy as np", f"open({str(tmp_path / 'run')!r}, 'w')\nimport numpy as np")
+    fault_of(folder)
+    assert not (tmp_path / "run").exists()
+
+
+def test_a_backend_that_is_none(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TRUEAXIS_BACKEND", "fortran")
+    with pytest.raises(InputError, match="TRUEAXIS_BACKEND: fortran is no backend; one of auto, c, numpy"):
+        load_kernels(machine_at(DMU60P), DMU60P, folder)
+    monkeypatch.setenv("TRUEAXIS_BACKEND", "")
+    assert load_kernels(machine_at(DMU60P), DMU60P, folder)
 
 
 def test_kernels_written_again_within_a_second_are_the_new_ones(folder: Path) -> None:
@@ -99,6 +163,8 @@ def test_kernels_written_again_within_a_second_are_the_new_ones(folder: Path) ->
     load(folder)
     other = machine_of(DMU60P.read_text().replace("540.0", "541.0"))
     changed(folder, machine_at(DMU60P).digest, other.digest)
+    changed(folder, machine_at(DMU60P).digest, other.digest, MANIFEST)
+    sealed(folder)
     assert load(folder, other)
     assert sorted(path.name for path in (folder / "dmu60p").iterdir()) == sorted(
         ("kernels.py", "kernels.c", "kernels.h", "equations.md", "manifest.json")

@@ -2,7 +2,16 @@
 
 import argparse
 import math
+import os
 from collections.abc import Callable
+from pathlib import Path
+
+
+def file_to_write(text: str) -> Path:
+    """A path of a file. Raises argparse.ArgumentTypeError where it is written as that of a folder."""
+    if text.endswith(("/", os.sep)):
+        raise argparse.ArgumentTypeError(f"{text!r} is the name of a folder, not of a file")
+    return Path(text)
 
 
 def size(text: str) -> float:

@@ -14,6 +14,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib import import_module
 
+from trueaxis.own_python import own_python
+
 Result = Callable[[], object]
 
 
@@ -52,12 +54,12 @@ def cores() -> int:
 
 
 def _started(module: str) -> "subprocess.Popen[bytes] | None":
-    # -P: no module is imported from the folder that the program is used in; a session of its own: who interrupts the
-    # program means the first process
-    command = [sys.executable, "-P", "-m", __name__, module]
+    # a session of its own: who interrupts the program means the first process
     try:
-        return subprocess.Popen(
-            command,
+        return own_python(
+            "-m",
+            __name__,
+            module,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,

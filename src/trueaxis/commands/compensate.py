@@ -2,13 +2,13 @@
 
 import argparse
 import re
-import sys
-from collections.abc import Callable
 from dataclasses import fields
 from pathlib import Path
 from typing import get_args
 
+from trueaxis.commands.arguments import file_to_write
 from trueaxis.commands.paths import overwritten
+from trueaxis.commands.progress import progress
 from trueaxis.compensate.files import compensate_file
 from trueaxis.compensate.settings import Dialect, Integers, Settings
 from trueaxis.faults import Fault, InputError
@@ -65,7 +65,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
     parser.add_argument("program", type=Path, metavar="PROGRAM", help="NC program or APT CL file")
-    parser.add_argument("--out", type=Path, required=True, metavar="PROGRAM", help="NC program to write")
+    parser.add_argument("--out", type=file_to_write, required=True, metavar="PROGRAM", help="NC program to write")
     parser.add_argument("--format", choices=("nc", "apt"), help="of the program; default: by extension and content")
     parser.add_argument("--tolerance", type=float, default=default.tolerance, metavar="MM",
                         help="largest tool point error allowed (default %(default)s)")  # fmt: skip
@@ -111,7 +111,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         help="M codes that move no axis and change no mode on this control")  # fmt: skip
     parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
                         help="folder of derived kernels (default %(default)s)")  # fmt: skip
-    parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON too")
+    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON too")
     parser.set_defaults(run=run)
 
 
@@ -155,7 +155,7 @@ def run(args: argparse.Namespace) -> int:
     Raises InputError when the input is wrong.
     """
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "PROGRAM": args.program}
-    found = overwritten(inputs, {"--out": args.out, "--report": args.report})
+    found = overwritten(inputs, {"--out": args.out, "--report": args.report}, args.kernels)
     with gathering(found):
         settings = _settings(args)
     with gathering(found):
@@ -163,23 +163,13 @@ def run(args: argparse.Namespace) -> int:
     if found:
         raise InputError(found)
     try:
-        report = compensate_file(
-            args.program, args.out, model, settings,
-            language=args.format, report_file=args.report, progress=_progress(),
-        )  # fmt: skip
+        with progress() as show:
+            report = compensate_file(
+                args.program, args.out, model, settings, language=args.format, report_file=args.report,
+                progress=lambda lines: show(f"{lines} blocks read"),
+            )  # fmt: skip
     except OSError as problem:
         name = problem.filename or args.program
         raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None
     print(report)
     return 0 if report.good else 1
-
-
-def _progress() -> Callable[[int], None] | None:
-    if not sys.stderr.isatty():
-        return None
-
-    def show(lines: int) -> None:
-        sys.stderr.write(f"\r{lines} blocks read\x1b[K\r")
-        sys.stderr.flush()
-
-    return show

@@ -5,9 +5,11 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.measure.data import MeasuredData, read_data
 from trueaxis.measure.setup import PointOn
+from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.spec import Machine, read_machine
 from trueaxis.topology import format_lower_body_array
 
@@ -47,14 +49,17 @@ def run(args: argparse.Namespace) -> int:
     from trueaxis.emit.render import render  # noqa: PLC0415
 
     machine = read_machine(args.machine)
+    folder = args.out / machine.name
+    inputs = {"MACHINE.toml": args.machine, "--runs": args.runs}
+    if found := overwritten(inputs, {f"{name} of --out": folder / name for name in KERNEL_FILES}):
+        raise InputError(found)
     model = derive_model(machine, identification_runs(machine, args.machine, args.runs))
     files = render(model)
-    folder = args.out / machine.name
     if args.check:
-        found = differences(folder, files)
-        for line in found:
+        lines = differences(folder, files)
+        for line in lines:
             print(line)
-        if found:
+        if lines:
             runs = f" --runs {args.runs}" if args.runs else ""
             print(f"{folder} differs from {args.machine}; run: trueaxis derive {args.machine} --out {args.out}{runs}")
             return 1
@@ -73,7 +78,7 @@ def run(args: argparse.Namespace) -> int:
             lack = f"   (singular at these points: rank {system.rank})" if system.rank < len(system.unknowns) else ""
             print(f"  {number}. {', '.join(system.runs)} -> {', '.join(system.unknowns)}{lack}")
     for name in files:
-        print(f"wrote {folder / name}")
+        print(f"wrote {named(folder / name)}")
     return 0
 
 

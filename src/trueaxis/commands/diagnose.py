@@ -1,11 +1,7 @@
 """`trueaxis diagnose`: what a machine's model lacks, named from what it leaves unexplained in measured data."""
 
 import argparse
-import sys
-import tempfile
-from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,14 +10,16 @@ from trueaxis.commands.arguments import positive
 from trueaxis.commands.beside import beside, cores
 from trueaxis.commands.derive import identification_runs
 from trueaxis.commands.measured import read_measured
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
+from trueaxis.commands.progress import Progress, progress
 from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering, input_bytes, utf8_text
 from trueaxis.measure.data import MeasuredData
 from trueaxis.reporting.reliance import misfit_sentence
 from trueaxis.runtime.errors import ErrorValues, dump_errors
-from trueaxis.runtime.kernels import load_kernels
+from trueaxis.runtime.kernels import numpy_kernels
+from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.read import parse_machine
@@ -43,9 +41,6 @@ alike, or nothing that is known does; 2 the input is wrong and nothing was writt
 
 NO_ANSWER = ("ambiguous", "unexplained_structure")
 DIAGNOSIS, REPORT, ERRORS, KERNELS = "diagnosis.json", "report.html", "errors.json", "generated"
-KERNEL_FILES = ("kernels.py", "kernels.c", "kernels.h", "equations.md", "manifest.json")
-
-Progress = Callable[[str], None]
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -82,7 +77,7 @@ class _Given:
 def run(args: argparse.Namespace) -> int:
     """Diagnose, extend, write; raises InputError with the faults of every file and option."""
     # the report is drawn by a second process, which gets ready for it meanwhile
-    with _progress() as show, beside("trueaxis.diagnose.report.html") as start:
+    with progress() as show, beside("trueaxis.diagnose.report.html") as start:
         show("reading")
         given = _read(args)
         # only this command needs them, and not for wrong input
@@ -107,10 +102,10 @@ def run(args: argparse.Namespace) -> int:
     if fit is not None and fit.state == "misfit":
         print(f"note: {misfit_sentence(fit)}")
     print(summary_text(diagnosis), end="")
-    print(f"written: {', '.join(str(path) for path in contents)}")
+    print(f"written: {', '.join(map(named, contents))}")
     left = [path for path in _outputs(args.out, given.model.name) if path not in contents and path.exists()]
     if left:
-        print(f"left from before, no part of this diagnosis: {', '.join(map(str, left))}")
+        print(f"left from before, no part of this diagnosis: {', '.join(map(named, left))}")
     return 1 if diagnosis.verdict in NO_ANSWER else 0
 
 
@@ -152,9 +147,8 @@ def _read(args: argparse.Namespace) -> _Given:
 
 def _overwritten(args: argparse.Namespace, machine: Machine) -> list[Fault]:
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--data": args.data}
-    inputs |= {f"{name} of --kernels": args.kernels / machine.name / name for name in KERNEL_FILES}
     outputs = _outputs(args.out, machine.name)
-    return overwritten(inputs, {f"{path.relative_to(args.out)} of --out": path for path in outputs})
+    return overwritten(inputs, {f"{path.relative_to(args.out)} of --out": path for path in outputs}, args.kernels)
 
 
 def _outputs(out: Path, name: str) -> list[Path]:
@@ -170,7 +164,6 @@ def _extension(
     from trueaxis.derive.model import derive_model  # noqa: PLC0415
     from trueaxis.diagnose.extend import kept_readings, named_effects, reidentified, start_values  # noqa: PLC0415
     from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
-    from trueaxis.emit.check import write  # noqa: PLC0415
     from trueaxis.emit.render import render  # noqa: PLC0415
 
     effects = named_effects(diagnosis)
@@ -181,31 +174,12 @@ def _extension(
     text = extended_spec(given.spec, effects)
     machine = parse_machine(text, Faults(str(path)))
     files = render(derive_model(machine, given.runs))
-    with tempfile.TemporaryDirectory() as folder:
-        write(Path(folder) / machine.name, files)
-        kernels = load_kernels(machine, path, Path(folder), backend="numpy")  # run too briefly to be worth compiling
-        model = MachineModel(machine, kernels, ErrorValues(machine.name))
-        kept = kept_readings(given.data, diagnosis, str(args.data))
-        values = reidentified(model, given.model.errors, kept, diagnosis.noise, start_values(diagnosis))
+    kernels = numpy_kernels(files["kernels.py"], path)  # run too briefly to be worth compiling
+    model = MachineModel(machine, kernels, ErrorValues(machine.name))
+    kept = kept_readings(given.data, diagnosis, str(args.data))
+    values = reidentified(model, given.model.errors, kept, diagnosis.noise, start_values(diagnosis))
     errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
     generated: dict[Path, bytes | str] = {
         args.out / KERNELS / machine.name / name: content for name, content in files.items()
     }
     return {path: text, args.out / ERRORS: errors, **generated}
-
-
-@contextmanager
-def _progress() -> Iterator[Progress]:
-    """Shows stages on one line of standard error where that is a terminal, and leaves no trace of it."""
-    if not sys.stderr.isatty():
-        yield lambda _: None
-        return
-
-    def show(stage: str) -> None:
-        sys.stderr.write(f"\r{stage}\x1b[K")
-        sys.stderr.flush()
-
-    try:
-        yield show
-    finally:
-        show("")

@@ -4,7 +4,8 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.arguments import file_to_write
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
@@ -26,8 +27,10 @@ def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser("evaluate", help="a positioning test by ISO 230-2", description=DESCRIPTION)
     parser.add_argument("data", type=Path, metavar="DATA", help="the readings: .dat, .csv or .parquet")
-    parser.add_argument("--out", type=Path, metavar="REPORT.json", help="write the values as JSON")
-    parser.add_argument("--picture", type=Path, metavar="FILE.png", help="draw the mean deviations with bands of 2 s")
+    parser.add_argument("--out", type=file_to_write, metavar="REPORT.json", help="write the values as JSON")
+    parser.add_argument(
+        "--picture", type=file_to_write, metavar="FILE.png", help="draw the mean deviations with bands of 2 s"
+    )
     parser.add_argument(
         "--repeatability",
         choices=("iso", "unidirectional"),
@@ -61,5 +64,5 @@ def run(args: argparse.Namespace) -> int:
     write_files(contents)
     print(report_text(str(args.data), evaluation), end="")
     if contents:
-        print(f"written: {', '.join(str(path) for path in contents)}")
+        print(f"written: {', '.join(map(named, contents))}")
     return 0

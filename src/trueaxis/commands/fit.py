@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.commands.arguments import share, size, whole
+from trueaxis.commands.arguments import file_to_write, share, size, whole
 from trueaxis.commands.misfit import check_fit, misfit_option
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
@@ -42,7 +42,9 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="error values with tables")
-    parser.add_argument("--out", type=Path, required=True, metavar="E.json", help="error values, to be written")
+    parser.add_argument(
+        "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
+    )
     parser.add_argument(
         "--max-order", type=whole(1, HIGHEST_ORDER), default=7, metavar="N", help="highest power tried (%(default)s)"
     )
@@ -57,7 +59,9 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "--kernels", type=Path, default=Path("generated"), metavar="DIR",
         help="folder of derived kernels, for the uncertainty of the tool point (%(default)s)",
     )  # fmt: skip
-    parser.add_argument("--picture", type=Path, metavar="P.png", help="draw values and polynomials, before and after")
+    parser.add_argument(
+        "--picture", type=file_to_write, metavar="P.png", help="draw values and polynomials, before and after"
+    )
     parser.set_defaults(run=run)
 
 
@@ -72,6 +76,7 @@ def run(args: argparse.Namespace) -> int:
     found = overwritten(
         {"MACHINE.toml": args.machine, "--errors": args.errors},
         {"--out": args.out, "covariance of --out": file, "--picture": args.picture},
+        args.kernels,
     )
     machine = read_machine(args.machine)
     errors = covariance = None
@@ -111,9 +116,9 @@ def run(args: argparse.Namespace) -> int:
     for note in (*notes, *stated):
         print(f"note: {note}")
     if refused and extent is not None:
-        print(f"{args.out}: not written: {above_sentence(extent.counted, args.max_u)}")
+        print(f"{named(args.out)}: not written: {above_sentence(extent.counted, args.max_u)}")
         return 1
-    print(f"written: {', '.join(str(path) for path in contents)}")
+    print(f"written: {', '.join(map(named, contents))}")
     return 0 if all(fit.after.powers for fit in fits.values()) else 1
 
 

@@ -4,9 +4,10 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trueaxis.commands.arguments import file_to_write
 from trueaxis.commands.identify_options import degree_option, instruments_option, noise_option
 from trueaxis.commands.measured import read_measured
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault
 from trueaxis.files import write_files
 from trueaxis.identify.global_fit.instruments import KINDS
@@ -43,7 +44,9 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser = subparsers.add_parser("identify", help="error values from measured data", description=DESCRIPTION)
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
-    parser.add_argument("--out", type=Path, required=True, metavar="E.json", help="error values, to be written")
+    parser.add_argument(
+        "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
+    )
     parser.add_argument("--method", choices=("paper", "global"), default="paper", help="(default %(default)s)")
     parser.add_argument(
         "--squareness",
@@ -98,11 +101,11 @@ def add_parser(subparsers: "Subparsers") -> None:
     )
     parser.add_argument(
         "--covariance",
-        type=Path,
+        type=file_to_write,
         metavar="FILE.npz",
         help="where the covariance of the values goes (default: beside --out, with the ending .npz)",
     )
-    parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON, too")
+    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON, too")
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
@@ -126,7 +129,7 @@ def run(args: argparse.Namespace) -> int:
         contents[args.report] = report_json(identified.report)
     write_files(contents)
     print(report_text(identified.report), end="")
-    print(f"written: {', '.join(str(path) for path in contents)}")
+    print(f"written: {', '.join(map(named, contents))}")
     return 1 if identified.report.nothing_determined else 0
 
 
@@ -175,5 +178,5 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
     covariance = args.covariance or args.out.with_suffix(".npz")
     outputs = {"--out": args.out, "--report": args.report, "--covariance": covariance}
-    found += overwritten(inputs, outputs)
+    found += overwritten(inputs, outputs, args.kernels)
     return found

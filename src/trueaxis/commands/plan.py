@@ -6,9 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.commands.arguments import positive, whole
+from trueaxis.commands.arguments import file_to_write, positive, whole
 from trueaxis.commands.measured import read_measured
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.measure import readings as readings_files
@@ -84,7 +84,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="another folder, to be written: the plan with the proposed runs"
     )
-    parser.add_argument("--report", type=Path, metavar="FILE", help="write the report as JSON, too")
+    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON, too")
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
@@ -119,7 +119,7 @@ def run(args: argparse.Namespace) -> int:
     write_files(contents)
     print(report_text(report), end="")
     if contents:
-        print(f"written: {', '.join(str(path) for path in contents)}")
+        print(f"written: {', '.join(map(named, contents))}")
     return 1 if report.nothing_determined else 0
 
 
@@ -147,7 +147,10 @@ def _extended(args: argparse.Namespace, runs: Sequence[Candidate], given: Readin
 
 def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
-    found = overwritten(inputs, {"--report": args.report})
+    outputs = {"--report": args.report}
+    if args.out is not None and args.out.resolve() != args.data.resolve():
+        outputs |= {f"{name} of --out": args.out / name for name in (setup_file.FILE_NAME, readings_files.FILE_NAME)}
+    found = overwritten(inputs, outputs, args.kernels)
     if args.ideal_instruments:
         for option in ("unknown_linkage_lines", "unknown_zeros"):
             if getattr(args, option):

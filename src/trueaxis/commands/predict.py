@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trueaxis.commands.arguments import size
-from trueaxis.commands.paths import overwritten
+from trueaxis.commands.arguments import file_to_write, size
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
@@ -53,7 +53,9 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="write nothing, exit code 1, where a standard uncertainty is larger; what is not known or not determined "
         "counts as infinite",
     )  # fmt: skip
-    parser.add_argument("--out", type=Path, required=True, metavar="OUT", help="table to write, .csv or .parquet")
+    parser.add_argument(
+        "--out", type=file_to_write, required=True, metavar="OUT", help="table to write, .csv or .parquet"
+    )
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
@@ -63,7 +65,7 @@ def add_parser(subparsers: "Subparsers") -> None:
 def run(args: argparse.Namespace) -> int:
     """Predict and write; raises InputError with the faults of every file."""
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--at": args.at, "--covariance": args.covariance}
-    found = overwritten(inputs, {"--out": args.out})
+    found = overwritten(inputs, {"--out": args.out}, args.kernels)
     machine = read_machine(args.machine)
     with gathering(found):
         model = load_model(args.machine, args.errors, args.kernels)
@@ -84,10 +86,10 @@ def run(args: argparse.Namespace) -> int:
     for sentence in _reliance(model, points, uncertainty):
         print(f"note: {sentence}")
     if args.max_u is not None and largest > args.max_u:
-        print(f"{args.out}: not written: {above_sentence(float(largest), args.max_u)}")
+        print(f"{named(args.out)}: not written: {above_sentence(float(largest), args.max_u)}")
         return 1
     write_files({args.out: dump_predicted(points, deviation, args.out.suffix, uncertainty.u)})
-    print(f"{args.out}: {deviation.shape[1]} points")
+    print(f"{named(args.out)}: {deviation.shape[1]} points")
     return 0
 
 

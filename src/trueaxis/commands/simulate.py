@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.commands.arguments import size, whole
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
@@ -50,7 +51,7 @@ def add_parser(subparsers: "Subparsers") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Simulate and write; raises InputError with the faults of every file."""
-    found = _faults_of_out(args.out, args.data)
+    found = _faults_of_out(args)
     machine = read_machine(args.machine)
     with gathering(found):
         model = load_model(args.machine, args.errors, args.kernels)
@@ -84,14 +85,17 @@ def run(args: argparse.Namespace) -> int:
     )
     kept = 0 if args.replace else int((~readings.planned).sum())
     told = f"; {kept} were there already and stay (--replace makes them anew)" if kept else ""
-    print(f"{args.out}: {len(setup.runs)} runs, {len(readings.run) - kept} readings made{told}")
+    print(f"{named(args.out)}: {len(setup.runs)} runs, {len(readings.run) - kept} readings made{told}")
     return 0
 
 
-def _faults_of_out(out: Path, data: Path) -> list[Fault]:
+def _faults_of_out(args: argparse.Namespace) -> list[Fault]:
+    out, data = args.out, args.data
     if out.resolve() == data.resolve():
         return [Fault(str(out), "", "is the folder of the data itself", "another folder for --out")]
     other = out / readings_files.PARQUET_NAME
     if other.exists():
         return [Fault(str(other), "", f"would stand beside the new {readings_files.FILE_NAME}", "remove it")]
-    return []
+    inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--data": data}
+    outputs = {f"{name} of --out": out / name for name in (setup_file.FILE_NAME, readings_files.FILE_NAME)}
+    return overwritten(inputs, outputs, args.kernels)

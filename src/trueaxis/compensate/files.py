@@ -1,11 +1,7 @@
 """A compensation from file to file."""
 
-import errno
-import os
 import re
-import tempfile
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
 from pathlib import Path
 from typing import BinaryIO, Literal
 
@@ -19,6 +15,7 @@ from trueaxis.compensate.program import Compensator
 from trueaxis.compensate.report import CompensationReport
 from trueaxis.compensate.settings import Settings
 from trueaxis.faults import Fault, InputError
+from trueaxis.files import OutputFiles
 
 Language = Literal["nc", "apt"]
 
@@ -98,11 +95,11 @@ def compensate_file(
     compensator = Compensator(model, settings, faults, notes)
     reader = (AptReader if language == "apt" else NcReader)(model.axes, settings, faults, notes)
     mark = comment_of(program, settings.dialect) if language == "nc" else f"({MARK})"
-    with ExitStack() as undo:
-        ready = [(_beside(out, undo), out)]
+    with OutputFiles() as outputs:
+        target = outputs.open(out)
         blocks_out = 0
         ends_whole = True
-        with ready[0][0].open("wb") as target, program.open("rb") as source:
+        with program.open("rb") as source:
             lines = _Lines(source, faults, progress)
             for text in marked(compensator.texts(reader.items(lines)), mark):
                 if text and not faults.count:
@@ -112,26 +109,6 @@ def compensate_file(
         faults.raise_if_any()
         report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
         if report_file is not None:
-            ready.append((_beside(report_file, undo), report_file))
-            ready[-1][0].write_text(report.to_json())
-        for staged, place in ready:
-            staged.chmod(0o644)
-            staged.replace(place)
-        undo.pop_all()
+            outputs.open(report_file).write(report.to_json().encode())
+        outputs.commit()
     return report
-
-
-def _beside(target: Path, undo: ExitStack) -> Path:
-    """A new file beside `target` to be moved there; it and the folders made for it go when `undo` closes.
-
-    Raises OSError when there can be none.
-    """
-    if target.is_dir():
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
-    for folder in [path for path in reversed([target.parent, *target.parent.parents]) if not path.exists()]:
-        folder.mkdir()
-        undo.callback(folder.rmdir)
-    handle, staged = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:100]}.")
-    os.close(handle)
-    undo.callback(Path(staged).unlink, missing_ok=True)
-    return Path(staged)

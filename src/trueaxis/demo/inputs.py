@@ -1,8 +1,9 @@
 """What the demonstration starts from: the machine that ships with the package, and two programs."""
 
 import math
-import shutil
 from pathlib import Path
+
+from trueaxis.files import write_files
 
 # The S path of Sect. 5.2 (its figure gives no size) and the circle of Table 7, in axis positions, mm.
 CENTRE = (270.0, 350.0)
@@ -24,13 +25,9 @@ def machines_folder() -> Path:
 
 def copy_machine(out: Path) -> None:
     """Copy the paper's machine, its measuring plans and the example errors to `out`."""
-    out.mkdir(parents=True, exist_ok=True)
-    for name in MACHINE_FILES:
-        source = machines_folder() / name
-        if source.is_dir():
-            shutil.copytree(source, out / name, dirs_exist_ok=True)
-        else:
-            shutil.copyfile(source, out / name)
+    folder = machines_folder()
+    files = [file for name in MACHINE_FILES for file in (folder / name, *sorted((folder / name).rglob("*")))]
+    write_files({out / file.relative_to(folder): file.read_bytes() for file in files if file.is_file()})
 
 
 def s_path() -> str:

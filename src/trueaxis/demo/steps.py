@@ -1,8 +1,6 @@
 """The demonstration, step by step: real commands, each shown as a user would type it, run in the results folder."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,9 +10,11 @@ from trueaxis.demo import inputs
 from trueaxis.demo.evaluate import circles, path_errors, read_wanted
 from trueaxis.demo.summary import Figures, format_summary
 from trueaxis.files import write_files
+from trueaxis.own_python import own_python
 from trueaxis.pictures.error_map import PathErrors, error_map
 from trueaxis.pictures.polar import Trace, polar_plot
 from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.told import NOT_DELIVERED
 
 MACHINE, TRUTH = "machine/dmu60p.toml", "machine/dmu60p_errors.json"
 BALLBAR_NOISE_UM = 0.1
@@ -67,8 +67,12 @@ def run_demo(out: Path, noise_um: float, seed: int) -> str:
 
 def _command(out: Path, words: str, allowed: tuple[int, ...] = (0,)) -> None:
     print(f"\n$ trueaxis {words}", flush=True)
-    code = subprocess.run([sys.executable, "-m", "trueaxis", *words.split()], cwd=out, check=False).returncode
-    if code not in allowed:
+    with own_python("-m", "trueaxis", *words.split(), cwd=out) as process:
+        try:
+            code = process.wait()
+        finally:
+            process.terminate()  # where the demonstration is stopped; else it has ended
+    if code not in (*allowed, NOT_DELIVERED):
         raise StepError(f"trueaxis {words.split(maxsplit=1)[0]} ended with exit code {code}")
 
 

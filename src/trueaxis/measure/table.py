@@ -6,10 +6,9 @@ Polars parses; what it would pass over in silence (short lines, repeated columns
 import csv
 import io
 import re
-import subprocess
-import sys
 from dataclasses import dataclass
 from pathlib import Path
+from subprocess import DEVNULL, PIPE
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +16,7 @@ import polars as pl
 
 from trueaxis.faults import Faults, InputError
 from trueaxis.input_files import input_bytes, utf8_text
+from trueaxis.own_python import own_python
 
 IntArray = npt.NDArray[np.int64]
 
@@ -71,11 +71,15 @@ def table_bytes(frame: pl.DataFrame, suffix: str) -> bytes:
 
 def _parquet(data: bytes, faults: Faults) -> Table | None:
     """Parse in a process of its own: on some damaged files Polars does not raise but aborts the process."""
-    child = subprocess.run([sys.executable, "-c", _PARQUET_TO_IPC], input=data, capture_output=True, check=False)
+    with own_python("-c", _PARQUET_TO_IPC, stdin=PIPE, stdout=PIPE, stderr=DEVNULL) as child:
+        try:
+            told, _ = child.communicate(data)
+        finally:
+            child.kill()
     if child.returncode != 0:
         faults.add("", "is not Parquet, or is damaged")
         return None
-    return Table(pl.read_ipc(io.BytesIO(child.stdout)), None)
+    return Table(pl.read_ipc(io.BytesIO(told)), None)
 
 
 def _csv(path: Path, data: bytes, faults: Faults) -> Table | None:

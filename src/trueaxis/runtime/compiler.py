@@ -7,10 +7,12 @@ import shlex
 import shutil
 import subprocess
 import sys
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+
+from trueaxis.faults import Fault, InputError
+from trueaxis.staging import staged_folder, sweep
 
 # Contraction (fused multiply-add) is the one licence taken with the arithmetic: it rounds less, not more. Without errno
 # a root is one instruction. -ffast-math is not given: its sums in another order would not keep the last digits.
@@ -19,6 +21,7 @@ NATIVE = "-march=native"  # dropped where a compiler does not know it
 
 _COMPILERS = ("cc", "gcc", "clang")
 _SECONDS = 300
+_VARIABLE = "environment variable"  # how a fault names one
 _CPU_LINES = ("vendor_id", "cpu family", "model", "stepping", "flags", "Features", "CPU implementer", "CPU part")
 
 
@@ -34,29 +37,42 @@ def compile_kernels(source: Path) -> Compilation:
     """The shared library of kernels.c (with kernels.h beside it), compiled unless the cache has it.
 
     The cache is $TRUEAXIS_CACHE, else the user's cache folder; its entries are named by the content of the source, the
-    flags, the compiler's version and the processor. Any number of processes may do this at once.
+    flags, the compiler's version and the processor, and by their own content, which is compared before they are used.
+    Any number of processes may do this at once.
+    Raises InputError where CC or TRUEAXIS_CACHE is set to what cannot be meant.
     """
+    compiler = find_compiler()
+    if compiler is None:
+        return Compilation(None, f"no C compiler found ({_looked_for()})")
     try:
-        compiler = find_compiler()
-        if compiler is None:
-            return Compilation(None, f"no C compiler found ({_looked_for()})")
+        root = _cache_root()
         texts = {name: source.with_name(name).read_bytes() for name in (source.name, "kernels.h")}
-        library = _private_folder(_cache_root()) / f"{_key(texts, compiler)}{_suffix()}"
-        if library.is_file():
+        folder = _private_folder(root)
+        key = _key(texts, compiler, folder)
+        if library := _cached(folder, key):
             return Compilation(library)
-        return _compile(compiler, texts, source.name, library)
+        return _compile(compiler, texts, source.name, folder, key)
     except subprocess.TimeoutExpired:
         return Compilation(None, f"the C compiler took longer than {_SECONDS} s")
-    except (OSError, RuntimeError) as error:  # a folder that cannot be written, a user without a home
+    except (OSError, RuntimeError) as error:  # a folder that cannot be written, a full disk, a user without a home
         return Compilation(None, f"the C kernels cannot be compiled: {error}")
 
 
 def find_compiler() -> tuple[str, ...] | None:
-    """The words of $CC if it is set, else cc, gcc or clang; None where there is none. The first is a full path."""
-    asked = shlex.split(os.environ.get("CC", ""))
+    """The words of $CC if it is set, else cc, gcc or clang; None where there is none. The first is a full path.
+
+    Entries of PATH that are not absolute are passed over: they would mean the folder that the program is used in.
+    Raises InputError where $CC cannot be split into words.
+    """
+    try:
+        asked = shlex.split(os.environ.get("CC", ""))
+    except ValueError as error:
+        problem = f"{os.environ['CC']} cannot be split into words: {error}"
+        raise InputError([Fault(f"{_VARIABLE} CC", "", problem, "a command such as gcc -m64")]) from None
+    search = os.pathsep.join(entry for entry in os.get_exec_path() if Path(entry).is_absolute())
     for words in [asked] if asked else [[name] for name in _COMPILERS]:
-        if path := shutil.which(words[0]):
-            return (path, *words[1:])
+        if path := shutil.which(words[0], path=search):
+            return (str(Path(path).absolute()), *words[1:])
     return None
 
 
@@ -66,15 +82,27 @@ def _looked_for() -> str:
 
 
 def _cache_root() -> Path:
+    """Where the cache is. Raises RuntimeError for a user without a home."""
     if named := os.environ.get("TRUEAXIS_CACHE"):
-        return Path(named)
+        root = Path(named)
+        # from a relative one, the code of whatever folder the program is used in would be run
+        problem = "" if root.is_absolute() else "is not an absolute path"
+        if root.exists() and not root.is_dir():
+            problem = "is not a folder"
+        if problem:
+            remedy = "an absolute path of a folder, which need not exist"
+            raise InputError([Fault(f"{_VARIABLE} TRUEAXIS_CACHE", "", f"{named} {problem}", remedy)])
+        return root
     if sys.platform == "win32":
-        base = os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local"
+        named, below = os.environ.get("LOCALAPPDATA", ""), ("AppData", "Local")
     elif sys.platform == "darwin":
-        base = Path.home() / "Library" / "Caches"
+        named, below = "", ("Library", "Caches")
     else:
-        base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    return Path(base) / "trueaxis"
+        named, below = os.environ.get("XDG_CACHE_HOME", ""), (".cache",)
+    base = Path(named)
+    if not base.is_absolute():  # not set; or to be passed over, as the XDG specification has it
+        base = Path.home().joinpath(*below)
+    return base / "trueaxis"
 
 
 def _private_folder(root: Path) -> Path:
@@ -88,8 +116,8 @@ def _private_folder(root: Path) -> Path:
     return folder
 
 
-def _key(texts: dict[str, bytes], compiler: Sequence[str]) -> str:
-    version = _run([*compiler, "--version"]).stdout
+def _key(texts: dict[str, bytes], compiler: Sequence[str], folder: Path) -> str:
+    version = _run([*compiler, "--version"], folder).stdout
     parts = (*texts.values(), *(word.encode() for word in (*compiler, *FLAGS, NATIVE, _processor())), version.encode())
     return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()[:32]
 
@@ -108,27 +136,53 @@ def _suffix() -> str:
     return ".dll" if sys.platform == "win32" else ".so"
 
 
-def _compile(compiler: Sequence[str], texts: dict[str, bytes], main: str, library: Path) -> Compilation:
+def _cached(folder: Path, key: str) -> Path | None:
+    """The library of this key whose content is that which its name says; others, damaged ones, are removed."""
+    for library in sorted(folder.glob(f"{key}-*{_suffix()}")):
+        try:
+            if library.name == _library_name(key, library.read_bytes()):
+                return library
+            library.unlink()
+        except FileNotFoundError:  # another process has removed it
+            continue
+    return None
+
+
+def _library_name(key: str, content: bytes) -> str:
+    return f"{key}-{hashlib.sha256(content).hexdigest()[:32]}{_suffix()}"
+
+
+def _compile(compiler: Sequence[str], texts: dict[str, bytes], main: str, cache: Path, key: str) -> Compilation:
     """Compile copies in a folder of our own, then move the library into place, whole."""
-    with tempfile.TemporaryDirectory(prefix="compile-", dir=library.parent) as name:
-        folder = Path(name)
+    sweep(cache)
+    with staged_folder(cache) as folder:
         for file, text in texts.items():
             (folder / file).write_bytes(text)
-        output = folder / library.name
+        output = folder / f"kernels{_suffix()}"
         arguments = [str(folder / main), "-o", str(output), "-lm"]
         for flags in ((*FLAGS, NATIVE), FLAGS):
-            done = _run([*compiler, *flags, *arguments])
+            # in that folder: empty entries of variables such as CPATH mean the folder that the compiler is run in
+            done = _run([*compiler, *flags, *arguments], folder)
             if done.returncode == 0 and output.is_file():
-                output.replace(library)
-                return Compilation(library)
+                return Compilation(_kept(output, cache, key))
     return Compilation(None, f"{compiler[0]} cannot compile {main}: {_first_error(done.stderr)}")
 
 
-def _run(command: Sequence[str]) -> subprocess.CompletedProcess[str]:
+def _kept(output: Path, cache: Path, key: str) -> Path:
+    """Move the library into the cache, once its content is on the disk."""
+    with output.open("rb") as file:
+        os.fsync(file.fileno())
+        library = cache / _library_name(key, file.read())
+    output.replace(library)
+    return library
+
+
+def _run(command: Sequence[str], folder: Path) -> subprocess.CompletedProcess[str]:
     environment = os.environ | {"LC_ALL": "C"}
     return subprocess.run(
         command,
         env=environment,
+        cwd=folder,
         stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,

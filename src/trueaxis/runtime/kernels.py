@@ -3,7 +3,7 @@
 import logging
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from trueaxis.faults import Fault, InputError
 from trueaxis.runtime.c_kernels import load_c_kernels
+from trueaxis.runtime.manifest import verified_code
 from trueaxis.spec.machine import Machine
 
 FloatArray = npt.NDArray[np.float64]
@@ -21,6 +22,7 @@ Kernel = Callable[..., Any]
 _LOG = logging.getLogger(__name__)
 
 ABI = 2  # of the kernels that this runtime calls
+BACKENDS = ("auto", "c", "numpy")
 
 
 @dataclass(frozen=True)
@@ -49,42 +51,55 @@ def load_kernels(machine: Machine, spec: Path, folder: Path, *, backend: str | N
 
     backend: "auto" (C if it can be had, else NumPy, which is said once), "c" or "numpy"; by default what the
     environment variable TRUEAXIS_BACKEND says, else "auto".
-    Raises InputError when they are missing, of another ABI or made from another spec, with the command to run.
+    Raises InputError when they are missing, changed since, of another ABI or made from another spec, with the command
+    to run.
     """
     path = folder / machine.name / "kernels.py"
     remedy = f"run: trueaxis derive {spec} --out {folder}"
-    if not path.is_file():
-        raise InputError([Fault(str(path), "", "there are no kernels of this machine", remedy)])
-    module = _module(path, remedy)
-    if getattr(module, "ABI", None) != ABI:
-        raise InputError([Fault(str(path), "ABI", f"is {getattr(module, 'ABI', None)!r}, not {ABI}", remedy)])
-    if getattr(module, "SPEC_HASH", None) != machine.digest:
-        raise InputError([Fault(str(path), "SPEC_HASH", f"is not that of {spec} as it is now", remedy)])
-    try:
-        routines = {name: getattr(module, name) for name in module.META["routines"]}
-    except (AttributeError, KeyError, TypeError) as error:
-        raise InputError([Fault(str(path), "META", f"does not tell its routines: {error}", remedy)]) from None
-    backend = backend or os.environ.get("TRUEAXIS_BACKEND", "auto")
+    backend = backend or _asked_backend()
+    code = verified_code(path.parent, abi=ABI, digest=machine.digest, spec=spec, remedy=remedy)
+    kernels = numpy_kernels(code[path.name], path, remedy)
     if backend == "numpy":
-        return Kernels(module.META, module, routines, "numpy", "")
+        return kernels
     source = path.with_name("kernels.c")
-    compiled, reason = load_c_kernels(source, machine.name, machine.digest, ABI, module.META["routines"])
+    compiled, reason = load_c_kernels(source, machine.name, machine.digest, ABI, kernels.meta["routines"])
     if compiled:
-        return Kernels(module.META, module, compiled, "c", "")
+        return replace(kernels, routines=compiled, backend="c")
     if backend == "c":
         raise InputError([Fault(str(source), "", reason, "a C compiler, or TRUEAXIS_BACKEND=numpy")])
     note = f"running on NumPy, about ten times slower than C: {reason}"
     _LOG.warning(note)
-    return Kernels(module.META, module, routines, "numpy", note)
+    return replace(kernels, note=note)
 
 
-def _module(path: Path, remedy: str) -> ModuleType:
+def numpy_kernels(code: bytes, path: Path, remedy: str = "") -> Kernels:
+    """The kernels that this content of kernels.py defines; it is run. path: what faults name, with the remedy.
+
+    Raises InputError where it cannot be run, or does not say which routines it has.
+    """
+    module = _module(path, code, remedy)
+    try:
+        routines = {name: getattr(module, name) for name in module.META["routines"]}
+    except (AttributeError, KeyError, TypeError) as error:
+        raise InputError([Fault(str(path), "META", f"does not tell its routines: {error}", remedy)]) from None
+    return Kernels(module.META, module, routines, "numpy", "")
+
+
+def _asked_backend() -> str:
+    asked = os.environ.get("TRUEAXIS_BACKEND") or BACKENDS[0]
+    if asked not in BACKENDS:
+        problem = f"{asked} is no backend"
+        raise InputError([Fault("environment variable TRUEAXIS_BACKEND", "", problem, f"one of {', '.join(BACKENDS)}")])
+    return asked
+
+
+def _module(path: Path, code: bytes, remedy: str) -> ModuleType:
     # Not by the import system, whose cached bytecode is taken for current when a file of the same size is written
     # again within the same second: kernels of two versions of a spec are such files.
     module = ModuleType(f"trueaxis_kernels_{path.parent.name}")
     module.__file__ = str(path)
     try:
-        exec(compile(path.read_bytes(), str(path), "exec"), module.__dict__)
+        exec(compile(code, str(path), "exec"), module.__dict__)
     except Exception as error:  # a file that was damaged may fail in any way
         problem = f"cannot be loaded: {type(error).__name__}: {error}"
         raise InputError([Fault(str(path), "", " ".join(problem.split()), remedy)]) from None

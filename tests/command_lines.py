@@ -1,0 +1,74 @@
+"""Every command with small inputs in a folder of its own, run as users run it: in a process."""
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import polars as pl
+
+from tests.machines import DMU60P, ROOT
+
+KERNELS = ROOT / "generated"
+ERRORS = ROOT / "machines" / "dmu60p_errors.json"
+PLAN = ROOT / "machines" / "dmu60p_runs"
+REGULAR = ROOT / "machines" / "dmu60p_regular_runs"
+NC = "G90 G1 X270 Y350 Z150 F1000\nX280\n"
+PROGRAM = "import sys; from trueaxis.__main__ import main; sys.exit(main())"
+
+# name of a run -> its words; {out} is where it writes
+COMMANDS: Mapping[str, str] = {
+    "derive": "derive m.toml --out {out}/generated --runs dmu60p_runs",
+    "predict": "predict m.toml --errors e.json --at points.parquet --out {out}/p.csv",
+    "simulate": "simulate m.toml --errors e.json --data dmu60p_runs --out {out}/data --noise-um 0.01",
+    "plan": "plan m.toml --data dmu60p_runs --report {out}/plan.json",
+    "identify": "identify m.toml --data data --out {out}/i.json --report {out}/r.json",
+    "fit": "fit m.toml --errors tables.json --out {out}/f.json --picture {out}/f.png",
+    "compensate": "compensate m.toml --errors e.json part.nc --out {out}/c.nc --report {out}/c.json",
+    "diagnose": "diagnose m.toml --errors e.json --data regular --out {out}/d --noise-um 0.3",
+    "evaluate": "evaluate test.csv --out {out}/t.json --picture {out}/t.png",
+}
+
+
+def prepare(folder: Path) -> None:
+    """The inputs of COMMANDS: a machine, its errors, a plan, data, tables, points, a program and a positioning test."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "m.toml").write_bytes(DMU60P.read_bytes())
+    (folder / "e.json").write_bytes(ERRORS.read_bytes())
+    shutil.copytree(PLAN, folder / PLAN.name)
+    (folder / "part.nc").write_text(NC)
+    pl.DataFrame({"X": [270.0], "Y": [350.0], "Z": [150.0]}).write_parquet(folder / "points.parquet")
+    rows = [f"{t},{c},{d},{t + 0.001 * c * d}" for t in (0, 100, 200) for c in (1, 2, 3, 4, 5) for d in (1, -1)]
+    (folder / "test.csv").write_text("\n".join(["target,cycle,direction,measured", *rows]) + "\n")
+    regular = f"simulate m.toml --errors e.json --data {REGULAR} --out regular --noise-um 0.3"
+    identify = "identify m.toml --data data --out tables.json"
+    for words in (COMMANDS["simulate"].format(out="."), identify, regular):
+        done = run(folder, words)
+        assert done.returncode == 0, done.stderr
+
+
+def words_of(words: Sequence[str]) -> list[str]:
+    """With the kernels of the repository where the command takes some."""
+    without = words[0] in ("derive", "fit", "evaluate", "demo")
+    return list(words) if without else [*words, "--kernels", str(KERNELS)]
+
+
+def command_line(words: str) -> list[str]:
+    """What starts the program as its script does."""
+    return [sys.executable, "-P", "-c", PROGRAM, *words_of(words.split())]
+
+
+def run(folder: Path, words: str, **options: Any) -> "subprocess.CompletedProcess[str]":
+    """Run a command in a folder."""
+    environment = os.environ | options.pop("env", {})
+    return subprocess.run(
+        command_line(words), cwd=folder, capture_output=True, text=True, env=environment, check=False, **options
+    )
+
+
+def leftovers(folder: Path) -> list[str]:
+    """Temporary files of ours below a folder."""
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob(".*") if path.name.startswith(".trueaxis-"))

@@ -1,0 +1,172 @@
+"""Commands that are killed or stopped at random moments leave whole files, and the next run clears up after them.
+
+`python -m tests.test_stopping N` kills and stops each command N times and prints what was met.
+"""
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from tests.command_lines import COMMANDS, command_line, leftovers, prepare, run
+from tests.machines import ROOT
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+
+SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
+OF_PYTHON = 0.15  # s: before that a process may not have come to our code, and Python itself answers to a signal
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """The files that a user sees below a folder."""
+    found = {str(path.relative_to(folder)): path for path in folder.rglob("*") if path.is_file()}
+    return {name: path.read_bytes() for name, path in found.items() if not name.split("/")[-1].startswith(".trueaxis-")}
+
+
+class Trial:
+    """A command in a folder of inputs, and what it writes when it is let alone."""
+
+    def __init__(self, inputs: Path, name: str, scratch: Path) -> None:
+        self.inputs, self.name, self.out = inputs, name, scratch / name
+        self.words = COMMANDS[name].format(out=self.out)
+        self.environment = {"TRUEAXIS_CACHE": str(scratch / f"cache-{name}")}
+        started = time.monotonic()
+        done = run(inputs, self.words, env=self.environment)
+        self.seconds = time.monotonic() - started
+        assert done.returncode in (0, 1), done.stderr
+        self.code, self.whole = done.returncode, contents(self.out)
+        # what a run meets: files of an earlier one
+        self.old = {name: b"old " + content[:20] for name, content in self.whole.items()}
+
+    def stopped(self, number: signal.Signals, after: float, cold: bool) -> list[str]:
+        """Faults met when the command gets a signal after this time; cold: kernels are compiled anew."""
+        for name, content in self.old.items():
+            (self.out / name).write_bytes(content)
+        if cold:
+            for library in Path(self.environment["TRUEAXIS_CACHE"]).rglob("*.so"):
+                library.unlink()
+        process = subprocess.Popen(
+            command_line(self.words), cwd=self.inputs, env=os.environ | self.environment,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        )  # fmt: skip
+        time.sleep(after)
+        process.send_signal(number)
+        _, error = process.communicate(timeout=120)
+        faults = self._faults_of_files()
+        if number != signal.SIGKILL:
+            if process.returncode not in (128 + number, -number, self.code):
+                faults.append(f"exit code {process.returncode}")
+            if after > OF_PYTHON and ("Traceback" in error or "Exception ignored" in error):
+                faults.append(f"traceback: {error[-300:]}")
+            if process.returncode != -number and (left := leftovers(self.out)):
+                faults.append(f"left behind: {left}")
+        return faults
+
+    def _faults_of_files(self) -> list[str]:
+        found = contents(self.out)
+        faults = [f"{name} is new" for name in found.keys() - self.whole.keys()]
+        faults += [f"{name} is gone" for name in self.whole.keys() - found.keys()]
+        for name, content in found.items():
+            if name in self.whole and content not in (self.old[name], self.whole[name]):
+                faults.append(f"{name} is neither the old nor the new file")
+        return faults
+
+    def cleared(self) -> list[str]:
+        """Faults of the next run: it writes everything, and nothing is left of those that were killed."""
+        done = run(self.inputs, self.words, env=self.environment)
+        faults = [] if done.returncode == self.code else [f"the next run: {done.stderr}"]
+        if contents(self.out) != self.whole:
+            faults.append("the next run wrote something else")
+        cache = Path(self.environment["TRUEAXIS_CACHE"])
+        faults += [f"left behind: {name}" for name in leftovers(self.out)]
+        if cache.exists():
+            for library in cache.rglob("*.so"):  # compile once more: that is when a cache is swept
+                library.unlink()
+            run(self.inputs, self.words, env=self.environment)
+            faults += [f"left in the cache: {name}" for name in leftovers(cache)]
+        return faults
+
+
+def campaign(trial: Trial, count: int, seed: int) -> tuple[Counter[str], list[str]]:
+    """Stop a command `count` times; how often by which signal, and the faults met."""
+    draw = random.Random(f"{trial.name} {seed}")
+    tally: Counter[str] = Counter()
+    faults: list[str] = []
+    for _ in range(count):
+        number, after = draw.choice(SIGNALS), draw.uniform(0.0, 1.1 * trial.seconds)
+        found = trial.stopped(number, after, cold=draw.random() < 0.3)
+        tally[number.name] += 1
+        faults += [f"{trial.name}, {number.name} after {after:.3f} s: {fault}" for fault in found]
+    return tally, faults + [f"{trial.name}: {fault}" for fault in trial.cleared()]
+
+
+@pytest.fixture(scope="module")
+def inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("stopping")
+    prepare(folder)
+    return folder
+
+
+@pytest.mark.parametrize("name", ["predict", "compensate", "identify"])
+def test_stopped_commands_leave_whole_files(inputs: Path, tmp_path: Path, name: str) -> None:
+    _, faults = campaign(Trial(inputs, name, tmp_path), 5, seed=1)
+    assert faults == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_may_be_stopped_at_any_moment(inputs: Path, tmp_path: Path, name: str) -> None:
+    _, faults = campaign(Trial(inputs, name, tmp_path), 12, seed=2)
+    assert faults == []
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("name", ["compensate", "diagnose", "demo"])
+def test_the_code_names_the_signal(inputs: Path, tmp_path: Path, name: str, number: signal.Signals) -> None:
+    if name == "compensate":  # a program that takes long
+        long = tmp_path / "long.nc"
+        long.write_text("G90 G1 F1000 X270 Y350 Z150\n" + "X280\nX270\n" * 400_000)
+        words = COMMANDS[name].replace("part.nc", str(long)).format(out=tmp_path / "out")
+    else:
+        words = {**COMMANDS, "demo": "demo --out {out}"}[name].format(out=tmp_path / "out")
+    with subprocess.Popen(
+        command_line(words), cwd=inputs, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+    ) as process:
+        time.sleep(1.5)
+        process.send_signal(number)
+        _, error = process.communicate(timeout=60)
+    assert process.returncode == 128 + number
+    assert error.decode().splitlines()[-1] == "trueaxis: stopped"
+    assert "Traceback" not in error.decode()
+    assert leftovers(tmp_path) == []
+    assert name == "demo" or not (tmp_path / "out").exists()  # whose steps write as they end
+
+
+def test_a_signal_that_was_ignored_stays_ignored() -> None:
+    code = (
+        "import os, signal, sys; signal.signal(signal.SIGHUP, signal.SIG_IGN)\n"
+        "from trueaxis.stopping import stoppable\n"
+        "with stoppable(): os.kill(os.getpid(), signal.SIGHUP); print('went on')"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=ROOT)
+    assert (done.returncode, done.stdout) == (0, "went on\n")
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as place:
+        prepare(Path(place) / "inputs")
+        total: Counter[str] = Counter()
+        met: list[str] = []
+        for command in COMMANDS:
+            tally, faults = campaign(Trial(Path(place) / "inputs", command, Path(place)), int(sys.argv[1]), seed=3)
+            total += tally
+            met += faults
+        print(f"{sum(total.values())} runs of {len(COMMANDS)} commands stopped: {dict(sorted(total.items()))}")
+        print(f"{len(met)} faults", *met, sep="\n")
