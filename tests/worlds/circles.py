@@ -111,12 +111,13 @@ def _circle_track(
     start, extent, way = path
     rounds = 1 if habits.as_runs or extent < 2 * np.pi else habits.repeats
     step = extent / habits.samples
-    passed = step * (np.arange(habits.samples * rounds) + 0.5)
+    passed: Array = step * (np.arange(float(habits.samples * rounds)) + 0.5)
     angle = start + passed if way > 0 else start + extent * rounds - passed
     if habits.leave_out:
         off = np.abs(np.mod(angle + np.pi / 4, np.pi / 2) - np.pi / 4)
         kept = off > FREE_OF_REVERSALS * step
         angle, passed = angle[kept], passed[kept]
+    time: Array = np.asarray(passed * radius * 60.0 / feed, float)
     count, speed = len(angle), feed / 60.0
     zero, never = np.zeros(count), np.full(count, np.inf)
     positions = {axis: np.full(count, middle[axis]) for axis in machine.axes}
@@ -129,13 +130,13 @@ def _circle_track(
         velocity[axis] = -way * side * speed * np.sin(phase)
         directions[axis] = np.sign(velocity[axis])
         since[axis] = radius * (1.0 - np.cos(np.mod(way * phase, np.pi)))
-    return Track(positions, directions, since, velocity, passed * radius / speed, np.full(count, feed))
+    return Track(positions, directions, since, velocity, time, np.full(count, feed))
 
 
 def _path_track(positions: Mapping[str, Array], axis: str, speed: float) -> Track:
     """A path at a steady speed of one rotary axis, deg/s; the others by their commanded positions."""
     count = len(positions[axis])
-    time = np.abs(positions[axis] - positions[axis][0]) / speed
+    time: Array = np.asarray(np.abs(positions[axis] - positions[axis][0]) / speed, float)
     velocity: dict[str, Array] = {letter: np.gradient(values, time) for letter, values in positions.items()}
     velocity = {letter: np.where(np.abs(v) > SLOWEST_SHARE, v, 0.0) for letter, v in velocity.items()}
     directions = {letter: np.sign(values) for letter, values in velocity.items()}
@@ -144,6 +145,6 @@ def _path_track(positions: Mapping[str, Array], axis: str, speed: float) -> Trac
         turns = np.flatnonzero(np.diff(directions[letter]))
         for turn in turns:
             since[letter][turn + 1 :] = np.cumsum(np.abs(np.diff(values[turn:])))
-    linear = np.stack([velocity[letter] for letter in positions if letter in "XYZ"])
+    linear: Array = np.stack([velocity[letter] for letter in positions if letter in "XYZ"])
     feed: Array = np.asarray(60.0 * np.sqrt((linear**2).sum(axis=0)), float)
-    return Track(positions, directions, since, velocity, time, np.where(feed > 1.0, np.round(feed, 1), np.nan))
+    return Track(positions, directions, since, velocity, time, np.where(feed > 1.0, feed, np.nan))

@@ -4,13 +4,13 @@ Every curve is zero at home (0, or the end of the travel next to it). The size o
 square over the travel.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 from numpy.polynomial import legendre
-from scipy.interpolate import BSpline
+from scipy.interpolate import BSpline, CubicSpline
 
 from tests.worlds.machine import Array
 
@@ -18,7 +18,8 @@ Source = np.random.Generator
 Basis = Callable[[Array], Array]
 
 DEGREE, ROUGHNESS = 12, 1.5  # of the prior: the coefficient of order k shrinks with k ** -ROUGHNESS
-GRID = 400  # positions over which sizes are averaged
+GRID = 200  # positions over which sizes are averaged
+SHAPES, MODES = 200, 22  # shapes over which the covariance of smooth curves is averaged, and its modes that count
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,26 +56,49 @@ class Span:
 
 
 @cache
-def prior_basis(span: Span, degree: int = DEGREE, roughness: float = ROUGHNESS) -> Basis:
+def prior_basis(span: Span) -> Basis:
     """Legendre polynomials less their value at home, so weighted that standard normal coefficients make a curve of
     size 1.
     """
-    weights = np.arange(1, degree + 1) ** -roughness
+    weights = np.arange(1.0, DEGREE + 1) ** -ROUGHNESS
 
     def raw(at: Array) -> Array:
-        here, there = (legendre.legvander(span.scaled(x), degree)[:, 1:] for x in (at, np.array([span.home])))
+        here, there = (legendre.legvander(span.scaled(x), DEGREE)[:, 1:] for x in (at, np.array([span.home])))
         return np.asarray(weights * (here - there), float)
 
     size = np.sqrt(np.mean(np.sum(raw(_grid(span)) ** 2, axis=1)))
     return lambda at: raw(at) / size
 
 
-def prior_curve(source: Source, span: Span, size: float) -> Curve:
-    return Curve(prior_basis(span), size * source.standard_normal(DEGREE))
+@cache
+def smooth_basis(span: Span) -> Basis:
+    """What smooth curves are made of on the average over their shapes: the largest modes of their covariance, so
+    weighted that standard normal coefficients make a curve of size 1. A normal stand-in for curves that are not quite
+    normal.
+    """
+    source, grid = np.random.default_rng(7), _grid(span)
+    covariance = np.zeros((GRID, GRID))
+    for _ in range(SHAPES):
+        drawn = _smooth_shape(source, span)(grid)
+        covariance += drawn @ drawn.T / SHAPES
+    values, vectors = np.linalg.eigh(covariance)
+    modes = CubicSpline(grid, (vectors * np.sqrt(np.maximum(values, 0.0)))[:, : -MODES - 1 : -1])
+    at_home = modes(span.home)
+    return lambda at: np.asarray(modes(np.clip(at, span.low, span.high)) - at_home, float)
 
 
-def smooth_curve(source: Source, span: Span, size: float) -> Curve:
-    """A slope and either random waves or a random spline."""
+BASES: Mapping[str, Callable[[Span], Basis]] = {"prior": prior_basis, "smooth": smooth_basis}
+
+
+def draw_curve(source: Source, family: str, span: Span, size: float) -> Curve:
+    """family: `prior`, whose curves are draws of prior_basis, or `smooth`, whose are no polynomials."""
+    basis = _smooth_shape(source, span) if family == "smooth" else BASES[family](span)
+    count = basis(np.array([span.home])).shape[1]
+    return Curve(basis, np.asarray(size * source.standard_normal(count), float))
+
+
+def _smooth_shape(source: Source, span: Span) -> Basis:
+    """A slope and either random waves or a random spline; of size 1."""
     shape = _waves(source) if source.random() < 0.6 else _spline(source)
     slope = source.uniform(0.0, 0.7)
 
@@ -84,8 +108,7 @@ def smooth_curve(source: Source, span: Span, size: float) -> Curve:
 
     at_home = raw(np.array([span.home]))
     expected = float(np.sqrt(np.mean(np.sum((raw(_grid(span)) - at_home) ** 2, axis=1))))
-    drawn: Array = np.asarray(size * source.standard_normal(at_home.shape[1]), float)
-    return Curve(lambda at: (raw(at) - at_home) / expected, drawn)
+    return lambda at: np.asarray((raw(at) - at_home) / expected, float)
 
 
 def _waves(source: Source) -> Basis:

@@ -46,7 +46,7 @@ def draw_design(seed: int, axes: int | None = None) -> Design:
     """axes: 3 or 5, else drawn. The same seed gives the same design."""
     source = np.random.default_rng([seed, 1])
     machine = draw_layout(source, f"world_{seed}", axes)
-    columns = tuple(column for column in COLUMNS if source.random() < 0.65)
+    columns = tuple(column for column in COLUMNS if source.random() < 0.62)
     habits = _habits(source, machine, columns)
     what = int(source.integers(2**62))
     sessions = int(source.choice([1, 2, 3], p=[0.5, 0.3, 0.2]))
@@ -54,7 +54,7 @@ def draw_design(seed: int, axes: int | None = None) -> Design:
         drawn = np.random.default_rng([what, attempt])
         measurements = _measurements(drawn, machine, habits)
         count = sum(len(track.time) for one in measurements for _, track in one.runs)
-        if count * (1.0 + 0.3 * (sessions > 1)) > MOST:
+        if count * (1.0 + 0.5 * (sessions > 1)) > MOST:
             habits = replace(habits, samples=max(habits.samples * 3 // 4, 16), repeats=max(habits.repeats - 1, 1))
             habits = replace(habits, targets=max(habits.targets * 3 // 4, 5))
         elif count < FEWEST:
@@ -71,21 +71,22 @@ def draw_design(seed: int, axes: int | None = None) -> Design:
 
 def _habits(source: Source, machine: Machine, columns: tuple[str, ...]) -> Habits:
     directions = "directions" in columns
-    orders = [order for order in ("passes", "cycles", "poses") if source.random() < 0.55] or ["passes"]
+    orders = [order for order in ("passes", "cycles", "poses") if source.random() < 0.6] or ["passes"]
+    orders = list(dict.fromkeys(["passes", *orders] if source.random() < 0.5 else orders))
     homes = [home for home in ("first", "zero", "anywhere") if source.random() < 0.5] or ["first"]
-    repeats = int(source.integers(2, 6)) if source.random() < 0.65 else 1
-    samples = int(source.integers(24, 360))
+    repeats = int(source.integers(2, 6)) if source.random() < 0.72 else 1
+    samples = int(np.exp(source.uniform(np.log(24.0), np.log(360.0))))
     feeds = (500.0, 1000.0, 2000.0, 4000.0)
     return Habits(
         orders=tuple(orders),
         spacing=str(source.choice(["equidistant", "jittered"])),
         targets=int(source.choice([5, 6, 8, 11, 16, 21, 31, 41, 51])),
         repeats=repeats,
-        as_runs=bool(source.random() < 0.6),
-        both=bool(source.random() < 0.7),
+        as_runs=bool(source.random() < 0.75),
+        both=bool(source.random() < 0.65),
         samples=min(samples, MOST_IN_A_RUN // repeats),
         overtravel=float(source.uniform(0.5, 5.0)) if directions else 0.0,
-        leave_out=not directions or bool(source.random() < 0.5),
+        leave_out=not directions or bool(source.random() < 0.35),
         bracket=float(source.choice([0.0, 60.0, 150.0])),
         homes=tuple(homes),
         feeds=tuple(sorted(float(f) for f in source.choice(feeds, int(source.integers(1, 3)), replace=False))),
@@ -99,11 +100,11 @@ def _measurements(source: Source, machine: Machine, habits: Habits) -> list[Meas
         found += _laser(source, machine, habits)
     if bars:
         found += _bars(source, machine, habits)
-    if machine.rotary and source.random() < 0.75:
+    if machine.rotary and source.random() < 0.8:
         for number in range(int(source.integers(1, 4))):
             frame = str(source.choice(["bed", "workpiece"]))
             found.append(draw_sphere(source, machine, habits, f"S{number + 1}", frame))
-    if machine.rotary and source.random() < 0.75:
+    if machine.rotary and source.random() < 0.8:
         for axis in machine.rotary:
             for number in range(int(source.integers(1, 4))):
                 found.append(draw_turn(source, machine, habits, f"{axis}T{number + 1}", axis))
@@ -116,7 +117,7 @@ def _laser(source: Source, machine: Machine, habits: Habits) -> list[Measurement
     for axis in machine.linear:
         for number in range(int(source.integers(1, most + 1))):
             found.append(draw_line(source, machine, habits, f"{axis}{number + 1}", axis))
-    if source.random() < 0.6:
+    if source.random() < 0.75:
         for axis in machine.linear:
             for across in machine.linear:
                 for number in range(int(source.integers(0, 3)) if across != axis else 0):

@@ -100,6 +100,11 @@ def points_csv(machine: Machine, positions: Mapping[str, Array], tool_point: Arr
     return "\n".join([head, *(",".join(map(repr, row)) for row in np.hstack([table, tool]).tolist())]) + "\n"
 
 
+def deviations_csv(deviation: Array) -> str:
+    """deviation: (n, 3), mm."""
+    return "\n".join(["dx,dy,dz", *(",".join(map(repr, row)) for row in deviation.tolist())]) + "\n"
+
+
 def _run_text(run: Run, sessions: bool) -> str:
     lines = ["", "[[run]]", f'id = "{run.id}"', f'instrument = "{run.instrument}"']
     if run.direction is not None:

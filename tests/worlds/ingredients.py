@@ -76,7 +76,7 @@ def _of_plan(machine: Machine, habits: Habits, plan: Plan, used: Sequence[str]) 
         "sessions": len({run.session for run in runs}) > 1,
         "remounted": len({run.line for run in runs}) < len({run.mount for run in runs}),
         "many_readings": plan.count > 3000,
-        "few_readings": plan.count < 1500,
+        "few_readings": plan.count < 2000,
     }
 
 

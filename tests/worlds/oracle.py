@@ -1,10 +1,10 @@
 """The yardstick: a fit, apart from the package, that knows the true noise, the spreads of the instruments' unknowns and
 the sizes of the machine's errors.
 
-Posterior mean and covariance of a linear model with normal priors, y = J a + N b + e. Every component error is a sum of
-Legendre polynomials (curves.prior_basis), so that for machines whose curves are draws of that prior the fit is the best
-there is. Unknowns of one run belong to the covariance of its noise; those that runs share are unknowns of the fit. The
-model is made exact by linearising it again at the estimate.
+Posterior mean and covariance of a linear model with normal priors, y = J a + N b + e. Every component error is a sum
+over the basis of its family of curves (curves.BASES), so that for machines whose curves are draws of the prior the fit
+is the best there is, and for smooth ones nearly so. Unknowns of one run belong to the covariance of its noise; those
+that runs share are unknowns of the fit. The model is made exact by linearising it again at the estimate.
 """
 
 from collections.abc import Mapping, Sequence
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import cholesky, solve_triangular
 
-from tests.worlds.curves import DEGREE, Curve, prior_basis
+from tests.worlds.curves import BASES, Basis, Curve
 from tests.worlds.design import Design
 from tests.worlds.kinematics import sensitivities
 from tests.worlds.machine import Array, Indices, Machine
@@ -26,11 +26,12 @@ from tests.worlds.truth import Truth, span_of
 class Oracle:
     """A design's half of the fit, the same for all machines.
 
-    q: (n, p), r: (p, p): of the whitened columns; whiteners: per run its rows and the Cholesky factor of their noise;
-    spreads: (s,), of the unknowns that runs share.
+    family: of the curves; q: (n, p), r: (p, p): of the whitened columns; whiteners: per run its rows and the Cholesky
+    factor of their noise; spreads: (s,), of the unknowns that runs share.
     """
 
     design: Design
+    family: str
     q: Array
     r: Array
     whiteners: tuple[tuple[Indices, Array], ...]
@@ -41,7 +42,7 @@ class Oracle:
         the model is linearised again.
         """
         machine = self.design.machine
-        scale = np.concatenate([prior_scale(machine, sizes), self.spreads])
+        scale = np.concatenate([prior_scale(machine, self.family, sizes), self.spreads])
         stacked = np.vstack([self.r * scale, np.eye(len(scale))])
         q, r = np.linalg.qr(stacked)
         spread = scale[:, None] * solve_triangular(r, np.eye(len(scale)))  # (p, p), a factor of the covariance
@@ -51,7 +52,7 @@ class Oracle:
             beyond = self._beyond_first_order(found, sizes)
             found, chi2 = self._solve(q, spread, measured - beyond)
         count = sum(len(rows) for rows, _ in self.whiteners)
-        return Fit(machine, found, spread, float(np.sqrt(chi2 / count)), sizes)
+        return Fit(machine, self.family, found, spread, float(np.sqrt(chi2 / count)), sizes)
 
     def _solve(self, q: Array, spread: Array, measured: Array) -> tuple[Array, float]:
         """Posterior mean, and what the data cost: expected to be the number of readings."""
@@ -63,7 +64,7 @@ class Oracle:
     def _beyond_first_order(self, found: Array, sizes: Mapping[str, float]) -> Array:
         """Exact readings less the linear ones, of the estimated machine."""
         machine, jac = self.design.machine, self.design.jacobian
-        guess = machine_of(machine, found, sizes)
+        guess = machine_of(machine, self.family, found, sizes)
         linear = jac.ideal.copy()
         for name, curve in guess.curves.items():
             axis = name[2]
@@ -84,6 +85,7 @@ class Fit:
     """
 
     machine: Machine
+    family: str
     mean: Array
     spread: Array
     whitened_rms: float
@@ -91,15 +93,16 @@ class Fit:
 
     def predict(self, positions: Mapping[str, Array], tool_point: Array, datum: str = "machine") -> tuple[Array, Array]:
         """Deviation of the tool point and its standard uncertainty, (n, 3) each, mm; as Truth.deviation."""
-        mean = machine_of(self.machine, self.mean, self.sizes).deviation(positions, tool_point, datum)
-        change = prediction_columns(self.machine, positions, tool_point, datum)
+        mean = machine_of(self.machine, self.family, self.mean, self.sizes).deviation(positions, tool_point, datum)
+        change = prediction_columns(self.machine, self.family, positions, tool_point, datum)
         used = change.shape[2]
         return mean, np.sqrt(np.sum((change @ self.spread[:used]) ** 2, axis=2))
 
 
-def oracle(design: Design) -> Oracle:
+def oracle(design: Design, family: str = "smooth") -> Oracle:
+    """family: of the curves of the machines, `smooth` or `prior`."""
     machine, plan, shop, jac = design.machine, design.plan, design.shop, design.jacobian
-    blocks = [jac.columns(name, prior_basis(span_of(machine, name[2]))) for name in machine.components]
+    blocks = [jac.columns(name, _basis(machine, family, name)) for name in machine.components]
     blocks += [jac.located[name][:, None] for name in machine.locations]
     shared = [unknown for unknown in shop.unknowns if len(set(plan.run[unknown.rows].tolist())) > 1]
     for unknown in shared:
@@ -107,11 +110,11 @@ def oracle(design: Design) -> Oracle:
         column[unknown.rows, 0] = unknown.column
         blocks.append(column)
     whiteners = tuple(_whiteners(design))
-    half = Oracle(design, np.zeros((0, 0)), np.zeros((0, 0)), whiteners, np.array([u.spread for u in shared]))
+    half = Oracle(design, family, np.zeros((0, 0)), np.zeros((0, 0)), whiteners, np.array([u.spread for u in shared]))
     q, r = np.linalg.qr(half.whitened(np.hstack(blocks)))
     if len(r) < r.shape[1]:  # fewer readings than unknowns
         q, r = np.pad(q, ((0, 0), (0, r.shape[1] - q.shape[1]))), np.pad(r, ((0, r.shape[1] - len(r)), (0, 0)))
-    return Oracle(design, q, r, whiteners, half.spreads)
+    return Oracle(design, family, q, r, whiteners, half.spreads)
 
 
 def _whiteners(design: Design) -> list[tuple[Indices, Array]]:
@@ -134,37 +137,46 @@ def _whiteners(design: Design) -> list[tuple[Indices, Array]]:
     return found
 
 
-def prior_scale(machine: Machine, sizes: Mapping[str, float]) -> Array:
+def _basis(machine: Machine, family: str, component: str) -> Basis:
+    return BASES[family](span_of(machine, component[2]))
+
+
+def _orders(machine: Machine, family: str) -> int:
+    """Coefficients of a curve."""
+    axis = machine.axes[0]
+    return int(BASES[family](span_of(machine, axis))(np.array([machine.home(axis)])).shape[1])
+
+
+def prior_scale(machine: Machine, family: str, sizes: Mapping[str, float]) -> Array:
     """Standard deviations of all coefficients, then of the location errors."""
-    each = [np.full(DEGREE, sizes[name]) for name in machine.components]
+    each = [np.full(_orders(machine, family), sizes[name]) for name in machine.components]
     return np.concatenate([*each, [sizes[name] for name in machine.locations]])
 
 
-def machine_of(machine: Machine, found: Array, sizes: Mapping[str, float]) -> Truth:
+def machine_of(machine: Machine, family: str, found: Array, sizes: Mapping[str, float]) -> Truth:
     """The machine of an estimate."""
-    curves = {}
+    orders, curves = _orders(machine, family), {}
     for number, name in enumerate(machine.components):
-        own = found[number * DEGREE : (number + 1) * DEGREE]
-        curves[name] = Curve(prior_basis(span_of(machine, name[2])), own)
-    start = DEGREE * len(machine.components)
+        curves[name] = Curve(_basis(machine, family, name), found[number * orders : (number + 1) * orders])
+    start = orders * len(machine.components)
     located = {name: float(found[start + number]) for number, name in enumerate(machine.locations)}
-    return Truth(machine, curves, located, sizes)
+    return Truth(machine, curves, located, sizes, family)
 
 
 def prediction_columns(
-    machine: Machine, positions: Mapping[str, Array], tool_point: Array, datum: str = "machine"
+    machine: Machine, family: str, positions: Mapping[str, Array], tool_point: Array, datum: str = "machine"
 ) -> Array:
     """Change of the deviation per coefficient and location error, (n, 3, p), to first order."""
     change = sensitivities(machine, "tool", "workpiece", positions, tool_point)
     blocks = []
     for name in machine.components:
-        basis = prior_basis(span_of(machine, name[2]))(positions[name[2]])
+        basis = _basis(machine, family, name)(positions[name[2]])
         blocks.append(change[name][:, :, None] * basis[:, None, :])
     blocks += [change[name][:, :, None] for name in machine.locations]
     found = np.concatenate(blocks, axis=2)
     if datum == "home":  # where all curves are zero
         home = {axis: np.array([machine.home(axis)]) for axis in machine.axes}
-        found = found - prediction_columns(machine, home, tool_point)
+        found = found - prediction_columns(machine, family, home, tool_point)
     return found
 
 

@@ -13,7 +13,7 @@ from tests.worlds.plan import Plan, Run
 Source = np.random.Generator
 
 UM, PPM = 1e-3, 1e-6
-LIKELY = 0.5  # of each ingredient of the shop
+LIKELY = 0.55  # of each ingredient of the shop
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tests.worlds.curves import Curve, Span, prior_curve, smooth_curve
+from tests.worlds.curves import Curve, Span, draw_curve
 from tests.worlds.effects import Effect
 from tests.worlds.kinematics import coordinates
 from tests.worlds.machine import Array, Machine
@@ -18,13 +18,14 @@ CLASS_SPREAD, COMPONENT_SPREAD = 0.4, 0.4  # of the logarithms of sizes
 @dataclass(frozen=True, eq=False)
 class Truth:
     """curves: component -> curve; located: location error -> mm or rad; sizes: of both, one standard deviation, mm or
-    rad; effects: what is hidden beside them.
+    rad; family: of the curves; effects: what is hidden beside them.
     """
 
     machine: Machine
     curves: Mapping[str, Curve]
     located: Mapping[str, float]
     sizes: Mapping[str, float]
+    family: str = "smooth"
     effects: tuple[Effect, ...] = ()
 
     def deviation(self, positions: Mapping[str, Array], tool_point: Array, datum: str = "machine") -> Array:
@@ -62,19 +63,18 @@ def draw_machine(
     """
     source = np.random.default_rng([seed, 11])
     about = {**SIZES, **(sizes or {})}
-    draw = {"smooth": smooth_curve, "prior": prior_curve}[curves]
     classes = {name: about[name] * np.exp(CLASS_SPREAD * source.normal()) for name in SIZES}
     found: dict[str, Curve] = {}
     each: dict[str, float] = {}
     for name in machine.components:
         kind = "translation_um" if name[1] in "XYZ" else "rotation_urad"
         each[name] = _size(source, classes, kind)
-        found[name] = draw(source, span_of(machine, name[2]), each[name])
+        found[name] = draw_curve(source, curves, span_of(machine, name[2]), each[name])
     located = {}
     for name, direction in machine.locations.items():
         each[name] = _size(source, classes, "location_um" if direction[1] in "XYZ" else "location_urad")
         located[name] = each[name] * float(source.normal())
-    return Truth(machine, found, located, each)
+    return Truth(machine, found, located, each, curves)
 
 
 def random_points(machine: Machine, seed: int, count: int = 200) -> dict[str, Array]:
