@@ -6,9 +6,9 @@
     write_world(folder, design, truth, data)          # files.py: machine.toml, errors.json, data/
     fit = oracle(design).fit(truth.sizes, data.reading)    # oracle.py: the fit that knows noise, spreads and sizes
 
-A design serves any number of machines: `measure_all` takes many at once, `design.jacobian` is the linear map from errors
-to readings, made from generator matrices. `truth.hiding(Effect(...))` hides effects (effects.py); stale.py makes given
-values that are no longer true.
+A design serves any number of machines: `measure_all` takes many at once, `design.jacobian` is the linear map from
+errors to readings, made from generator matrices. `truth.hiding(Effect(...))` hides effects (effects.py); stale.py makes
+given values that are no longer true.
 
     python -m tests.worlds SEED --out DIR             # one world as files
     python -m tests.worlds --table N                  # designs 1 to N, their ingredients, the oracle's figures

@@ -3,8 +3,9 @@
     python -m tests.worlds SEED --out DIR [--effect KIND COMPONENT SIZE] [--worn COMPONENT SIZE] [--sessions]
     python -m tests.worlds --table N [--first SEED] [--machines M] [--curves prior]
 
-DIR gets machine.toml, errors.json, data/setup.toml, data/readings.csv and, in DIR/truth, points.csv with random points of
-the working volume and deviations.csv with the true deviation at each. SIZE is in mm, rad, s as docs/effects.md has it.
+DIR gets machine.toml, errors.json, data/setup.toml, data/readings.csv and, in DIR/truth, points.csv with random points
+of the working volume and deviations.csv with the true deviation at each. SIZE is in mm, rad, s as docs/effects.md has
+it.
 """
 
 import argparse

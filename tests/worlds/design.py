@@ -21,6 +21,7 @@ Source = np.random.Generator
 
 FEWEST, MOST = 300, 15000  # readings
 MOST_IN_A_RUN = 900  # the noise of a run has a covariance matrix
+THOROUGH = 0.4  # share of the worlds
 COLUMNS = ("time_s", "feed", "temperature_c", "directions")
 
 
@@ -88,13 +89,14 @@ def _habits(source: Source, machine: Machine, columns: tuple[str, ...]) -> Habit
         overtravel=float(source.uniform(0.5, 5.0)) if directions else 0.0,
         leave_out=not directions or bool(source.random() < 0.35),
         bracket=float(source.choice([0.0, 60.0, 150.0])),
+        thorough=bool(source.random() < THOROUGH),
         homes=tuple(homes),
         feeds=tuple(sorted(float(f) for f in source.choice(feeds, int(source.integers(1, 3)), replace=False))),
     )
 
 
 def _measurements(source: Source, machine: Machine, habits: Habits) -> list[Measurement]:
-    laser, bars = source.random() < 0.85, source.random() < 0.7
+    laser, bars = (habits.thorough or source.random() < share for share in (0.85, 0.7))
     found: list[Measurement] = []
     if laser or not bars:
         found += _laser(source, machine, habits)
@@ -113,14 +115,15 @@ def _measurements(source: Source, machine: Machine, habits: Habits) -> list[Meas
 
 def _laser(source: Source, machine: Machine, habits: Habits) -> list[Measurement]:
     found = []
-    most = int(source.integers(1, 6))
+    all_of = habits.thorough
+    most = int(source.integers(3 if all_of else 1, 6))
     for axis in machine.linear:
-        for number in range(int(source.integers(1, most + 1))):
+        for number in range(int(source.integers(3 if all_of else 1, most + 1))):
             found.append(draw_line(source, machine, habits, f"{axis}{number + 1}", axis))
-    if source.random() < 0.75:
+    if all_of or source.random() < 0.75:
         for axis in machine.linear:
             for across in machine.linear:
-                for number in range(int(source.integers(0, 3)) if across != axis else 0):
+                for number in range(int(source.integers(int(all_of), 3)) if across != axis else 0):
                     found.append(draw_line(source, machine, habits, f"{axis}{across}s{number + 1}", axis, across))
     if source.random() < 0.5:
         for pair in ("XY", "YZ", "XZ"):
@@ -135,7 +138,7 @@ def _laser(source: Source, machine: Machine, habits: Habits) -> list[Measurement
 def _bars(source: Source, machine: Machine, habits: Habits) -> list[Measurement]:
     found = []
     arcs = source.random() < 0.55
-    planes = [plane for plane in ("XY", "YZ", "ZX") if source.random() < 0.75] or ["XY"]
+    planes = [plane for plane in ("XY", "YZ", "ZX") if habits.thorough or source.random() < 0.7] or ["XY"]
     centres = int(source.integers(1, 4))
     for plane in planes:
         for number in range(centres):

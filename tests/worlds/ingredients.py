@@ -50,6 +50,7 @@ def _of_plan(machine: Machine, habits: Habits, plan: Plan, used: Sequence[str]) 
     ends = {(run.target[0], run.reference[0], run.frame) for run in runs if run.instrument == "laser"}
     repeated = habits.repeats > 1
     return {
+        "thorough": habits.thorough,
         "laser": bool(lines),
         "ball_bar": any(run.instrument == "ballbar" for run in runs),
         "probe": "probe" in used,
@@ -76,7 +77,7 @@ def _of_plan(machine: Machine, habits: Habits, plan: Plan, used: Sequence[str]) 
         "sessions": len({run.session for run in runs}) > 1,
         "remounted": len({run.line for run in runs}) < len({run.mount for run in runs}),
         "many_readings": plan.count > 3000,
-        "few_readings": plan.count < 2000,
+        "few_readings": plan.count < 2500,
     }
 
 
@@ -105,6 +106,7 @@ def _of_shop(plan: Plan, shop: Shop) -> dict[str, bool]:
         "slow_noise": bool(shop.slow_mm.any()),
         "random_walk": bool(shop.walk_mm.any()),
         "display_steps": bool(shop.resolution.any()),
+        "coarse_display": bool((shop.resolution > 2.2 * shop.white).any()),
         "outliers": len(shop.outliers) > 0,
         "outliers_in_twos": bool((np.diff(shop.outliers) == 1).any()),
         **{name: kind in kinds for name, kind in names.items()},

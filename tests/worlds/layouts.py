@@ -41,7 +41,7 @@ def draw_layout(source: Source, name: str, axes: int | None = None) -> Machine:
             motion = tuple(f"E{d}{axis}" for d in LETTERS)
             if fewer and axis in "XYZ":
                 kept = source.random(6) < 0.85
-                motion = tuple(error for error, keep in zip(motion, kept, strict=True) if keep)
+                motion = tuple(e for e, keep in zip(motion, kept, strict=True) if keep or e[1] == axis)
             number = int(next(numbers))
             offset, names = _offset(source, f"q_{axis}", 400.0, source.random() < 0.5)
             bodies.append(

@@ -100,7 +100,8 @@ class Habits:
     orders: of targets, out of passes, cycles, poses; spacing: equidistant, jittered; targets: per line;
     repeats: of each target and direction; as_runs: repeats are runs of their own; both: from both directions; samples:
     per circle; overtravel: mm beyond the last target before an axis turns back, 0: it turns on the target;
-    leave_out: no samples next to a reversal; bracket: reach of target points, mm; homes: out of first, zero, anywhere.
+    leave_out: no samples next to a reversal; bracket: reach of target points, mm; homes: out of first, zero, anywhere;
+    thorough: every axis and every pair of axes is measured, by laser and ball bar.
     """
 
     orders: tuple[str, ...] = ("passes",)
@@ -113,5 +114,6 @@ class Habits:
     overtravel: float = 3.0
     leave_out: bool = True
     bracket: float = 0.0
+    thorough: bool = False
     homes: tuple[str, ...] = ("first",)
     feeds: tuple[float, ...] = field(default=(1000.0,))

@@ -14,6 +14,7 @@ Source = np.random.Generator
 
 UM, PPM = 1e-3, 1e-6
 LIKELY = 0.55  # of each ingredient of the shop
+COARSE = 5.0  # steps of a display over the white noise, from where on repeats show the same digits
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +64,7 @@ def draw_shop(source: Source, machine: Machine, plan: Plan) -> Shop:
     for instrument in ("laser", "ballbar", "probe"):
         level = UM * np.exp(source.uniform(np.log(0.08), np.log(1.0)))
         share, rows_of_slow = source.uniform(0.4, 1.2), source.uniform(3.0, 30.0)
-        step = UM * float(source.choice([0.05, 0.1, 0.5])) if steps else 0.0
+        step = _display_step(level * float(source.choice([0.5, 2.0, COARSE], p=[0.3, 0.3, 0.4]))) if steps else 0.0
         for index, run in enumerate(plan.runs):
             rows = plan.rows(index)
             if run.instrument != instrument:
@@ -78,6 +79,12 @@ def draw_shop(source: Source, machine: Machine, plan: Plan) -> Shop:
     unknowns = tuple(_unknowns(source, machine, plan))
     outliers = _outliers(source, plan)
     return Shop(white, slow_mm, slow_s, walk_mm, resolution, unknowns, outliers, 12.0 * float(np.median(white)))
+
+
+def _display_step(about: float) -> float:
+    """The next lower 1, 2 or 5 of a power of ten, mm."""
+    power = 10.0 ** np.floor(np.log10(about))
+    return float(max(digit * power for digit in (1.0, 2.0, 5.0) if digit * power <= about))
 
 
 def draw_noise(source: Source, plan: Plan, shop: Shop) -> Array:
