@@ -73,31 +73,34 @@ def write(args: argparse.Namespace) -> None:
 
 def print_table(seeds: Sequence[int], machines: int, curves: str) -> None:
     """A line per design, then a line per ingredient with the medians of its designs."""
-    print("seed  axes  readings  runs  true um  oracle um  its u  coverage  whitened  structure; missing columns")
+    print("                            machine datum, um       home datum, um")
+    print("seed  axes  readings  runs   true  oracle  its u    true  oracle   coverage  whitened  structure; not there")
     rows: list[tuple[Design, Figures]] = []
     for seed in seeds:
         design = draw_design(seed)
         found = judge(design, machines, curves)
         rows.append((design, found))
         missing = " ".join(name for name in design.ingredients if name.startswith("no_") and design.ingredients[name])
-        axes, plan = len(design.machine.axes), design.plan
         print(
-            f"{seed:4d}  {axes:4d}  {plan.count:8d}  {len(plan.runs):4d}  {found.true_um:7.1f}  {found.error_um:9.2f}  "
-            f"{found.u_um:5.2f}  {found.coverage:8.3f}  {found.whitened:8.3f}  {design.machine.structure}; {missing}",
+            f"{seed:4d}  {len(design.machine.axes):4d}  {design.plan.count:8d}  {len(design.plan.runs):4d}  "
+            f"{found.true_um:5.1f}  {found.error_um:6.2f}  {found.u_um:5.2f}   "
+            f"{found.home_true_um:5.1f}  {found.home_error_um:6.2f}   "
+            f"{found.coverage:8.3f}  {found.whitened:8.3f}  {design.machine.structure}; {missing}",
             flush=True,
         )
-    print("\ningredient            designs  oracle/true  coverage  whitened (medians)")
+    print("\ningredient            designs  oracle/true  oracle/true from home  coverage  whitened (medians)")
     for name in rows[0][0].ingredients:
         own = [found for design, found in rows if design.ingredients[name]]
-        ratio, coverage, whitened = (
+        middle = [
             float(np.median(values)) if values else float("nan")
             for values in (
                 [found.error_um / found.true_um for found in own],
+                [found.home_error_um / found.home_true_um for found in own],
                 [found.coverage for found in own],
                 [found.whitened for found in own],
             )
-        )
-        print(f"{name:21s} {len(own):8d}  {ratio:11.3f}  {coverage:8.3f}  {whitened:8.3f}")
+        ]
+        print(f"{name:21s} {len(own):8d}  {middle[0]:11.3f}  {middle[1]:21.3f}  {middle[2]:8.3f}  {middle[3]:8.3f}")
 
 
 def judge(design: Design, machines: int, curves: str) -> Figures:

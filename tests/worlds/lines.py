@@ -149,6 +149,8 @@ def way_since_turn(path: Array, directions: Array, overtravel: float) -> Array:
         if k and directions[k] != directions[k - 1]:
             ends = (path[k - 1], here)
             turn = min(ends) - overtravel if directions[k] > 0 else max(ends) + overtravel
+        elif k and (here - path[k - 1]) * directions[k] < 0:  # it went back in between, to come from the same side
+            turn = here - directions[k] * overtravel
         found[k] = abs(here - turn) if directions[k] else np.inf
     return found
 

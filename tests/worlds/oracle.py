@@ -183,27 +183,36 @@ def prediction_columns(
 @dataclass(frozen=True)
 class Figures:
     """Over machines, points and directions: root mean squares of the true deviation, of the error of the prediction and
-    of its u, um; share of the errors within 1.96 u; whitened RMS of the readings.
+    of its u, um; share of the errors within 1.96 u; true deviation and error relative to the tool point at home, where
+    work offsets are touched off; whitened RMS of the readings.
     """
 
     true_um: float
     error_um: float
     u_um: float
     coverage: float
+    home_true_um: float
+    home_error_um: float
     whitened: float
 
 
 def figures(fits: Sequence[Fit], truths: Sequence[Truth], positions: Mapping[str, Array], tool_point: Array) -> Figures:
-    """How good fits are. Points are those of `random_points`."""
-    true, error, u = [], [], []
-    for fit, truth in zip(fits, truths, strict=True):
-        mean, spread = fit.predict(positions, tool_point)
-        true.append(truth.deviation(positions, tool_point))
-        error.append(mean - true[-1])
-        u.append(spread)
-    inside = np.abs(np.array(error)) <= 1.96 * np.array(u)
-    whitened = float(np.sqrt(np.mean([fit.whitened_rms**2 for fit in fits])))
-    return Figures(_rms_um(true), _rms_um(error), _rms_um(u), float(inside.mean()), whitened)
+    """How good fits are at positions such as those of `random_points`."""
+    true = [truth.deviation(positions, tool_point) for truth in truths]
+    predicted = [fit.predict(positions, tool_point) for fit in fits]
+    error = [mean - own for (mean, _), own in zip(predicted, true, strict=True)]
+    u = [spread for _, spread in predicted]
+    home_true = [truth.deviation(positions, tool_point, "home") for truth in truths]
+    home_error = [fit.predict(positions, tool_point, "home")[0] - own for fit, own in zip(fits, home_true, strict=True)]
+    return Figures(
+        _rms_um(true),
+        _rms_um(error),
+        _rms_um(u),
+        float((np.abs(np.array(error)) <= 1.96 * np.array(u)).mean()),
+        _rms_um(home_true),
+        _rms_um(home_error),
+        float(np.sqrt(np.mean([fit.whitened_rms**2 for fit in fits]))),
+    )
 
 
 def _rms_um(values: Sequence[Array]) -> float:

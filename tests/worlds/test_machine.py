@@ -21,8 +21,7 @@ def in_extended_precision(
     machine: Machine, errors: Mapping[str, float], located: Mapping[str, float]
 ) -> other.Generator:
     bodies = tuple(
-        other.Body(b.number, b.lower, b.moves or None, b.sense, b.offset, {d: name for d, name in b.located})
-        for b in machine.bodies
+        other.Body(b.number, b.lower, b.moves or None, b.sense, b.offset, dict(b.located)) for b in machine.bodies
     )
     frames = {"bed": 1, "workpiece": machine.workpiece, "tool": machine.tool}
     values = {name: (lambda _, value=value: other.exact(value)) for name, value in errors.items()}
