@@ -259,7 +259,7 @@ _KNOWN: Mapping[str, Term] = {
     "warm_up": _warm_up,
     "drift": _drift,
     "servo_lag": _servo_lag,
-    "reversal_spike_path": _reversal_spike,
+    "reversal_spike": _reversal_spike,
     "reversal_spike_time": _reversal_spike_time,
     "cross_axis": _cross_axis,
 }
