@@ -49,18 +49,17 @@ def test_the_package_reads_and_predicts_the_same(seed: int, tmp_path: Path) -> N
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(201, 225))
+@pytest.mark.parametrize("seed", range(201, 213))
 def test_the_package_reads_and_predicts_the_same_on_more_designs(seed: int, tmp_path: Path) -> None:
     agree(seed, tmp_path)
 
 
 SAME_FORM = {  # kind -> component, first parameter and the share by which the worlds' own form may differ
-    "backlash": ("EXX", "width", 0.2),
+    "backlash": ("EXX", "width", 0.1),
     "backlash_slope": ("EXX", "change", 0.25),
     "drift": ("EXX", "rate", 0.1),
     "servo_lag": ("EXX", "tau", 0.1),
     "cross_axis": ("EXX", "k", 0.1),
-    "thermal_offset": ("EXX", "coefficient", 0.5),  # the structure follows the air late
     "laser_scale": ("", "k", 0.1),
     "ballbar_length": ("", "length", 0.1),
 }
@@ -89,7 +88,8 @@ def test_effects_have_the_sign_and_size_of_the_library(tmp_path: Path) -> None:
         assert main(["simulate", str(spec), *arguments]) == 0
         theirs = pl.read_csv(out / "readings.csv")["reading"].to_numpy()
         clean, with_it = exact_readings(design, [truth, truth.hiding(Effect(kind, component, size, "Y"))])
-        ours, theirs = with_it - clean, theirs - clean
+        far = design.plan.since["X"] > 3.0  # lost motion is taken up over up to a millimetre
+        ours, theirs = (with_it - clean)[far], (theirs - clean)[far]
         off[kind] = float(np.sqrt(np.mean((ours - theirs) ** 2) / np.mean(theirs**2)))
     assert {kind: value for kind, value in off.items() if value > SAME_FORM[kind][2]} == {}
 
@@ -100,13 +100,15 @@ def rest(component: str, kind: str) -> str:
 
 
 def shows_all_effects(design: Design) -> bool:
-    """Three axes, circles without gaps (the package takes tangents of evenly spaced samples) and lines from both
+    """Three axes, circles of X without gaps (the package takes tangents of evenly spaced samples) and lines from both
     directions, all columns.
     """
     wanted = ("circle", "laser", "both_ways", "three_axes", "reversals_kept")
     missing = ("no_time", "no_feed", "no_temperature", "no_directions")
     has = design.ingredients
-    dense = design.habits.samples >= 90 and design.plan.count < 9000
+    dense = (
+        design.habits.samples >= 90 and design.plan.count < 9000 and any("X" in run.plane for run in design.plan.runs)
+    )
     return dense and all(has[name] for name in wanted) and not any(has[name] for name in missing)
 
 
