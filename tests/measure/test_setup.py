@@ -105,7 +105,7 @@ def test_defaults_are_bed_and_home_at_zero(tmp_path: Path) -> None:
         ('home = { X', 'length = 1.0\nhome = { X', "line 10, key run[0].length: a laser has no length"),
         ("reference = { on = \"workpiece\"", "ref = { on = \"workpiece\"", "line 11, key run[1].reference: is missing"),
         ('{ on = "workpiece", point = [270', '{ on = "tool", point = [270', "line 16, key run[1].reference: both"),
-        ("[[run]]\nid", "[run]\nid", ": is not TOML: Cannot"),
+        ("[[run]]\nid", "[run]\nid", "line 11: is not TOML: Cannot"),
     ],
 )  # fmt: skip
 def test_each_fault_has_its_line_key_and_remedy(tmp_path: Path, old: str, new: str, expected: str) -> None:

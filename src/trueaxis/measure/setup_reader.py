@@ -1,16 +1,15 @@
 """setup.toml to Run records, with every fault at its line and key."""
 
 import math
-import tomllib
 from pathlib import Path
 from typing import Any, cast
 
-from trueaxis.faults import Faults, InputError
+from trueaxis.faults import Faults
 from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.measure.machine import MachineAxes
 from trueaxis.measure.setup import Carrier, Frame, Instrument, PointOn, Run, Setup, Vector
 from trueaxis.spec.fields import Fields
-from trueaxis.toml_lines import KeyPath, key_lines, place
+from trueaxis.toml_lines import complainer, parse_toml
 
 UNIT_TOLERANCE = 1e-6  # a unit vector written with seven digits or more is one
 LONGEST_BAR = 1e4  # mm; beyond this the length is no length of a ball bar
@@ -26,19 +25,8 @@ def read_setup(path: Path, machine: MachineAxes) -> Setup:
     """
     text = utf8_text(path, input_bytes(path))
     faults = Faults(str(path))
-    try:
-        tree = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:  # ValueError: bad syntax, or a number of too many digits
-        faults.add("", f"is not TOML: {error}")
-        raise InputError(faults.found) from None
-    lines: dict[KeyPath, int] = {}
-
-    def complain(key: KeyPath, problem: str, remedy: str = "") -> None:
-        if not lines:
-            lines.update(key_lines(text))
-        faults.add(place(key, lines), problem, remedy)
-
-    setup = _setup(Fields(tree, (), complain), machine)
+    tree = parse_toml(text, faults)
+    setup = _setup(Fields(tree, (), complainer(text, faults)), machine)
     faults.raise_if_any()
     return setup
 

@@ -1,11 +1,10 @@
 """Read machines/NAME.toml: types and keys here, what the bodies make together in `structure`."""
 
 import re
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from trueaxis.faults import Faults, InputError
+from trueaxis.faults import Faults
 from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.spec.body import PROSE, PROSE_MEANING, read_body, read_joint
 from trueaxis.spec.effect_kinds import read_effect_kinds
@@ -14,7 +13,7 @@ from trueaxis.spec.fields import Complain, Fields
 from trueaxis.spec.machine import AXES, BED, LINEAR, Body, Machine
 from trueaxis.spec.structure import check_structure
 from trueaxis.spec.structure_code import AxisOrder, StructureCodeError, default_location_errors, parse_structure
-from trueaxis.toml_lines import KeyPath, error_line, key_lines, place
+from trueaxis.toml_lines import KeyPath, complainer, parse_toml
 
 _NAME = r"[A-Za-z][A-Za-z0-9_-]*"
 ROTATIONS = ("small-angle", "true")  # of errors: the paper's matrix 1 + [epsilon x], or a true rotation
@@ -31,21 +30,8 @@ def read_machine(path: Path) -> Machine:
 
 def parse_machine(text: str, faults: Faults) -> Machine:
     """The machine described by the text of a spec; raises InputError with every fault."""
-    try:
-        tree = tomllib.loads(text)
-    except RecursionError:
-        faults.add("", "is not TOML: nested too deeply")
-        raise InputError(faults.found) from None
-    except ValueError as error:  # bad syntax, or a number of thousands of digits
-        faults.add(error_line(error), f"is not TOML: {error}")
-        raise InputError(faults.found) from None
-    lines: dict[KeyPath, int] = {}
-
-    def complain(key: KeyPath, problem: str, remedy: str = "") -> None:
-        if not lines:
-            lines.update(key_lines(text))
-        faults.add(place(key, lines) if key else "", problem, remedy)
-
+    tree = parse_toml(text, faults)
+    complain = complainer(text, faults)
     machine = _machine(Fields(tree, (), complain), complain, faults)
     faults.raise_if_any()
     return machine
