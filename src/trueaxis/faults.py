@@ -3,6 +3,9 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+LONGEST_PART = 1000  # characters of the place, the problem or the remedy of a fault, as a message shows it
+_ENDS = 400, 200  # what is shown of a longer one: its first and its last characters
+
 
 @dataclass(frozen=True, slots=True)
 class Fault:
@@ -18,8 +21,18 @@ class Fault:
     remedy: str = ""
 
     def __str__(self) -> str:
-        where = f"{self.file}: {self.place}" if self.place else self.file
-        return f"{where}: {self.problem}" + (f"; {self.remedy}" if self.remedy else "")
+        place, problem, remedy = map(_shown, (self.place, self.problem, self.remedy))
+        where = f"{self.file}: {place}" if place else self.file
+        return f"{where}: {problem}" + (f"; {remedy}" if remedy else "")
+
+
+def _shown(text: str) -> str:
+    """A text that may quote an input: of bounded length, and with nothing that a terminal would obey."""
+    if len(text) > LONGEST_PART:
+        text = f"{text[: _ENDS[0]]} ... {text[-_ENDS[1] :]}"
+    if text.replace("\n", "").isprintable():
+        return text
+    return "".join(sign if sign.isprintable() or sign == "\n" else ascii(sign)[1:-1] for sign in text)
 
 
 class InputError(ValueError):

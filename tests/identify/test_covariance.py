@@ -1,5 +1,6 @@
 """From the readings' noise to the uncertainty of a predicted deviation: derivatives, Monte Carlo, coverage, files."""
 
+import io
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -19,6 +20,7 @@ from tests.identify.test_paper import level
 from trueaxis.cli import main
 from trueaxis.faults import InputError
 from trueaxis.identify.covariance import Covariance, derivative, dump_covariance, predicted_u, read_covariance
+from trueaxis.identify.global_fit.basis import Basis
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.method import fit_global, identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
@@ -241,6 +243,22 @@ def test_damaged_files_are_told(tmp_path: Path, damage: str) -> None:
     file.write_bytes({"text": b"no archive", "cut": data[:-40]}.get(damage, data))
     with pytest.raises(InputError):
         read_covariance(file, "other" if damage == "machine" else "dmu60p", machine().components, ())
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("covariance", 1e308), ("covariance", -1.0), ("open", 1e308), ("low", -1e300), ("high", np.inf), ("low", np.nan)],
+)
+def test_numbers_that_no_identification_writes_are_told(tmp_path: Path, name: str, value: float) -> None:
+    basis = Basis(0.0, 540.0, 2)
+    content = dump_covariance(Covariance("dmu60p", ("EXX",), (basis,), (), np.eye(2) * 1e-12, np.zeros((2, 1))))
+    with np.load(io.BytesIO(content)) as archive:
+        arrays = {key: np.array(archive[key]) for key in archive}
+    arrays[name].flat[0] = value
+    file = tmp_path / "c.npz"
+    np.savez(file, **arrays)  # type: ignore[arg-type]  # a keyword for each array
+    with pytest.raises(InputError, match=rf"c.npz: [a-z, ]*{name}"):
+        read_covariance(file, "dmu60p", machine().components, ())
 
 
 def test_every_fault_of_the_options_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -80,7 +80,7 @@ def test_defaults_are_bed_and_home_at_zero(tmp_path: Path) -> None:
     ("old", "new", "expected"),
     [
         ("schema = 1", "schema = 2", "line 1, key schema: 2 is not a schema"),
-        ('"dmu60p"', '"other"', 'line 2, key machine: "other" is another machine; machine = "dmu60p"'),
+        ('"dmu60p"', '"other"', "line 2, key machine: 'other' is another machine; machine = \"dmu60p\""),
         ('id = "X1"', 'id = "XY-300-cw"', 'line 12, key run[1].id: "XY-300-cw" names another run already'),
         ('id = "X1"\n', "", "line 3, key run[0].id: is missing"),
         ('id = "X1"', 'id = " X1"', "line 4, key run[0].id: is ' X1'"),

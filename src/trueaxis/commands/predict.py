@@ -11,7 +11,7 @@ from trueaxis.identify.covariance import predicted_u, read_covariance
 from trueaxis.input_files import gathering
 from trueaxis.measure.context_needs import faults_of_points
 from trueaxis.measure.points import dump_predicted, read_points
-from trueaxis.measure.predict import predict
+from trueaxis.measure.predict import check_predicted, predict
 from trueaxis.runtime.model import load_model
 from trueaxis.spec import read_machine
 
@@ -64,6 +64,7 @@ def run(args: argparse.Namespace) -> int:
             raise InputError(lacking)
         model = model.in_context(points.context)
     deviation = predict(model, points)
+    check_predicted(deviation, str(args.errors))
     spread = None if covariance is None else predicted_u(model, covariance, points.positions, points.tool)
     write_files({args.out: dump_predicted(points, deviation, args.out.suffix, spread)})
     print(f"{args.out}: {deviation.shape[1]} points")

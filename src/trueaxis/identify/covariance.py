@@ -25,6 +25,10 @@ from trueaxis.measure.machine import FloatArray
 SCHEMA = 1
 OPEN = 1e-6  # mm per mm (rotations times their levers): response to an undetermined combination that counts
 CHUNK = 4096  # points at a time
+LARGEST_VARIANCE = 1e6  # mm^2, rad^2: beyond a standard uncertainty of a metre nothing has been measured
+LARGEST_STEP = 1e9  # of an open combination, which has no length of its own
+LARGEST_END = 1e7  # mm or deg, of the range of a basis
+MOST_TERMS = 99  # of a basis, as of a polynomial
 _ARRAYS = ("low", "high", "degree", "covariance", "open")
 
 
@@ -158,5 +162,11 @@ def read_covariance(
         faults.add("covariance", "does not fit the names", "a file written by identify --covariance")
     elif not (np.isfinite(found.matrix).all() and np.isfinite(found.open).all()):
         faults.add("covariance", "is not finite")
+    elif np.abs(found.matrix).max(initial=0.0) > LARGEST_VARIANCE or (np.diag(found.matrix) < 0.0).any():
+        faults.add("covariance", "is none", f"variances from 0 to {LARGEST_VARIANCE:g}, mm and rad")
+    elif (np.abs(found.open) > LARGEST_STEP).any():
+        faults.add("open", "is too large", f"steps of at most {LARGEST_STEP:g}")
+    elif not all(-LARGEST_END < one.low < one.high < LARGEST_END and 0 <= one.degree <= MOST_TERMS for one in bases):
+        faults.add("low, high, degree", "are no bases", f"ranges of positions, degrees from 0 to {MOST_TERMS}")
     faults.raise_if_any()
     return found

@@ -2,8 +2,10 @@
 
 import numpy as np
 
+from trueaxis.faults import Fault, InputError
 from trueaxis.measure.machine import FloatArray, MeasuredMachine
 from trueaxis.measure.points import Points
+from trueaxis.measure.readings_reader import LARGEST_READING
 
 
 def predict(machine: MeasuredMachine, points: Points) -> FloatArray:
@@ -11,5 +13,19 @@ def predict(machine: MeasuredMachine, points: Points) -> FloatArray:
     tool = points.tool
     if tool.shape[1] and (tool == tool[:, :1]).all():
         tool = np.ascontiguousarray(tool[:, :1])  # one point for all positions is what the fastest kernels take
-    (found,) = machine.view_deviations([("tool_in_workpiece", tool)], points.positions)
+    with np.errstate(all="ignore"):  # of error values that are none, which `check_predicted` tells
+        (found,) = machine.view_deviations([("tool_in_workpiece", tool)], points.positions)
     return found
+
+
+def check_predicted(deviation: FloatArray, file: str) -> None:
+    """Raise InputError where a deviation is none that a reading could have: error values in another unit, or too large.
+
+    deviation: (3, n), mm; file: the error values, which the fault is of.
+    """
+    wrong = np.flatnonzero(~(np.abs(deviation) <= LARGEST_READING).all(axis=0))
+    if len(wrong):
+        largest = np.abs(deviation[:, wrong[0]]).max()
+        problem = f"at {len(wrong)} of {deviation.shape[1]} points the tool would deviate too far: {largest:.6g} mm"
+        remedy = f"errors in mm and rad, deviations of at most {LARGEST_READING:g} mm"
+        raise InputError([Fault(file, "", f"{problem} in row {wrong[0] + 1}", remedy)])

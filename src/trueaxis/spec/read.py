@@ -15,8 +15,9 @@ from trueaxis.spec.structure import check_structure
 from trueaxis.spec.structure_code import AxisOrder, StructureCodeError, default_location_errors, parse_structure
 from trueaxis.toml_lines import KeyPath, complainer, parse_toml
 
-_NAME = r"[A-Za-z][A-Za-z0-9_-]*"
+_NAME = r"[A-Za-z][A-Za-z0-9_-]{0,99}"  # of a folder, too
 ROTATIONS = ("small-angle", "true")  # of errors: the paper's matrix 1 + [epsilon x], or a true rotation
+MOST_BODIES = 40  # six axes, two ends, and what is fixed between them
 _LABEL = r"motion_[XYZABC]+|system_[1-9][0-9]*|squareness"
 
 
@@ -40,7 +41,7 @@ def parse_machine(text: str, faults: Faults) -> Machine:
 def _machine(top: Fields, complain: Complain, faults: Faults) -> Machine:
     if (schema := top.integer("schema")) not in (1, None):
         complain(("schema",), f"{schema} is not a schema that this version reads", "schema = 1")
-    name = top.text("name", pattern=_NAME, meaning="a letter, then letters, digits, _ and -") or "unnamed"
+    name = top.text("name", pattern=_NAME, meaning="a letter, then letters, digits, _ and -, 100 at most") or "unnamed"
     title = top.text("title", default=name, pattern=PROSE, meaning=PROSE_MEANING) or name
     before = len(faults.found)
     outline = _from_code(top, complain) if "structure" in top.raw else _from_bodies(top, complain)
@@ -89,7 +90,7 @@ class _Outline:
 
 def _from_bodies(top: Fields, complain: Complain) -> _Outline:
     """[[body]] tables and [ends]."""
-    indexed = [(index, read_body(fields)) for index, fields in enumerate(top.tables("body", required=True))]
+    indexed = [(index, read_body(fields)) for index, fields in enumerate(top.tables("body", True, MOST_BODIES))]
     bodies = [(index, body) for index, body in indexed if body is not None]
     ends = top.table("ends", required=True)
     workpiece, tool = ends.integer("workpiece"), ends.integer("tool")
