@@ -44,17 +44,20 @@ def run(args: argparse.Namespace) -> int:
     # SymPy takes a second to import; only this command needs it.
     from trueaxis.derive.model import derive_model  # noqa: PLC0415
     from trueaxis.emit.check import differences, write  # noqa: PLC0415
+    from trueaxis.emit.effect_check import faults_of_kinds  # noqa: PLC0415
     from trueaxis.emit.render import render  # noqa: PLC0415
 
     machine = read_machine(args.machine)
+    if found := faults_of_kinds(machine, str(args.machine)):
+        raise InputError(found)
     model = derive_model(machine, identification_runs(machine, args.machine, args.runs))
     files = render(model)
     folder = args.out / machine.name
     if args.check:
-        found = differences(folder, files)
-        for line in found:
+        differing = differences(folder, files)
+        for line in differing:
             print(line)
-        if found:
+        if differing:
             runs = f" --runs {args.runs}" if args.runs else ""
             print(f"{folder} differs from {args.machine}; run: trueaxis derive {args.machine} --out {args.out}{runs}")
             return 1
