@@ -1,5 +1,6 @@
 """From the readings' noise to the uncertainty of a predicted deviation: derivatives, Monte Carlo, coverage, files."""
 
+import io
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -27,7 +28,7 @@ from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.bases import LegendreBasis
+from trueaxis.runtime.bases import Basis, HatBasis, LegendreBasis, PowerBasis
 from trueaxis.runtime.covariance import Covariance, dump_covariance, read_covariance
 from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues
@@ -291,6 +292,44 @@ def test_damaged_files_are_told(tmp_path: Path, damage: str) -> None:
     file.write_bytes({"text": b"no archive", "cut": data[:-40]}.get(damage, data))
     with pytest.raises(InputError):
         read_covariance(file, replace(machine().machine, name="other") if damage == "machine" else machine().machine)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("data", 1e308), ("data", np.nan), ("open", 1e308), ("open", np.inf), ("indices", 7), ("indptr", 99)],
+)
+def test_numbers_that_no_identification_writes_are_told(tmp_path: Path, name: str, value: float) -> None:
+    content = dump_covariance(
+        Covariance(
+            machine="dmu60p",
+            components=("EXX",),
+            bases=(LegendreBasis(0.0, 540.0, 2),),
+            locations=(),
+            root=np.eye(2) * 1e-6,
+            open=np.zeros((2, 1)),
+        )
+    )
+    with np.load(io.BytesIO(content)) as archive:
+        arrays = {key: np.array(archive[key]) for key in archive}
+    arrays[name].flat[0] = value
+    file = tmp_path / "c.npz"
+    np.savez(file, **arrays)  # type: ignore[arg-type]  # a keyword for each array
+    with pytest.raises(InputError, match=r"c\.npz"):
+        read_covariance(file, machine().machine)
+
+
+@pytest.mark.parametrize(
+    "basis",
+    [LegendreBasis(-1e300, 0.0, 2), LegendreBasis(0.0, np.inf, 2), HatBasis((0.0, np.nan)), PowerBasis((1, 500))],
+)
+def test_bases_that_no_identification_writes_are_told(tmp_path: Path, basis: Basis) -> None:
+    covariance = Covariance(
+        machine="dmu60p", components=("EXX",), bases=(basis,), locations=(), root=np.eye(2), open=np.zeros((2, 0))
+    )
+    file = tmp_path / "c.npz"
+    file.write_bytes(dump_covariance(covariance))
+    with pytest.raises(InputError, match="bases"):
+        read_covariance(file, machine().machine)
 
 
 def test_every_fault_of_the_options_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

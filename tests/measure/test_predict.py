@@ -66,6 +66,23 @@ def test_a_curve_given_as_a_table_is_followed_through_its_points(tmp_path: Path,
     assert pl.read_csv(out)["dz"].to_list() == pytest.approx([0.0, 0.005, 0.01, 0.005], abs=1e-15)
 
 
+@pytest.mark.parametrize("value", [1e300, -1e308, 1e3])
+def test_deviations_that_cannot_be_are_not_written(tmp_path: Path, value: float) -> None:
+    tree = {"schema": 1, "machine": "dmu60p", "parameters": {"eps_xy": value}}
+    curve = {"basis": "polynomial", "powers": [3], "coefficients": [value]}
+    errors, at, out = tmp_path / "e.json", tmp_path / "points.csv", tmp_path / "out.csv"
+    errors.write_text(json.dumps(tree | {"motion_errors": {"EXX": curve}}))
+    at.write_text("X,Y,Z\n0,0,0\n100,10,0\n")
+    with pytest.raises(InputError) as raised:
+        run(command, "--errors", errors, "--at", at, "--out", out)
+    (fault,) = raised.value.faults
+    assert fault.file == str(errors)
+    assert fault.problem.startswith("at 1 of 2 points the tool would deviate too far: ")
+    assert fault.problem.endswith(" mm in row 2")
+    assert "errors in mm and rad" in fault.remedy
+    assert not out.exists()
+
+
 def test_no_points_give_no_rows(tmp_path: Path, errors: Path) -> None:
     at, out = tmp_path / "points.csv", tmp_path / "out.csv"
     at.write_text("X,Y,Z\n")

@@ -80,7 +80,7 @@ def test_defaults_are_bed_and_home_at_zero(tmp_path: Path) -> None:
     ("old", "new", "expected"),
     [
         ("schema = 1", "schema = 2", "line 1, key schema: 2 is not a schema"),
-        ('"dmu60p"', '"other"', 'line 2, key machine: "other" is another machine; machine = "dmu60p"'),
+        ('"dmu60p"', '"other"', "line 2, key machine: 'other' is another machine; machine = \"dmu60p\""),
         ('id = "X1"', 'id = "XY-300-cw"', 'line 12, key run[1].id: "XY-300-cw" names another run already'),
         ('id = "X1"\n', "", "line 3, key run[0].id: is missing"),
         ('id = "X1"', 'id = " X1"', "line 4, key run[0].id: is ' X1'"),
@@ -105,7 +105,7 @@ def test_defaults_are_bed_and_home_at_zero(tmp_path: Path) -> None:
         ('home = { X', 'length = 1.0\nhome = { X', "line 10, key run[0].length: a laser has no length"),
         ("reference = { on = \"workpiece\"", "ref = { on = \"workpiece\"", "line 11, key run[1].reference: is missing"),
         ('{ on = "workpiece", point = [270', '{ on = "tool", point = [270', "line 16, key run[1].reference: both"),
-        ("[[run]]\nid", "[run]\nid", ": is not TOML: Cannot"),
+        ("[[run]]\nid", "[run]\nid", "line 11: is not TOML: Cannot"),
     ],
 )  # fmt: skip
 def test_each_fault_has_its_line_key_and_remedy(tmp_path: Path, old: str, new: str, expected: str) -> None:

@@ -235,8 +235,11 @@ def test_what_is_not_toml_is_told_with_its_line(text: str, place: str, problem: 
 
 
 def test_keys_nested_deeper_than_python_recurses_are_faults_like_others() -> None:
-    faults = faults_of(BASE + ".".join("a" * 2000) + " = 1\n")
-    assert [fault.place for fault in faults] == ["line 42, key references.a"]
+    (fault,) = faults_of(BASE + ".".join("a" * 2000) + " = 1\n")
+    assert (fault.place, fault.problem) == ("line 42", "has a dotted key of too many parts")
+    inline = ".".join("a" * 100_000)  # the parser takes it, Python's repr would not
+    (fault,) = faults_of(BASE + f"b = [{{ {inline} = 1 }}]\n")
+    assert fault.place == "line 42, key references.b"
 
 
 def test_lines_are_counted_as_editors_do() -> None:

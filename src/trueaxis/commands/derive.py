@@ -46,20 +46,22 @@ def run(args: argparse.Namespace) -> int:
     # SymPy takes a second to import; only this command needs it.
     from trueaxis.derive.model import derive_model  # noqa: PLC0415
     from trueaxis.emit.check import differences, write  # noqa: PLC0415
+    from trueaxis.emit.effect_check import faults_of_kinds  # noqa: PLC0415
     from trueaxis.emit.render import render  # noqa: PLC0415
 
     machine = read_machine(args.machine)
     folder = args.out / machine.name
     inputs = {"MACHINE.toml": args.machine, "--runs": args.runs}
-    if found := overwritten(inputs, {f"{name} of --out": folder / name for name in KERNEL_FILES}):
+    found = overwritten(inputs, {f"{name} of --out": folder / name for name in KERNEL_FILES})
+    if found := [*found, *faults_of_kinds(machine, str(args.machine))]:
         raise InputError(found)
     model = derive_model(machine, identification_runs(machine, args.machine, args.runs))
     files = render(model)
     if args.check:
-        lines = differences(folder, files)
-        for line in lines:
+        differing = differences(folder, files)
+        for line in differing:
             print(line)
-        if lines:
+        if differing:
             runs = f" --runs {args.runs}" if args.runs else ""
             print(f"{folder} differs from {args.machine}; run: trueaxis derive {args.machine} --out {args.out}{runs}")
             return 1

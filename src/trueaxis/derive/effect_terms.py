@@ -5,8 +5,8 @@ import sympy as sp
 from trueaxis.derive import symbols
 from trueaxis.derive.functions import Absolute, Root, Sign, Step
 from trueaxis.derive.routine import Argument, Routine, build
-from trueaxis.effects.evaluate import evaluate
-from trueaxis.effects.expression import Binary, Call, Expression, Name, Negative, Number, Pi, Power, names, parse
+from trueaxis.effects.evaluate import value_of
+from trueaxis.effects.expression import Binary, Call, Expression, Function, Name, Negative, Number, Pi, Power, parse
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.placement import context_of
 from trueaxis.effects.variables import VARIABLES
@@ -48,11 +48,20 @@ def symbolic(expression: Expression) -> sp.Expr:
             base = symbolic(inner)
             result = (base.evalf(_DIGITS) if base.is_number else base) ** exponent
         case Call(function=function, argument=inner):
-            constant = not names(inner)
-            result = sp.Float(evaluate(expression, {}), _DIGITS) if constant else _FUNCTIONS[function](symbolic(inner))
+            result = _called(function, symbolic(inner))
         case Binary(operator=operator, left=left, right=right):
             result = _combined(operator, symbolic(left), symbolic(right))
     return result
+
+
+def _called(function: Function, argument: sp.Expr) -> sp.Expr:
+    """A function of an argument; its value where the argument is a number, or has become one: 0*s, s - s + 2."""
+    if not argument.is_number:
+        return _FUNCTIONS[function](argument)
+    try:
+        return sp.Float(value_of(function, float(argument)), _DIGITS)
+    except (ArithmeticError, ValueError, TypeError):  # TypeError: SymPy's infinity of no sign is no float
+        return sp.nan
 
 
 def _combined(operator: str, left: sp.Expr, right: sp.Expr) -> sp.Expr:
@@ -73,10 +82,11 @@ def effect_name(kind: Kind) -> str:
 
 def effect_routines(machine: Machine) -> tuple[Routine, ...]:
     """A routine for every kind with an expression: those of the library, and the machine's own."""
-    return tuple(_routine(kind) for kind in machine.kinds.values() if kind.expression)
+    return tuple(effect_routine(kind) for kind in machine.kinds.values() if kind.expression)
 
 
-def _routine(kind: Kind) -> Routine:
+def effect_routine(kind: Kind) -> Routine:
+    """The routine of a kind with an expression: the term and its derivatives by the parameters."""
     value = term(kind)
     context, parameters = context_of(kind), tuple(parameter.name for parameter in kind.parameters)
     rows = ("term", *(f"term_by_{name}" for name in parameters))

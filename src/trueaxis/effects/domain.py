@@ -2,10 +2,11 @@
 
 import math
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from trueaxis.effects.evaluate import evaluate
 from trueaxis.effects.expression import Expression, names
+from trueaxis.effects.kind import Parameter
 from trueaxis.effects.variables import FARTHEST
 
 TRIES = 1000
@@ -24,17 +25,34 @@ _CONTEXT: Mapping[str, Sequence[float]] = {
 def undefined_at(
     expression: Expression, positions: Sequence[float], parameters: Mapping[str, Sequence[float]]
 ) -> dict[str, float] | None:
-    """Values of the names of an expression at which it has no finite value; None where none were met.
+    """Values of the names of an expression at which it has no finite value; None where none were met."""
+    for values in samples(expression, positions, parameters):
+        if not math.isfinite(evaluate(expression, values)):
+            return values
+    return None
 
-    positions: of the axes, mm or deg; parameters: values of each. Combinations are drawn at random, always the same.
+
+def samples(
+    expression: Expression, positions: Sequence[float], parameters: Mapping[str, Sequence[float]]
+) -> Iterator[dict[str, float]]:
+    """TRIES values of the names of an expression, drawn at random and always the same.
+
+    positions: of the axes, mm or deg; parameters: values of each.
     """
     choices = {name.name: _choices(name.name, positions, parameters) for name in names(expression)}
     draw = random.Random(0)
     for _ in range(TRIES):
-        values = {name: draw.choice(among) for name, among in choices.items()}
-        if not math.isfinite(evaluate(expression, values)):
-            return values
-    return None
+        yield {name: draw.choice(among) for name, among in choices.items()}
+
+
+def sampled_positions(travels: Iterable[tuple[float, float]]) -> list[float]:
+    """Both ends of each travel and a point between; 0 and 1 where there is none."""
+    return [position for low, high in travels for position in (low, 0.7 * low + 0.3 * high, high)] or [0.0, 1.0]
+
+
+def sampled_parameters(parameters: Iterable[Parameter]) -> dict[str, Sequence[float]]:
+    """The grid of each parameter, or a value of either sign."""
+    return {one.name: one.values or (-1.0, 1.0) for one in parameters}
 
 
 def _choices(name: str, positions: Sequence[float], parameters: Mapping[str, Sequence[float]]) -> Sequence[float]:

@@ -30,7 +30,7 @@ def _value(expression: Expression, values: Mapping[str, float]) -> float:
         case Power(base=base, exponent=exponent):
             result = float(_value(base, values) ** exponent)
         case Call(function=function, argument=argument):
-            result = _called(function, _value(argument, values))
+            result = value_of(function, _value(argument, values))
         case Binary(operator=operator, left=left, right=right):
             result = _combined(operator, _value(left, values), _value(right, values))
     return result
@@ -47,7 +47,8 @@ def _combined(operator: str, left: float, right: float) -> float:
     return left / right
 
 
-def _called(function: Function, x: float) -> float:
+def value_of(function: Function, x: float) -> float:
+    """The value of a function. Raises ArithmeticError or ValueError where it has none."""
     match function:
         case "abs":
             return abs(x)

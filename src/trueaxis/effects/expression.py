@@ -22,6 +22,8 @@ Function = Literal["sin", "cos", "exp", "sqrt", "abs", "sign", "step", "tanh"]
 
 FUNCTIONS: tuple[Function, ...] = ("sin", "cos", "exp", "sqrt", "abs", "sign", "step", "tanh")
 LARGEST_EXPONENT = 9
+# Powers of powers multiply their exponents, and a kernel writes a power as a product of as many factors.
+HIGHEST_DEGREE = 99
 DEEPEST = 30  # parentheses, functions and minus signs within one another
 
 _ATOM = "a number, a name, a function or ("
@@ -107,6 +109,21 @@ def _names(expression: Expression) -> Iterator[Name]:
             yield from _names(right)
 
 
+def _degree(expression: Expression) -> int:
+    """How many factors of a product an expression has at most, once its powers are written as products."""
+    match expression:
+        case Number() | Pi():
+            return 0
+        case Negative(operand=inner):
+            return _degree(inner)
+        case Power(base=base, exponent=exponent):
+            return exponent * _degree(base)
+        case Binary(operator=operator, left=left, right=right):
+            degrees = _degree(left), _degree(right)
+            return sum(degrees) if operator in "*/" else max(degrees)
+    return 1
+
+
 class _Parser:
     """Recursive descent over the tokens; one method per rule of the grammar."""
 
@@ -171,7 +188,11 @@ class _Parser:
             raise self._fault(right, token)
         if self._takes("^"):
             raise self._fault("parentheses around the first of two powers")
-        return Power(base, int(token.text))
+        power = Power(base, int(token.text))
+        if (degree := _degree(power)) > HIGHEST_DEGREE:
+            problem = f"the powers within one another are of degree {degree}"
+            raise ExpressionError(self._text, token.column, problem, f"{HIGHEST_DEGREE} at most")
+        return power
 
     def _atom(self) -> Expression:
         token = self._taken()

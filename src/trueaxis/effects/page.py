@@ -3,7 +3,7 @@
 import sys
 from collections.abc import Iterable, Sequence
 
-from trueaxis.effects.expression import DEEPEST, FUNCTIONS, LARGEST_EXPONENT
+from trueaxis.effects.expression import DEEPEST, FUNCTIONS, HIGHEST_DEGREE, LARGEST_EXPONENT
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.library import KINDS
 from trueaxis.effects.tokens import LONGEST
@@ -37,7 +37,8 @@ temperature; a term of readings uses `along`, `theta`, time and temperature.
 _EXPRESSIONS = f"""
 Numbers, names, `+ - * / ^`, parentheses, `pi` and the functions {" ".join(f"`{name}`" for name in FUNCTIONS)}.
 `step(x)` is 1 for x >= 0 and 0 below, `sign(0)` is 0. A minus sign binds less than `^`: `-s^2` is `-(s^2)`. An exponent
-is a whole number from 1 to {LARGEST_EXPONENT}. At most, an expression has {LONGEST} characters, and {DEEPEST} levels of
+is a whole number from 1 to {LARGEST_EXPONENT}; powers within one another, as in `((q^3)^2)^2`, multiply to at most
+{HIGHEST_DEGREE}. At most, an expression has {LONGEST} characters, and {DEEPEST} levels of
 parentheses, functions and minus signs.
 """
 

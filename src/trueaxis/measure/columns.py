@@ -8,12 +8,14 @@ import numpy.typing as npt
 import polars as pl
 
 from trueaxis.faults import Faults
+from trueaxis.measure.limits import COLDEST, FASTEST, LONGEST_TIME, WARMEST
 from trueaxis.measure.machine import FloatArray, MachineAxes
 from trueaxis.measure.table import MOST_FAULTS, Table
 
 BoolArray = npt.NDArray[np.bool_]
 IntArray = npt.NDArray[np.int64]
 
+LONGEST_SHOWN = 40  # characters of a cell in a message
 AXIS_LETTERS = ("X", "Y", "Z", "A", "B", "C")
 
 
@@ -38,7 +40,7 @@ def check_columns(
         else:
             close = get_close_matches(name, known, n=1)
             remedy = f"did you mean {close[0]}?" if close else f"known: {', '.join(known)}"
-            faults.add(f"column {name}", "is not a known column", remedy)
+            faults.add(f"column {shortened(name)}", "is not a known column", remedy)
 
 
 def numbers(table: Table, name: str, faults: Faults, *, may_be_empty: bool = False) -> FloatArray:
@@ -87,6 +89,24 @@ def texts(table: Table, name: str, faults: Faults) -> pl.Series:
     return found
 
 
+def within(table: Table, name: str, faults: Faults, low: float, high: float, unit: str) -> FloatArray:
+    """A column as numbers, (n,), NaN where a cell is empty or wrong; those beyond the limits are noted."""
+    values = numbers(table, name, faults, may_be_empty=True)
+    remedy = f"{unit}, from {low:g} to {high:g}"
+    note(table, name, (values < low) | (values > high), faults, "is outside what can be", remedy=remedy)
+    return values
+
+
+def time_feed_temperature(table: Table, faults: Faults) -> dict[str, FloatArray]:
+    """Those of the columns time_s, feed and temperature_c that are there, (n,) each, NaN where a cell is empty."""
+    limits = {
+        "time_s": (-LONGEST_TIME, LONGEST_TIME, "s"),
+        "feed": (0.0, FASTEST, "mm/min"),
+        "temperature_c": (COLDEST, WARMEST, "degC"),
+    }
+    return {name: within(table, name, faults, *limits[name]) for name in limits if name in table.frame.columns}
+
+
 def approaches(table: Table, name: str, faults: Faults) -> FloatArray:
     """A column of approach directions, (n,): +1, -1 or 0, NaN where a cell is empty or wrong; wrong ones are noted."""
     values = numbers(table, name, faults, may_be_empty=True)
@@ -120,5 +140,9 @@ def note(table: Table, name: str, wrong: BoolArray, faults: Faults, problem: str
 def _quoted(cell: object) -> str:
     if cell is None or not str(cell).strip():
         return ""
-    text = f'"{cell}"' if isinstance(cell, str) else str(cell)
-    return f"{text if len(text) <= 40 else text[:36] + ' ...'} "
+    return f'"{shortened(cell)}" ' if isinstance(cell, str) else f"{shortened(str(cell))} "
+
+
+def shortened(text: str) -> str:
+    """A text of a cell as a message shows it."""
+    return text if len(text) <= LONGEST_SHOWN else f"{text[: LONGEST_SHOWN - 4]} ..."

@@ -8,7 +8,8 @@ import numpy.typing as npt
 import polars as pl
 
 from trueaxis.faults import Faults
-from trueaxis.measure.columns import approaches, check_columns, numbers, positions
+from trueaxis.measure.columns import approaches, check_columns, note, numbers, positions, time_feed_temperature
+from trueaxis.measure.limits import FARTHEST_POINT
 from trueaxis.measure.machine import MachineAxes
 from trueaxis.measure.table import read_table, table_bytes
 from trueaxis.runtime.context import Context
@@ -47,8 +48,10 @@ def read_points(path: Path, machine: MachineAxes) -> Points:
     for row, name in enumerate(TOOL_COLUMNS):
         if name in table.frame.columns:
             tool[row] = numbers(table, name, faults)
+            far = np.abs(tool[row]) > FARTHEST_POINT
+            note(table, name, far, faults, "is too far", remedy=f"mm, at most {FARTHEST_POINT:g}")
     present = table.frame.columns
-    context = {name: numbers(table, name, faults, may_be_empty=True) for name in CONTEXT_COLUMNS if name in present}
+    context = time_feed_temperature(table, faults)
     given = {name: approaches(table, name, faults) for name in names if name in present}
     faults.raise_if_any()
     known = {**dict(zip(machine.axes, commanded, strict=True)), **dict(zip(TOOL_COLUMNS, tool, strict=True))}

@@ -9,12 +9,22 @@ import polars as pl
 
 from trueaxis.faults import Faults
 from trueaxis.measure.approach import DirectionArray, approach_directions
-from trueaxis.measure.columns import approaches, check_columns, note, numbers, positions, texts, whole_numbers
+from trueaxis.measure.columns import (
+    approaches,
+    check_columns,
+    note,
+    numbers,
+    positions,
+    shortened,
+    texts,
+    time_feed_temperature,
+    whole_numbers,
+)
 from trueaxis.measure.machine import MachineAxes
 from trueaxis.measure.reading_model import home_positions
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import Run
-from trueaxis.measure.table import Table, read_table
+from trueaxis.measure.table import MOST_FAULTS, Table, read_table
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
@@ -41,7 +51,7 @@ def read_readings(path: Path, machine: MachineAxes, runs: Sequence[Run] | None) 
     commanded = positions(table, machine, faults)
     run_ids, run = _runs(table, runs, faults)
     seq = _seq(table, run, faults)
-    optional = {name: numbers(table, name, faults, may_be_empty=True) for name in _OPTIONAL if name in columns}
+    optional = time_feed_temperature(table, faults)
     given = {name[4:]: approaches(table, name, faults) for name in named if name in columns}
     reading = _reading(table, faults)
     faults.raise_if_any()
@@ -71,15 +81,18 @@ def _runs(table: Table, runs: Sequence[Run] | None, faults: Faults) -> tuple[tup
     named = texts(table, "run", faults)
     present = named.filter(named != "").unique(maintain_order=True).to_list()
     ids = tuple(run.id for run in runs) if runs is not None else tuple(present)
-    for name in present:
-        if name not in ids:
-            first = int((named == name).arg_max() or 0)
-            faults.add(table.place(first, "run"), f'the setup has no run "{name}"', f"runs {', '.join(ids)}")
-    for name in ids:
-        if name not in present:
-            faults.add("column run", f'there is no row of run "{name}"', "remove the run from the setup, or read it")
     index = {name: number for number, name in enumerate(ids)}
     known = [name for name in present if name in index]
+    unknown = [name for name in present if name not in index]
+    for name in unknown[:MOST_FAULTS]:
+        first = int((named == name).arg_max() or 0)
+        remedy = f"runs {', '.join(ids[:MOST_FAULTS])}{' ...' if len(ids) > MOST_FAULTS else ''}"
+        faults.add(table.place(first, "run"), f'the setup has no run "{shortened(name)}"', remedy)
+    if len(unknown) > MOST_FAULTS:
+        faults.add("column run", f"and so {len(unknown) - MOST_FAULTS} more runs")
+    there = set(present)
+    for name in (name for name in ids if name not in there):
+        faults.add("column run", f'there is no row of run "{name}"', "remove the run from the setup, or read it")
     codes = named.replace_strict(known, [index[name] for name in known], default=-1, return_dtype=pl.Int64)
     return ids, codes.to_numpy().astype(np.int64)
 
@@ -110,8 +123,10 @@ def _derived_directions(
     """Approach directions from the order of seq; rows_of_all: run (n,), seq (n,), positions (n_axes, n)."""
     run, seq, commanded = rows_of_all
     found = np.zeros(commanded.shape, dtype=np.int8)
-    for index, one in enumerate(runs):
-        rows = np.flatnonzero(run == index)
+    by_run = np.argsort(run, kind="stable")
+    ends = np.searchsorted(run[by_run], np.arange(len(runs) + 1))
+    for one, start_row, end_row in zip(runs, ends, ends[1:], strict=False):
+        rows = by_run[start_row:end_row]
         home = home_positions(one, axes)
         start = None if home is None else home[:, 0]
         found[:, rows] = approach_directions(seq[rows], commanded[:, rows], start)

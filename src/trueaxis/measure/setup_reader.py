@@ -1,16 +1,16 @@
 """setup.toml to Run records, with every fault at its line and key."""
 
 import math
-import tomllib
 from pathlib import Path
 from typing import Any, cast
 
-from trueaxis.faults import Faults, InputError
+from trueaxis.faults import Faults
 from trueaxis.input_files import input_bytes, utf8_text
+from trueaxis.measure.limits import FARTHEST_POINT, LONGEST_ID
 from trueaxis.measure.machine import MachineAxes
 from trueaxis.measure.setup import Carrier, Frame, Instrument, PointOn, Run, Setup, Vector
-from trueaxis.spec.fields import Fields
-from trueaxis.toml_lines import KeyPath, key_lines, place
+from trueaxis.spec.fields import Fields, shown
+from trueaxis.toml_lines import complainer, parse_toml
 
 UNIT_TOLERANCE = 1e-6  # a unit vector written with seven digits or more is one
 LONGEST_BAR = 1e4  # mm; beyond this the length is no length of a ball bar
@@ -26,19 +26,8 @@ def read_setup(path: Path, machine: MachineAxes) -> Setup:
     """
     text = utf8_text(path, input_bytes(path))
     faults = Faults(str(path))
-    try:
-        tree = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:  # ValueError: bad syntax, or a number of too many digits
-        faults.add("", f"is not TOML: {error}")
-        raise InputError(faults.found) from None
-    lines: dict[KeyPath, int] = {}
-
-    def complain(key: KeyPath, problem: str, remedy: str = "") -> None:
-        if not lines:
-            lines.update(key_lines(text))
-        faults.add(place(key, lines), problem, remedy)
-
-    setup = _setup(Fields(tree, (), complain), machine)
+    tree = parse_toml(text, faults)
+    setup = _setup(Fields(tree, (), complainer(text, faults)), machine)
     faults.raise_if_any()
     return setup
 
@@ -49,12 +38,14 @@ def _setup(top: Fields, machine: MachineAxes) -> Setup:
         top.fault("schema", f"{schema} is not a schema that this version reads", "schema = 1")
     measured = top.text("machine")
     if measured not in (machine.name, None):
-        top.fault("machine", f'"{measured}" is another machine', f'machine = "{machine.name}"')
+        top.fault("machine", f"{shown(measured)} is another machine", f'machine = "{machine.name}"')
     runs: list[Run] = []
+    ids: set[str] = set()
     for fields in top.tables("run", required=True):
         run = _run(fields, machine)
-        if run.id and any(run.id == other.id for other in runs):
+        if run.id in ids:
             fields.fault("id", f'"{run.id}" names another run already', "an id of its own for each run")
+        ids |= {run.id} - {""}
         runs.append(run)
     top.refuse_others()
     return Setup(machine.name, tuple(runs))
@@ -101,7 +92,9 @@ def _check_carriers(fields: Fields, ballbar: bool, frame: Frame, target: PointOn
 def _id(fields: Fields) -> str:
     run_id = fields.text("id") or ""
     if run_id and (run_id != run_id.strip() or not run_id.isprintable()):
-        fields.fault("id", f"is {run_id!r}", "printable characters with no space before or after them")
+        fields.fault("id", f"is {shown(run_id)}", "printable characters with no space before or after them")
+    if len(run_id) > LONGEST_ID:
+        fields.fault("id", f"has {len(run_id)} characters", f"{LONGEST_ID} at most")
     return run_id
 
 
@@ -134,7 +127,7 @@ def _length(fields: Fields, instrument: str | None) -> float | None:
         return None
     length = fields.finite(given)
     if length is None or not 0.0 < length <= LONGEST_BAR:
-        fields.fault("length", f"is {given!r}", right)
+        fields.fault("length", f"is {shown(given)}", right)
     return length
 
 
@@ -148,7 +141,7 @@ def _home(fields: Fields, machine: MachineAxes) -> dict[str, float]:
         position = table.finite(given)
         low, high = machine.travel[axis]
         if position is None:
-            table.fault(axis, f"is {given!r}", "a finite number")
+            table.fault(axis, f"is {shown(given)}", "a finite number")
         elif not low <= position <= high:
             table.fault(axis, f"{position!r} is outside the travel", f"from {low!r} to {high!r}")
         else:
@@ -161,7 +154,7 @@ def _point_on(fields: Fields, key: str, carriers: tuple[str, ...]) -> PointOn | 
     right = f"{{ on = one of {' '.join(carriers)}, point = [x, y, z] }}"
     if not isinstance(fields.raw.get(key), dict):
         fields.known.add(key)
-        problem = f"is {fields.raw[key]!r}" if key in fields.raw else "is missing"
+        problem = f"is {shown(fields.raw[key])}" if key in fields.raw else "is missing"
         fields.fault(key, problem, right)
         return None
     table = fields.table(key)
@@ -169,6 +162,8 @@ def _point_on(fields: Fields, key: str, carriers: tuple[str, ...]) -> PointOn | 
     if "on" not in table.raw:
         table.fault("on", "is missing", f"one of {' '.join(carriers)}")
     point: Any = table.numbers("point", 3, required=carrier not in ("bed", None))
+    if point is not None and max(map(abs, point)) > FARTHEST_POINT:
+        table.fault("point", f"is {shown(list(point))}", f"coordinates in mm, at most {FARTHEST_POINT:g}")
     table.refuse_others("on, point")
     if carrier is None or (point is None and carrier != "bed"):
         return None

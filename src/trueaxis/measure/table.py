@@ -16,6 +16,7 @@ import polars as pl
 
 from trueaxis.faults import Faults, InputError
 from trueaxis.input_files import input_bytes, utf8_text
+from trueaxis.measure.limits import MOST_COLUMNS
 from trueaxis.own_python import own_python
 
 IntArray = npt.NDArray[np.int64]
@@ -55,7 +56,9 @@ def read_table(path: Path) -> Table:
     data = input_bytes(path)
     faults = Faults(str(path))
     table = _parquet(data, faults) if path.suffix == ".parquet" else _csv(path, data, faults)
-    if table is None:
+    if table is not None and table.frame.width > MOST_COLUMNS:
+        faults.add("", *_too_many(table.frame.width))
+    if table is None or faults.found:
         raise InputError(faults.found)
     return table
 
@@ -111,11 +114,18 @@ def _csv(path: Path, data: bytes, faults: Faults) -> Table | None:
     return Table(frame, lines[1:])
 
 
+def _too_many(columns: int) -> tuple[str, str]:
+    return f"has {columns} columns", f"{MOST_COLUMNS} at most"
+
+
 def _header(line: str, place: str, faults: Faults) -> list[str]:
     try:
         names = [name.strip() for name in next(csv.reader([line]))]
     except (csv.Error, StopIteration):
         names = [line]
+    if len(names) > MOST_COLUMNS:
+        faults.add(place, *_too_many(len(names)))
+        return names
     seen: set[str] = set()
     for name in names:
         if not name:

@@ -28,6 +28,10 @@ from trueaxis.spec.machine import Machine
 
 SCHEMA = 2
 DENSE = 0.25  # share of entries that are not zero above which products with a full matrix are faster
+LARGEST_U = 1e3  # mm, rad: beyond a metre nothing has been measured
+LARGEST_STEP = 1e9  # of an open combination, which has no length of its own
+LARGEST_END = 1e7  # mm or deg, of the range of a basis
+MOST_TERMS = 99  # of a basis of polynomials, as of a polynomial
 _ARRAYS = ("data", "indices", "indptr", "open")
 
 
@@ -209,8 +213,12 @@ def read_covariance(path: Path, machine: Machine) -> Covariance:
     fits = covariance.open.ndim == 2 and covariance.open.shape[0] == n
     if not fits or len(covariance.bases) != len(covariance.components) or head["shape"][0] != n:
         faults.add("covariance", "does not fit the names", remedy)
-    elif not (np.isfinite(covariance.open).all() and np.isfinite(values).all()):
-        faults.add("covariance", "is not finite", remedy)
+    elif not np.abs(values).max(initial=0.0) <= LARGEST_U:  # not a number is none, either
+        faults.add("covariance", "is none", f"standard uncertainties of at most {LARGEST_U:g}, mm and rad")
+    elif not np.abs(covariance.open).max(initial=0.0) <= LARGEST_STEP:
+        faults.add("open", "is too large", f"steps of at most {LARGEST_STEP:g}")
+    elif not all(map(_is_basis, covariance.bases)):
+        faults.add("bases", "are none", f"ranges and positions up to {LARGEST_END:g}, at most {MOST_TERMS} terms")
     faults.raise_if_any()
     return covariance
 
@@ -233,6 +241,16 @@ def _parsed(head: Mapping[str, Any], values: Any, indices: Any, indptr: Any, ope
         effects=tuple(str(one["effect"]) for one in head["effects"]),
         effect_parameters=tuple(_names(one["parameters"]) for one in head["effects"]),
     )
+
+
+def _is_basis(basis: Basis) -> bool:
+    """Whether positions rise and orders are those of polynomials."""
+    if isinstance(basis, PowerBasis):
+        return all(0 <= power <= MOST_TERMS for power in basis.powers)
+    if isinstance(basis, LegendreBasis):
+        return -LARGEST_END < basis.low < basis.high < LARGEST_END and 0 <= basis.degree <= MOST_TERMS
+    positions = np.array(basis.positions)
+    return bool((np.abs(positions) < LARGEST_END).all() and (np.diff(positions) > 0.0).all() and positions.size)
 
 
 def _names(names: Sequence[Any]) -> tuple[str, ...]:

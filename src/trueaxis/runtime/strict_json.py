@@ -32,7 +32,7 @@ def parse(text: str, faults: Faults) -> Any:
     except ValueError:  # an integer of more digits than Python converts
         faults.add("", "has a number with too many digits")
         return None
-    _note_repeated(tree, (), faults)
+    _note_repeated(tree, faults)
     return tree
 
 
@@ -85,12 +85,16 @@ def _object(pairs: list[tuple[str, Any]]) -> _Object:
     return found
 
 
-def _note_repeated(node: Any, path: JsonPath, faults: Faults) -> None:
-    if isinstance(node, _Object):
-        for key in node.repeated:
-            faults.add(key_path((*path, key)), "is given more than once", "keep one")
-        for key, value in node.items():
-            _note_repeated(value, (*path, key), faults)
-    elif isinstance(node, list):
-        for index, item in enumerate(node):
-            _note_repeated(item, (*path, index), faults)
+def _note_repeated(tree: Any, faults: Faults) -> None:
+    """In the order of the text, without recursion: newer Pythons parse deeper than they recurse."""
+    waiting: list[tuple[Any, JsonPath]] = [(tree, ())]
+    while waiting:
+        node, path = waiting.pop()
+        items: list[tuple[str | int, Any]] = []
+        if isinstance(node, _Object):
+            for key in node.repeated:
+                faults.add(key_path((*path, key)), "is given more than once", "keep one")
+            items = list(node.items())
+        elif isinstance(node, list):
+            items = list(enumerate(node))
+        waiting += [(value, (*path, key)) for key, value in reversed(items) if isinstance(value, _Object | list)]

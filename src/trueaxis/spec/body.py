@@ -3,9 +3,13 @@
 from typing import Any
 
 from trueaxis.spec.fields import Fields, shown
-from trueaxis.spec.machine import AXES, DIRECTIONS, Body
+from trueaxis.spec.machine import AXES, DIRECTIONS, LINEAR, Body
 
 # Titles and names of bodies stand in docstrings, comments and tables of Markdown.
+FARTHEST = 1e5  # mm, from the origin of the lower body's frame: the largest gantry machines travel 6e4
+MOST_DEGREES = 1e6  # of a rotary axis, either way: thousands of turns
+SHORTEST_TRAVEL = 1e-3  # mm or deg: shares of a travel are quotients by it
+
 PROSE, PROSE_MEANING = r"[\w .,:;()/&'+#-]+", "letters, digits, spaces and . , : ; ( ) / & ' + # - _"
 
 
@@ -51,12 +55,14 @@ def _travel(fields: Fields, moves: str | None) -> tuple[float, float] | None:
     travel = fields.numbers("travel", 2, required=moves is not None)
     if travel is None:
         return None
+    runs = f"runs from {travel[0]:g} to {travel[1]:g}"
+    farthest, unit = (FARTHEST, "mm") if moves in LINEAR or moves is None else (MOST_DEGREES, "deg")
     if not travel[0] < travel[1]:
-        fields.fault(
-            "travel",
-            f"runs from {travel[0]:g} to {travel[1]:g}",
-            "the lower end first, the upper end after it",
-        )
+        fields.fault("travel", runs, "the lower end first, the upper end after it")
+    elif travel[1] - travel[0] < SHORTEST_TRAVEL:
+        fields.fault("travel", runs, f"{SHORTEST_TRAVEL:g} {unit} at least")
+    if max(map(abs, travel)) > farthest:
+        fields.fault("travel", runs, f"ends in {unit}, at most {farthest:g} from 0")
     return travel[0], travel[1]
 
 
@@ -70,13 +76,13 @@ def _position(fields: Fields) -> tuple[float | str, float | str, float | str]:
     for index, part in enumerate(value):
         if isinstance(part, str):
             read.append(part)
-        elif (number := fields.finite(part)) is not None:
+        elif (number := fields.finite(part)) is not None and abs(number) <= FARTHEST:
             read.append(number)
         else:
             fields.fault(
                 "position",
                 f"entry {index + 1} is {shown(part)}",
-                "a finite number (mm) or the name of a parameter",
+                f"a finite number (mm, at most {FARTHEST:g}) or the name of a parameter",
             )
             read.append(0.0)
     return read[0], read[1], read[2]
@@ -93,10 +99,15 @@ def _motion_errors(fields: Fields, moves: str | None) -> tuple[str, ...]:
     if not isinstance(value, list):
         fields.fault("motion_errors", f"is {shown(value)}", '"all" for a moving body, or a list such as ["EXY", "ECY"]')
         return ()
-    for index, entry in enumerate(value):
+    seen: list[Any] = []
+    for entry in value:
+        if len(seen) > len(DIRECTIONS):
+            fields.fault("motion_errors", f"has {len(value)} entries", f"{len(DIRECTIONS)} at most")
+            break
         if entry not in allowed:
             right = f"of {' '.join(allowed)}" if allowed else "no motion errors: the body does not move"
             fields.fault("motion_errors", f"{shown(entry)} is no motion error of this body", right)
-        elif entry in value[:index]:
+        elif entry in seen:
             fields.fault("motion_errors", f"{entry!r} stands there already", "each name once")
+        seen.append(entry)
     return tuple(name for name in allowed if name in value)

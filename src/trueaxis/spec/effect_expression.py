@@ -1,8 +1,8 @@
 """The expression of a kind that a spec adds: its names, its form, and that it has a value wherever it is needed."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
-from trueaxis.effects.domain import undefined_at
+from trueaxis.effects.domain import sampled_parameters, sampled_positions, undefined_at
 from trueaxis.effects.expression import Expression, names, parse
 from trueaxis.effects.kind import Kind, Parameter
 from trueaxis.effects.linearity import is_linear
@@ -59,10 +59,8 @@ def _check_linear(fields: Fields, expression: Expression, parameters: Iterable[P
 def _check_values(
     fields: Fields, expression: Expression, parameters: Sequence[Parameter], bodies: Sequence[Body] | None
 ) -> None:
-    travels = [body.travel for body in bodies or () if body.travel]
-    positions = [position for low, high in travels for position in (low, 0.7 * low + 0.3 * high, high)]
-    values: Mapping[str, Sequence[float]] = {one.name: one.values or (-1.0, 1.0) for one in parameters}
-    at = undefined_at(expression, positions or (0.0, 1.0), values)
+    positions = sampled_positions(body.travel for body in bodies or () if body.travel)
+    at = undefined_at(expression, positions, sampled_parameters(parameters))
     if at is not None:
         where = ", ".join(f"{name} = {value:g}" for name, value in at.items())
         problem = "has no finite value" + (f" where {where}" if where else "")

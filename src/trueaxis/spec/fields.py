@@ -142,12 +142,15 @@ class Fields:
             self.fault(key, f"is {shown(value)}", f"a table [{key}]")
         return Fields(value if isinstance(value, dict) else {}, (*self.path, key), self.complain)
 
-    def tables(self, key: str, required: bool = False) -> Iterator["Fields"]:
-        """The tables of an array [[key]]."""
+    def tables(self, key: str, required: bool = False, most: int | None = None) -> Iterator["Fields"]:
+        """The tables of an array [[key]], `most` of them where that is given."""
         value = self._take(key, required, f"one table [[{key}]] or more")
         if value is not None and not (isinstance(value, list) and all(isinstance(part, dict) for part in value)):
             self.fault(key, "is no array of tables", f"[[{key}]]")
             return
+        if value is not None and most is not None and len(value) > most:
+            self.fault(key, f"has {len(value)} tables", f"{most} at most")
+            value = value[:most]
         for index, part in enumerate(value or []):
             yield Fields(part, (*self.path, key, index), self.complain)
 

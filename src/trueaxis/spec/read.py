@@ -1,11 +1,10 @@
 """Read machines/NAME.toml: types and keys here, what the bodies make together in `structure`."""
 
 import re
-import tomllib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from trueaxis.faults import Faults, InputError
+from trueaxis.faults import Faults
 from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.spec.body import PROSE, PROSE_MEANING, read_body, read_joint
 from trueaxis.spec.effect_kinds import read_effect_kinds
@@ -15,10 +14,11 @@ from trueaxis.spec.machine import AXES, BED, LINEAR, Body, Machine
 from trueaxis.spec.prior import read_prior
 from trueaxis.spec.structure import check_structure
 from trueaxis.spec.structure_code import AxisOrder, StructureCodeError, default_location_errors, parse_structure
-from trueaxis.toml_lines import KeyPath, error_line, key_lines, place
+from trueaxis.toml_lines import KeyPath, complainer, parse_toml
 
-_NAME = r"[A-Za-z][A-Za-z0-9_-]*"
+_NAME = r"[A-Za-z][A-Za-z0-9_-]{0,99}"  # of a folder, too
 ROTATIONS = ("small-angle", "true")  # of errors: the paper's matrix 1 + [epsilon x], or a true rotation
+MOST_BODIES = 40  # six axes, two ends, and what is fixed between them
 _LABEL = r"motion_[XYZABC]+|system_[1-9][0-9]*|squareness"
 
 
@@ -32,21 +32,8 @@ def read_machine(path: Path) -> Machine:
 
 def parse_machine(text: str, faults: Faults) -> Machine:
     """The machine described by the text of a spec; raises InputError with every fault."""
-    try:
-        tree = tomllib.loads(text)
-    except RecursionError:
-        faults.add("", "is not TOML: nested too deeply")
-        raise InputError(faults.found) from None
-    except ValueError as error:  # bad syntax, or a number of thousands of digits
-        faults.add(error_line(error), f"is not TOML: {error}")
-        raise InputError(faults.found) from None
-    lines: dict[KeyPath, int] = {}
-
-    def complain(key: KeyPath, problem: str, remedy: str = "") -> None:
-        if not lines:
-            lines.update(key_lines(text))
-        faults.add(place(key, lines) if key else "", problem, remedy)
-
+    tree = parse_toml(text, faults)
+    complain = complainer(text, faults)
     machine = _machine(Fields(tree, (), complain), complain, faults)
     faults.raise_if_any()
     return machine
@@ -55,7 +42,7 @@ def parse_machine(text: str, faults: Faults) -> Machine:
 def _machine(top: Fields, complain: Complain, faults: Faults) -> Machine:
     if (schema := top.integer("schema")) not in (1, None):
         complain(("schema",), f"{schema} is not a schema that this version reads", "schema = 1")
-    name = top.text("name", pattern=_NAME, meaning="a letter, then letters, digits, _ and -") or "unnamed"
+    name = top.text("name", pattern=_NAME, meaning="a letter, then letters, digits, _ and -, 100 at most") or "unnamed"
     title = top.text("title", default=name, pattern=PROSE, meaning=PROSE_MEANING) or name
     before = len(faults.found)
     outline = _from_code(top, complain) if "structure" in top.raw else _from_bodies(top, complain)
@@ -107,7 +94,7 @@ class _Outline:
 
 def _from_bodies(top: Fields, complain: Complain) -> _Outline:
     """[[body]] tables and [ends]."""
-    indexed = [(index, read_body(fields)) for index, fields in enumerate(top.tables("body", required=True))]
+    indexed = [(index, read_body(fields)) for index, fields in enumerate(top.tables("body", True, MOST_BODIES))]
     bodies = [(index, body) for index, body in indexed if body is not None]
     ends = top.table("ends", required=True)
     workpiece, tool = ends.integer("workpiece"), ends.integer("tool")
