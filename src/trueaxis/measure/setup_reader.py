@@ -1,19 +1,23 @@
 """setup.toml to Run records, with every fault at its line and key."""
 
 import math
+import re
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
 
 from trueaxis.faults import Faults, InputError
 from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.measure.machine import MachineAxes
-from trueaxis.measure.setup import Carrier, Frame, Instrument, PointOn, Run, Setup, Vector
-from trueaxis.spec.fields import Fields
+from trueaxis.measure.setup import Carrier, CompensationKey, Frame, Instrument, PointOn, Run, Setup, Vector
+from trueaxis.spec.fields import Fields, shown
 from trueaxis.toml_lines import KeyPath, key_lines, place
 
 UNIT_TOLERANCE = 1e-6  # a unit vector written with seven digits or more is one
 LONGEST_BAR = 1e4  # mm; beyond this the length is no length of a ball bar
+FARTHEST_POINT = 1e5  # mm; no machine tool reaches a point a hundred metres away
+NO_COMPENSATION = "none"
 
 _INSTRUMENTS = ("laser", "ballbar", "probe")
 _CARRIERS = ("tool", "workpiece", "bed")
@@ -38,7 +42,9 @@ def read_setup(path: Path, machine: MachineAxes) -> Setup:
             lines.update(key_lines(text))
         faults.add(place(key, lines), problem, remedy)
 
-    setup = _setup(Fields(tree, (), complain), machine)
+    top = Fields(tree, (), complain)
+    setup = replace(_setup(top, machine), compensation=_compensation(top, text))
+    top.refuse_others()
     faults.raise_if_any()
     return setup
 
@@ -56,8 +62,27 @@ def _setup(top: Fields, machine: MachineAxes) -> Setup:
         if run.id and any(run.id == other.id for other in runs):
             fields.fault("id", f'"{run.id}" names another run already', "an id of its own for each run")
         runs.append(run)
-    top.refuse_others()
-    return Setup(machine.name, tuple(runs))
+    return Setup(machine.name, tuple(runs), report=_report(top))
+
+
+def _compensation(top: Fields, text: str) -> CompensationKey | None:
+    """The key `compensation`; None where it is absent, or no text. text: of the file."""
+    name = "compensation"
+    file = top.text(name, default="")
+    if not file:
+        return None
+    before_tables = re.split(r"(?m)^[ \t]*\[", text, maxsplit=1)[0]  # the lines of all keys take long to find
+    location = place((name,), key_lines(before_tables))
+    return CompensationKey(None if file == NO_COMPENSATION else file, location)
+
+
+def _report(top: Fields) -> dict[str, str]:
+    """The table [report]: free text under free keys."""
+    table = top.table("report")
+    for key, value in table.raw.items():
+        if not isinstance(value, str):
+            table.fault(key, f"is {shown(value)}", "a text in quotes")
+    return {key: value for key, value in table.raw.items() if isinstance(value, str)}
 
 
 def _run(fields: Fields, machine: MachineAxes) -> Run:
@@ -169,6 +194,9 @@ def _point_on(fields: Fields, key: str, carriers: tuple[str, ...]) -> PointOn | 
     if "on" not in table.raw:
         table.fault("on", "is missing", f"one of {' '.join(carriers)}")
     point: Any = table.numbers("point", 3, required=carrier not in ("bed", None))
+    if point is not None and math.hypot(*point) > FARTHEST_POINT:
+        table.fault("point", f"{list(point)} is beyond the reach of any machine", f"mm, within {FARTHEST_POINT:g} mm")
+        point = None
     table.refuse_others("on, point")
     if carrier is None or (point is None and carrier != "bed"):
         return None
