@@ -1,15 +1,18 @@
 """trueaxis identify: error values from measured data."""
 
 import argparse
+import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.commands.identify_options import degree_option, instruments_option, noise_option
-from trueaxis.commands.measured import read_measured
+from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.covariance import dump_covariance
+from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.global_fit.instruments import KINDS
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import AUTO_DEGREE, GlobalOptions
@@ -18,9 +21,10 @@ from trueaxis.identify.observations import Observations, observations
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.paper.squareness import Choice as PaperChoice
-from trueaxis.identify.report import Identification
-from trueaxis.identify.report_text import report_json, report_text
+from trueaxis.identify.report import Identification, IdentificationReport
+from trueaxis.identify.report_text import fit_text, report_json, report_text, runs_text
 from trueaxis.identify.weighting import NoiseModel
+from trueaxis.measure.setup import Setup
 from trueaxis.runtime.errors import ErrorValues, dump_errors
 from trueaxis.runtime.model import MachineModel
 
@@ -31,8 +35,9 @@ DESCRIPTION = """\
 Find the motion and location errors of a machine from readings. Method paper goes point by point and step by step: each
 run gives the components that it alone still holds, at every position, with those found before. Method global fits
 polynomials of all components to all readings at once, ball bar included. Both work on the exact model, give standard
-uncertainties where the noise is known, and say what the readings cannot determine (which is no failure: exit code 0;
-1 where they determine nothing at all)."""
+uncertainties where the noise is known, and say what the readings cannot determine (which is no failure: exit code 0).
+Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or its residuals
+are far from the noise that is known, and the values are written as a misfit."""
 
 DEFAULT_PAPER: PaperChoice = "sect36"
 DEFAULT_GLOBAL: GlobalChoice = "convention"
@@ -112,7 +117,13 @@ def run(args: argparse.Namespace) -> int:
     read = read_measured(args, found)
     machine, model, data, known = read.model.machine, read.model, read.data, read.known
     observed = observations(str(args.data), data.setup.runs, data.readings)
-    identified = _identify(args, model, observed, known)
+    try:
+        identified = _identify(args, model, observed, known)
+    except NotConvergedError as failure:
+        print(f"trueaxis: {failure}; nothing was written", file=sys.stderr)
+        print(f"trueaxis: residuals of the worst runs: {runs_text(failure.runs)}", file=sys.stderr)
+        return 1
+    identified = replace(identified, report=_with_setup(identified.report, data.setup, args.data))
     contents: dict[Path, str | bytes] = {}
     contents[args.out] = dump_errors(
         identified.values, components=machine.components, parameters=machine.parameters, effects=machine.effects
@@ -127,7 +138,16 @@ def run(args: argparse.Namespace) -> int:
     write_files(contents)
     print(report_text(identified.report), end="")
     print(f"written: {', '.join(str(path) for path in contents)}")
+    judged = identified.report.quality
+    if judged.fit.state == "misfit":
+        print(f"trueaxis: {fit_text(judged)}", file=sys.stderr)
+        return 1
     return 1 if identified.report.nothing_determined else 0
+
+
+def _with_setup(report: IdentificationReport, setup: Setup, folder: Path) -> IdentificationReport:
+    notes = (*report.notes, compensation_note(setup, folder))
+    return replace(report, notes=notes, measurement=setup.report)
 
 
 def _identify(

@@ -6,6 +6,15 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from trueaxis.faults import Fault, InputError
+from trueaxis.identify.fit_quality import (
+    FitQuality,
+    NotConvergedError,
+    Residuals,
+    expected_sizes,
+    known_noise,
+    quality,
+    stands_still,
+)
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise, noise
 from trueaxis.identify.notes import dimension_notes, weak_notes
@@ -30,7 +39,7 @@ def identify_paper(
 
     machine: its own error values do not matter. Effects of known values are taken off the readings. Raises InputError
     where the machine has effects of unknown values, where no run can be used, and where a run visits a position of an
-    axis at which what it needs was not measured before.
+    axis at which what it needs was not measured before; NotConvergedError where the solution does not stand still.
     """
     options = options or PaperOptions()
     given = options.known or ErrorValues(machine.name)
@@ -51,10 +60,13 @@ def identify_paper(
     response = with_rule(steps, system, rule)
     solution = solve(Exact(machine, bare, usable, grid, cells), response, rule)
     found, rms = _noise(steps, cells, solution, options.noise_um)
+    judged = _quality(machine, usable, cells, solution, (found, options.noise_um))
+    if not _stands(response, cells, solution, found):
+        raise NotConvergedError(judged.runs, solution.iterations)
     u_nodes, u_locations = _uncertainty(response, cells, rule, found, free)
     result = PaperResult(
         machine, usable, left_out, given, options, grid, cells, system, steps, response, rule, free, solution, found,
-        u_nodes, u_locations, rms,
+        u_nodes, u_locations, rms, judged,
     )  # fmt: skip
     return _identification(result)
 
@@ -84,6 +96,30 @@ def _noise(steps: Steps, cells: Cells, solution: Solution, given_um: float | Non
     readings = int(cells.repeats[used].sum())
     rank = sum(step.inverse.rank for step in steps.steps)
     return noise(squares, readings, rank, given_um), float(np.sqrt(squares / max(readings, 1)))
+
+
+def _stands(response: Response, cells: Cells, solution: Solution, found: Noise) -> bool:
+    """Whether the last step is none for readings of that noise; mm."""
+    nodes, _ = response.variances(cells)
+    return stands_still(solution.step / response.node_scale, np.sqrt(nodes) / response.node_scale, found.sigma)
+
+
+def _quality(
+    machine: IdentifiedMachine,
+    observed: Observations,
+    cells: Cells,
+    solution: Solution,
+    noise: tuple[Noise, float | None],
+) -> FitQuality:
+    """noise: that of the fit, and what was given, um."""
+    found, given_um = noise
+    known = known_noise(observed, None if given_um is None else given_um * 1e-3)
+    if known is not None:
+        of_run = dict(zip(observed.run.tolist(), known.tolist(), strict=True))
+        known = np.array([of_run[run] for run in cells.run.tolist()])
+    squares = cells.repeats * solution.residual**2 + cells.scatter
+    size = expected_sizes(machine, observed.runs, cells.run, cells.positions)
+    return quality(Residuals(cells.run, cells.repeats, squares, known, size, found.freedom), observed.runs)
 
 
 def _uncertainty(
@@ -125,6 +161,7 @@ def _identification(result: PaperResult) -> Identification:
         u=u,
         undetermined=undetermined,
         effects=result.given.effects,
+        fit=result.quality.fit,
     )
     report = IdentificationReport(
         machine=machine.name,
@@ -144,6 +181,7 @@ def _identification(result: PaperResult) -> Identification:
         locations=describe.locations(result),
         components=found,
         undetermined=undetermined,
+        quality=result.quality,
         notes=notes,
         curve_orders=orders,
     )

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from trueaxis.identify.fit_quality import FitQuality
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise
 from trueaxis.identify.observations import Observations
@@ -54,3 +55,4 @@ class PaperResult:
     u_nodes: FloatArray | None
     u_locations: FloatArray | None
     residual_rms: float
+    quality: FitQuality

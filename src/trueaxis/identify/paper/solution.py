@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.sparse import csc_array, csr_array
 
+from trueaxis.identify.fit_quality import RESOLUTION
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper.equations import Equations
@@ -18,6 +19,7 @@ from trueaxis.runtime.errors import ErrorValues
 
 CONVERGED = 1e-14  # mm, rotations times the lever
 MOST_ITERATIONS = 20
+GROWTH = 4.0  # of the largest residual: the steps lead away from the solution
 OPEN = 1e-9  # share of a node in the null space, scaled, above which it counts as open
 
 
@@ -58,13 +60,16 @@ class Response:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Solution:
-    """nodes: (n_nodes,), locations: (n_location_errors,), mm or rad; residual: (n_cells,), mm; change: the last, mm."""
+    """nodes: (n_nodes,), locations: (n_location_errors,), mm or rad; residual: (n_cells,), mm; change: the last, mm;
+    step: (n_nodes,), the last one, mm or rad, infinite where the steps led away.
+    """
 
     nodes: FloatArray
     locations: FloatArray
     residual: FloatArray
     iterations: int
     change: float
+    step: FloatArray
 
 
 def sloped(response: Response, free: BoolArray) -> BoolArray:
@@ -122,6 +127,8 @@ def solve(exact: Exact, response: Response, rule: Squareness) -> Solution:
     locations = np.array([start.get(name, 0.0) for name in exact.machine.location_errors])
     change, before, iteration = np.inf, np.inf, 0
     residual = exact.residual(nodes, locations)
+    largest = GROWTH * float(np.abs(residual).max(initial=0.0)) + RESOLUTION
+    step: FloatArray = np.full(nodes.size, np.inf)
     while change > CONVERGED and iteration < MOST_ITERATIONS and not (iteration > 3 and change > 0.5 * before):
         step = response.nodes @ residual
         moved = rule.correction(nodes + step, locations)
@@ -130,7 +137,9 @@ def solve(exact: Exact, response: Response, rule: Squareness) -> Solution:
         residual = exact.residual(nodes, locations)
         before, change = change, float(np.max(np.abs(step / response.node_scale), initial=0.0))
         iteration += 1
-    return Solution(nodes, locations, residual, iteration, change)
+        if not np.abs(residual).max(initial=0.0) <= largest:
+            return Solution(nodes, locations, residual, iteration, change, np.full(nodes.size, np.inf))
+    return Solution(nodes, locations, residual, iteration, change, step)
 
 
 def tables(grid: Grid, nodes: FloatArray, which: BoolArray, u: FloatArray | None = None) -> dict[str, Curve]:
