@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from trueaxis.identify.covariance import predicted_u
 from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
@@ -135,15 +136,18 @@ def circle(rng: np.random.Generator, model: MachineModel, run_id: str, count: in
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a fit ended; residuals over noise; rms (um) of what it is off by at its own readings, and of the tool point at
-    positions anywhere; that of the tool point itself.
+    """How a fit ended, and its residuals over the noise; of the tool point at positions anywhere: rms deviation and what
+    the identified values are off by (um); share of the coordinates whose uncertainty is said to be open; of the
+    others: median uncertainty (um), rms of what they are off by, in uncertainties.
     """
 
     state: str
     ratio: float
-    at_readings_um: float = np.nan
-    anywhere_um: float = np.nan
     deviation_um: float = np.nan
+    off_um: float = np.nan
+    open: float = np.nan
+    u_um: float = np.nan
+    off_in_u: float = np.nan
 
 
 def outcome(one: Drawn, options: GlobalOptions, points: int = 500) -> Outcome:
@@ -156,17 +160,20 @@ def outcome(one: Drawn, options: GlobalOptions, points: int = 500) -> Outcome:
     fit = found.values.fit
     assert fit is not None
     true, model = one.model.with_values(one.truth), one.model.with_values(found.values)
-    data = one.observed
-    rest = [expected_readings(each, data.runs, data.run, data.positions) for each in (true, model)]
+    assert found.covariance is not None
     low, high = np.array([model.travel[axis] for axis in model.axes]).T[..., np.newaxis]
     at = low + np.random.default_rng(0).random((len(model.axes), points)) * (high - low)
-    tool = [each.deviation(at, np.zeros((3, 1))) for each in (true, model)]
+    deviation, guess = (each.deviation(at, np.zeros((3, 1))) for each in (true, model))
+    u = predicted_u(model, found.covariance, at, np.zeros((3, 1)))
+    told = np.isfinite(u)
     return Outcome(
         fit.state,
         found.report.residual_rms_um / one.noise_um,
-        _rms_um(rest[0] - rest[1]),
-        _rms_um(tool[0] - tool[1]),
-        _rms_um(tool[0]),
+        _rms_um(deviation),
+        _rms_um(deviation - guess),
+        float(np.mean(~told)),
+        float(np.median(u[told])) * 1e3 if told.any() else np.nan,
+        float(np.sqrt(np.mean(((deviation - guess)[told] / u[told]) ** 2))) if told.any() else np.nan,
     )
 
 
@@ -185,8 +192,8 @@ def main(count: int) -> None:
         end = outcome(one, GlobalOptions(noise_um=one.noise_um))
         print(
             f"{seed:3d} {name:14s} {lines:3d} lines {circles:2d} circles {one.observed.reading.size:6d} readings: "
-            f"{end.state:13s} residual/noise {end.ratio:8.3f}; off at readings {end.at_readings_um:9.3f}, anywhere "
-            f"{end.anywhere_um:10.2f} of {end.deviation_um:6.2f} um; {time.perf_counter() - start:.1f} s",
+            f"{end.state:13s} residual/noise {end.ratio:8.3f}; anywhere off by {end.off_um:8.2f} of {end.deviation_um:6.2f} um, "
+            f"open {end.open:4.0%}, else u {end.u_um:7.3g} um and off by {end.off_in_u:5.2f} u; {time.perf_counter() - start:.1f} s",
             flush=True,
         )
 

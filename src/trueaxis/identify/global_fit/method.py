@@ -144,7 +144,8 @@ def _fit(
             solution = first.solved(first.design(degree, effects))
         else:
             solution = setting.solved(design, found, moved)
-        if effects.curved or (np.isfinite(solution.step).all() and solution.still):
+        fit = _Fit(design, found, moved, solution, held)
+        if effects.curved or _stands(fit, _spread(solution, weighted, held, found, replace(options, robust=""))[0]):
             break
     if options.robust:
 
