@@ -111,7 +111,7 @@ def line(rng: np.random.Generator, model: MachineModel, count: int) -> FloatArra
     low, high = np.array([model.travel[axis] for axis in model.axes]).T
     start, end = (low + rng.random(low.size) * (high - low) for _ in range(2))
     end = np.where(np.isin(np.arange(low.size), moving), end, start)
-    return start[:, np.newaxis] + np.linspace(0.0, 1.0, count) * (end - start)[:, np.newaxis]
+    return np.asarray(start[:, np.newaxis] + np.linspace(0.0, 1.0, count) * (end - start)[:, np.newaxis])
 
 
 def circle(rng: np.random.Generator, model: MachineModel, run_id: str, count: int) -> tuple[Run, FloatArray]:
@@ -136,8 +136,8 @@ def circle(rng: np.random.Generator, model: MachineModel, run_id: str, count: in
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a fit ended, and its residuals over the noise; of the tool point at positions anywhere: rms deviation and what
-    the identified values are off by (um); share of the coordinates whose uncertainty is said to be open; of the
+    """How a fit ended, and its residuals over the noise; of the tool point at positions anywhere: rms deviation and
+    what the identified values are off by (um); share of the coordinates whose uncertainty is said to be open; of the
     others: median uncertainty (um), rms of what they are off by, in uncertainties.
     """
 
@@ -192,8 +192,9 @@ def main(count: int) -> None:
         end = outcome(one, GlobalOptions(noise_um=one.noise_um))
         print(
             f"{seed:3d} {name:14s} {lines:3d} lines {circles:2d} circles {one.observed.reading.size:6d} readings: "
-            f"{end.state:13s} residual/noise {end.ratio:8.3f}; anywhere off by {end.off_um:8.2f} of {end.deviation_um:6.2f} um, "
-            f"open {end.open:4.0%}, else u {end.u_um:7.3g} um and off by {end.off_in_u:5.2f} u; {time.perf_counter() - start:.1f} s",
+            f"{end.state:13s} residual/noise {end.ratio:8.3f}; anywhere off by {end.off_um:8.2f} of "
+            f"{end.deviation_um:6.2f} um, open {end.open:4.0%}, else u {end.u_um:7.3g} um and off by "
+            f"{end.off_in_u:5.2f} u; {time.perf_counter() - start:.1f} s",
             flush=True,
         )
 

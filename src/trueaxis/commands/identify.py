@@ -4,9 +4,15 @@ import argparse
 import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
-from trueaxis.commands.identify_options import degree_option, instruments_option, noise_option
+from trueaxis.commands.identify_options import (
+    FROM_ANGLES,
+    degree_option,
+    instruments_option,
+    noise_option,
+    squareness_option,
+)
 from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import overwritten
 from trueaxis.faults import Fault, InputError
@@ -16,11 +22,10 @@ from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.global_fit.instruments import KINDS
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import AUTO_DEGREE, GlobalOptions
-from trueaxis.identify.global_fit.result import Choice as GlobalChoice
 from trueaxis.identify.observations import Observations, observations
+from trueaxis.identify.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
-from trueaxis.identify.paper.squareness import Choice as PaperChoice
 from trueaxis.identify.report import Identification, IdentificationReport
 from trueaxis.identify.report_text import fit_text, report_json, report_text, runs_text
 from trueaxis.identify.weighting import NoiseModel
@@ -39,8 +44,7 @@ uncertainties where the noise is known, and say what the readings cannot determi
 Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or its residuals
 are far from the noise that is known, and the values are written as a misfit."""
 
-DEFAULT_PAPER: PaperChoice = "sect36"
-DEFAULT_GLOBAL: GlobalChoice = "convention"
+DEFAULT: Literal["convention"] = "convention"
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -52,10 +56,12 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--method", choices=("paper", "global"), default="paper", help="(default %(default)s)")
     parser.add_argument(
         "--squareness",
-        choices=("sect36", "convention", "known"),
-        help="what gives the squareness: sect36 the yaw and pitch curves by Sect. 3.6 of the paper (default of "
-        "paper); convention the slope of the straightness, whose least-squares lines become level as in ISO 230-1 "
-        "(default of global); known the file --known (zero where it is silent)",
+        type=squareness_option,
+        default=DEFAULT,
+        metavar="convention|known|from-angles",
+        help="what gives the squareness: convention (default) the slope of the straightness, whose least-squares lines "
+        "become level as in ISO 230-1; known the file --known (zero where it is silent); from-angles the yaw and pitch "
+        "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method paper; sect36 is its old name)",
     )
     parser.add_argument(
         "--known",
@@ -136,6 +142,8 @@ def run(args: argparse.Namespace) -> int:
             raise InputError([Fault("--covariance", "", "the noise is unknown, and with it every uncertainty", remedy)])
         contents[args.covariance] = dump_covariance(identified.covariance)
     write_files(contents)
+    if args.squareness == FROM_ANGLES:
+        print(f"trueaxis: {FROM_ANGLES_WARNING}", file=sys.stderr)
     print(report_text(identified.report), end="")
     print(f"written: {', '.join(str(path) for path in contents)}")
     judged = identified.report.quality
@@ -155,13 +163,13 @@ def _identify(
 ) -> Identification:
     noise: NoiseModel = args.noise_um
     if args.method == "paper":
-        options = PaperOptions(args.squareness or DEFAULT_PAPER, known, noise.um, args.curves)
+        options = PaperOptions(args.squareness, known, noise.um, args.curves)
         return identify_paper(model, observed, options)
     return identify_global(
         model,
         observed,
         GlobalOptions(
-            squareness=args.squareness or DEFAULT_GLOBAL,
+            squareness=args.squareness,
             known=known,
             noise_um=noise.um,
             degree=args.degree,
@@ -175,8 +183,8 @@ def _identify(
 
 def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     found = []
-    if args.method == "global" and args.squareness == "sect36":
-        found.append(Fault("--squareness sect36", "", "goes with --method paper", "convention or known"))
+    if args.method == "global" and args.squareness == FROM_ANGLES:
+        found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method paper", "convention or known"))
     if args.squareness == "known" and args.known is None:
         found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
     if args.method == "paper":

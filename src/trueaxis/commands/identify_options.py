@@ -9,6 +9,7 @@ from trueaxis.identify.global_fit.result import AUTO_DEGREE
 from trueaxis.identify.weighting import NoiseModel, Repeats
 
 HIGHEST_DEGREE = 30
+FROM_ANGLES: Literal["from-angles"] = "from-angles"
 _REPEATS: dict[str, Repeats] = {"repeats": "instrument", "repeats-by-run": "run"}
 
 
@@ -27,6 +28,15 @@ def noise_option(text: str) -> NoiseModel:
             raise argparse.ArgumentTypeError(f"{name.strip()} is given more than once")
         found[name.strip()] = positive(value)
     return NoiseModel(by_group=found)
+
+
+def squareness_option(text: str) -> str:
+    """A rule for the squareness; `sect36` is the old name of `from-angles`."""
+    if text in (FROM_ANGLES, "sect36"):
+        return FROM_ANGLES
+    if text in ("convention", "known"):
+        return text
+    raise argparse.ArgumentTypeError(f"{text!r} is not convention, known or {FROM_ANGLES}")
 
 
 def degree_option(text: str) -> int | Literal["auto"]:

@@ -76,7 +76,7 @@ def fit_text(judged: FitQuality) -> str:
     if judged.fit.state == "misfit":
         return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
     if not chi2:
-        return "converged; the residuals could not be checked (--noise-um or repeated readings give their noise)"
+        return "converged; nothing could be checked: no reading is left over, or the noise is unknown (--noise-um)"
     return f"converged, {chi2}"
 
 

@@ -142,6 +142,8 @@ def _identification(result: PaperResult) -> Identification:
     curves = tables(grid, result.solution.nodes, result.steps.reached, result.u_nodes)
     found = describe.components(result)
     notes = (*dimension_notes(machine, result.given), *weak_notes(found))
+    if result.options.squareness == "from-angles":
+        notes += (describe.FROM_ANGLES,)
     orders: tuple[CurveOrderReport, ...] = ()
     if result.options.curves != "table":
         from trueaxis.identify.curve_orders import ordered_curves  # noqa: PLC0415  statsmodels takes long to import

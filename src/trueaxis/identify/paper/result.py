@@ -24,7 +24,7 @@ class PaperOptions:
     noise_um: standard deviation of a reading, micrometres; curves: how components are given back.
     """
 
-    squareness: Choice = "sect36"
+    squareness: Choice = "convention"
     known: ErrorValues | None = None
     noise_um: float | None = None
     curves: Curves = "table"
