@@ -61,9 +61,10 @@ def identify_paper(
     solution = solve(Exact(machine, bare, usable, grid, cells), response, rule)
     found, rms = _noise(steps, cells, solution, options.noise_um)
     judged = _quality(machine, usable, cells, solution, (found, options.noise_um))
-    if not _stands(response, cells, solution, found):
+    variances = response.variances(cells)
+    if not stands_still(solution.step / response.node_scale, np.sqrt(variances[0]) / response.node_scale, found.sigma):
         raise NotConvergedError(judged.runs, solution.iterations)
-    u_nodes, u_locations = _uncertainty(response, cells, rule, found, free)
+    u_nodes, u_locations = _uncertainty(response, variances, rule, found, free)
     result = PaperResult(
         machine, usable, left_out, given, options, grid, cells, system, steps, response, rule, free, solution, found,
         u_nodes, u_locations, rms, judged,
@@ -98,12 +99,6 @@ def _noise(steps: Steps, cells: Cells, solution: Solution, given_um: float | Non
     return noise(squares, readings, rank, given_um), float(np.sqrt(squares / max(readings, 1)))
 
 
-def _stands(response: Response, cells: Cells, solution: Solution, found: Noise) -> bool:
-    """Whether the last step is none for readings of that noise; mm."""
-    nodes, _ = response.variances(cells)
-    return stands_still(solution.step / response.node_scale, np.sqrt(nodes) / response.node_scale, found.sigma)
-
-
 def _quality(
     machine: IdentifiedMachine,
     observed: Observations,
@@ -123,11 +118,11 @@ def _quality(
 
 
 def _uncertainty(
-    response: Response, cells: Cells, rule: Squareness, found: Noise, free: BoolArray
+    response: Response, variances: tuple[FloatArray, FloatArray], rule: Squareness, found: Noise, free: BoolArray
 ) -> tuple[FloatArray | None, FloatArray | None]:
     if found.sigma is None:
         return None, None
-    nodes, locations = (found.sigma * np.sqrt(variance) for variance in response.variances(cells))
+    nodes, locations = (found.sigma * np.sqrt(variance) for variance in variances)
     opened = response.open_nodes
     locations[response.open_locations | ~covered(rule)] = np.nan
     if isinstance(rule, LinesFromAngles):

@@ -42,9 +42,13 @@ class Response:
 
     def variances(self, cells: Cells) -> tuple[FloatArray, FloatArray]:
         """Variance of every node and every location error for readings of variance 1."""
-        whole = self.nodes + self.along @ csr_array(self.located)
+        # of nodes + along @ located, which is never formed: it is as large as the square of the readings
         share = 1.0 / cells.repeats
-        return np.asarray(whole.power(2) @ share), self.located**2 @ share
+        along, weighted = self.along, (self.located * share).T
+        both = np.asarray(along.multiply(self.nodes @ weighted).sum(axis=1)).ravel()
+        rule = np.asarray(along.multiply(along @ (self.located @ weighted)).sum(axis=1)).ravel()
+        own = np.asarray(self.nodes.power(2) @ share)
+        return np.maximum(own + 2.0 * both + rule, 0.0), self.located**2 @ share
 
     @property
     def open_nodes(self) -> BoolArray:
