@@ -47,8 +47,8 @@ def polynomial_curves(
             if isinstance(curve, TableCurve):
                 notes.append(f"{name} stays a table: too few positions for a polynomial")
         elif (after := fits[name].after).powers:
-            numbers = (tuple(np.asarray(part).tolist()) for part in (after.coefficients, after.u))
-            found[name] = PolynomialCurve(tuple(after.powers), *numbers)
+            coefficients, u = (tuple(np.asarray(part).tolist()) for part in (after.coefficients, after.u))
+            found[name] = PolynomialCurve(tuple(after.powers), coefficients, u, curve.measured)
         else:
             notes.append(f"{name} is left at zero: no polynomial term is significant")
     return found, tuple(notes)

@@ -22,8 +22,8 @@ def ordered_curves(
     if choice == "held-out":
         notes = tuple(note for note in notes if "stays a table" in note)
         for name, one in checked.items():
-            numbers = (tuple(np.asarray(part).tolist()) for part in (one.fit.coefficients, one.fit.u))
-            found[name] = PolynomialCurve(one.fit.powers, *numbers)
+            coefficients, u = (tuple(np.asarray(part).tolist()) for part in (one.fit.coefficients, one.fit.u))
+            found[name] = PolynomialCurve(one.fit.powers, coefficients, u, curves[name].measured)
     orders = tuple(
         CurveOrderReport(name, fits[name].after.powers, one.fit.powers, one.rms_optimal, one.rms, unit_of(name))
         for name, one in checked.items()

@@ -136,7 +136,7 @@ def _fit(
     design = setting.design(degree, effects)
     triangle, held = design.triangle()
     if not held.any():
-        raise InputError([Fault(setting.observed.source, "", "no reading holds an unknown", "runs that move an axis")])
+        raise _nothing_held(setting)
     for least in RANK_TOLERANCES:
         found = factors(triangle, least)
         moved = gauge(design.layout, found.null, setting.level)
@@ -161,6 +161,10 @@ def _fit(
     return _Fit(design, found, moved, solution, held)
 
 
+def _nothing_held(setting: Setting) -> InputError:
+    return InputError([Fault(setting.observed.source, "", "no reading holds an unknown", "runs that move an axis")])
+
+
 def _stands(fit: _Fit, spread: Noise) -> bool:
     """Whether the last step is none for readings of that noise."""
     root = fit.gauge.projector @ (fit.factors.vectors / fit.factors.singular)
@@ -173,6 +177,8 @@ def _chosen_orders(setting: Setting, first: Setting, effects: EffectUnknowns) ->
     full = setting.design(HIGHEST_AUTO, effects)
     if effects.curved:
         full = full.at(first.solved(first.design(HIGHEST_AUTO, effects)).unknowns, setting.given)
+    if not any(piece.any() for _, piece in full.pieces()):
+        raise _nothing_held(setting)
     residual = residuals(full, setting.given, start_of(full))
     return full.layout.effects, choose_orders(full, residual, HIGHEST_AUTO)
 
