@@ -195,3 +195,31 @@ def test_squareness_comes_back_right_by_default(tmp_path: Path, capsys: pytest.C
     assert "docs/errata.md, E28 to E32" in told.err
     assert "docs/errata.md, E28 to E32" in " ".join(told.out.split())
     assert abs(values(out).parameters["eps_yz"] - 26e-6) > 1e-5
+
+
+@pytest.mark.parametrize("value", ["1e-300", "1e300", "laser=1e-300"])
+def test_noise_that_no_instrument_has_is_refused(tmp_path: Path, value: str) -> None:
+    with pytest.raises(SystemExit) as caught:
+        identify(tmp_path, tmp_path / "e.json", "--method", "global", "--noise-um", value)
+    assert caught.value.code == 2
+
+
+def test_a_robust_fit_of_mostly_outliers_is_a_misfit() -> None:
+    found = quality(residuals(1e-3, 1e-3), RUNS, doubted=0.3)
+    assert found.fit.state == "misfit"
+    assert "30% of the readings are weighed down" in found.reason
+
+
+def test_the_range_that_was_measured_is_written(tmp_path: Path) -> None:
+    data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.1"), tmp_path / "e.json"
+    rows = (data / "readings.csv").read_text().splitlines()
+    kept = [row for row in rows[1:] if all(float(value) <= 300.0 for value in row.split(",")[2:5])]
+    (data / "readings.csv").write_text("\n".join([rows[0], *kept]) + "\n")
+    for options in (["--method", "global"], ["--curves", "polynomial"], ["--curves", "held-out"]):
+        assert identify(data, out, *options) == 0
+        measured = {name: curve.measured for name, curve in values(out).motion_errors.items()}
+        for name, ends in measured.items():
+            assert ends is not None, name
+            low, high = ends
+            assert low == 0.0
+            assert 270.0 <= high <= 300.0, name

@@ -3,7 +3,7 @@
 import argparse
 from typing import Literal
 
-from trueaxis.commands.arguments import positive, whole
+from trueaxis.commands.arguments import noise, whole
 from trueaxis.identify.global_fit.instruments import KINDS, Kind
 from trueaxis.identify.global_fit.result import AUTO_DEGREE
 from trueaxis.identify.weighting import NoiseModel, Repeats
@@ -18,7 +18,7 @@ def noise_option(text: str) -> NoiseModel:
     if text in _REPEATS:
         return NoiseModel(repeats=_REPEATS[text])
     if "=" not in text:
-        return NoiseModel(um=positive(text))
+        return NoiseModel(um=noise(text))
     found: dict[str, float] = {}
     for part in text.split(","):
         name, equals, value = part.rpartition("=")
@@ -26,7 +26,7 @@ def noise_option(text: str) -> NoiseModel:
             raise argparse.ArgumentTypeError(f"{part!r} is not NAME=S")
         if name.strip() in found:
             raise argparse.ArgumentTypeError(f"{name.strip()} is given more than once")
-        found[name.strip()] = positive(value)
+        found[name.strip()] = noise(value)
     return NoiseModel(by_group=found)
 
 

@@ -1,6 +1,7 @@
 """What `plan`, `identify` and `diagnose` read: a machine, its kernels, measured data or a plan, values known before."""
 
 import argparse
+import logging
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from trueaxis.runtime.errors import ErrorValues, read_errors
 from trueaxis.runtime.model import MachineModel, load_model
 from trueaxis.spec import read_machine
 
+_LOG = logging.getLogger(__name__)
 SILENT = "setup.toml does not say whether a compensation was active; taken as none"
 
 
@@ -53,6 +55,8 @@ def read_measured(args: argparse.Namespace, found: list[Fault]) -> MeasuredInput
             )
     if found:
         raise InputError(found)
+    if known is not None and known.fit is not None and known.fit.state == "misfit":
+        _LOG.warning("%s: these values did not fit the readings that they are from", args.known)
     found += setup_faults(model.with_values(known or ErrorValues(machine.name)), data, args.data)
     if found:
         raise InputError(found)

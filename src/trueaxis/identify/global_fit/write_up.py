@@ -30,7 +30,8 @@ def identification(result: GlobalResult) -> Identification:
     plan = result.layout
     undetermined = describe.undetermined(result)
     fitted = plan.values(result.unknowns, result.given)
-    judged = quality(residuals_of(result), result.observed.runs)
+    doubted = float(np.mean(result.robust_weight < DOUBTED))
+    judged = quality(residuals_of(result), result.observed.runs, doubted)
     values = replace(
         fitted,
         motion_errors={**fitted.motion_errors, **describe.curves(result), **result.given.motion_errors},
