@@ -33,7 +33,7 @@ LEVER = 700.0
 DIMENSIONS = {name: value for name, value in PARAMETERS.items() if name.startswith("q")}
 KNOWN = PaperOptions("known", ErrorValues("dmu60p", parameters=PARAMETERS))
 CONVENTION = PaperOptions("convention", ErrorValues("dmu60p", parameters=DIMENSIONS))
-SECT36 = PaperOptions("sect36", ErrorValues("dmu60p", parameters=DIMENSIONS))
+SECT36 = PaperOptions("from-angles", ErrorValues("dmu60p", parameters=DIMENSIONS))
 
 
 def off(found: Identification, truth: dict[str, Function], name: str) -> float:

@@ -13,7 +13,7 @@ KERNELS = ("--kernels", str(ROOT / "generated"))
 
 
 @pytest.mark.parametrize(
-    ("rule", "known", "stated"), [("sect36", "up to a slope", False), ("convention", "determined", True)]
+    ("rule", "known", "stated"), [("from-angles", "up to a slope", False), ("convention", "determined", True)]
 )
 def test_squareness_and_straightness(tmp_path: Path, rule: str, known: str, stated: bool) -> None:
     machine, truth = str(MACHINES / "dmu60p.toml"), str(MACHINES / "dmu60p_errors.json")

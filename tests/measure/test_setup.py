@@ -166,3 +166,27 @@ def test_any_value_under_any_key_reads_or_is_refused_clearly(tmp_path: Path, dat
         lines[number] = f"{lines[number].split(' = ')[0]} = {data.draw(TOML_VALUES)}"
     with suppress(InputError):
         check(read_text(tmp_path, "\n".join(lines)))
+
+
+def test_compensation_and_report_are_read(tmp_path: Path) -> None:
+    text = CONTRACT.replace("[[run]]", 'compensation = "active.json"\n\n[report]\nserial = "4711"\n\n[[run]]', 1)
+    setup = read_text(tmp_path, text)
+    assert setup.compensation is not None
+    assert (setup.compensation.file, setup.compensation.location) == ("active.json", "line 3, key compensation")
+    assert setup.report == {"serial": "4711"}
+    assert read_text(tmp_path, CONTRACT).compensation is None
+    none = read_text(tmp_path, CONTRACT.replace("[[run]]", 'compensation = "none"\n[[run]]', 1)).compensation
+    assert none is not None
+    assert none.file is None
+
+
+def test_report_holds_texts_and_compensation_is_one(tmp_path: Path) -> None:
+    faults = faults_of(tmp_path, CONTRACT.replace("[[run]]", "compensation = 3\n\n[report]\nserial = 4\n[[run]]", 1))
+    assert {fault.split(":")[0] for fault in faults} == {"line 3, key compensation", "line 6, key report.serial"}
+
+
+def test_a_point_beyond_any_machine_is_a_fault(tmp_path: Path) -> None:
+    """Points of 1e308 mm ended in the linear algebra."""
+    (fault,) = faults_of(tmp_path, CONTRACT.replace("[270.0, 350.0, 0.0]", "[1e308, 350.0, 0.0]"))
+    assert "line 16, key run[1].reference.point" in fault
+    assert "beyond the reach of any machine" in fault

@@ -67,7 +67,7 @@ def test_ball_bar_readings_are_those_of_the_independent_exact_machine(tmp_path: 
     rows = [f"XY,{n},{a!r},{b!r},100.0," for n, (a, b) in enumerate(zip(x.tolist(), y.tolist(), strict=True))]
     (plan / "readings.csv").write_text("run,seq,X,Y,Z,reading\n" + "\n".join(rows))
     machine = dmu60p(cubic_errors())
-    with pytest.raises(InputError, match=r'row 0 of run "XY" would read'):
+    with pytest.raises(InputError, match=r"run XY: the balls are 715.891 mm apart at the first position, not 150 mm"):
         simulated(errors, plan, tmp_path / "out")
     moved = tuple(w - d for w, d in zip(workpiece, (0.0, 700.0, 0.0), strict=True))
     text = (plan / "setup.toml").read_text().replace(str(list(workpiece)), str(list(moved)))

@@ -14,6 +14,9 @@ def file_to_write(text: str) -> Path:
     return Path(text)
 
 
+NOISE_UM = (1e-6, 1e4)  # a picometre to a centimetre: beyond, it is in another unit, or a slip
+
+
 def size(text: str) -> float:
     """A finite number, at least 0. Raises argparse.ArgumentTypeError otherwise."""
     return _finite(text, "a finite number, at least 0", lambda value: value >= 0.0)
@@ -22,6 +25,12 @@ def size(text: str) -> float:
 def positive(text: str) -> float:
     """A finite number above 0. Raises argparse.ArgumentTypeError otherwise."""
     return _finite(text, "a finite number above 0", lambda value: value > 0.0)
+
+
+def noise(text: str) -> float:
+    """Standard deviation of a reading, um, of any instrument. Raises argparse.ArgumentTypeError otherwise."""
+    low, high = NOISE_UM
+    return _finite(text, f"a number of micrometres from {low:g} to {high:g}", lambda value: low <= value <= high)
 
 
 def share(text: str) -> float:

@@ -1,19 +1,21 @@
 """`trueaxis diagnose`: what a machine's model lacks, named from what it leaves unexplained in measured data."""
 
 import argparse
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.commands.arguments import positive
+from trueaxis.commands.arguments import noise
 from trueaxis.commands.beside import beside, cores
 from trueaxis.commands.derive import identification_runs
-from trueaxis.commands.measured import read_measured
+from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.commands.progress import Progress, progress
 from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
+from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.input_files import gathering, input_bytes, utf8_text
 from trueaxis.measure.data import MeasuredData
 from trueaxis.reporting.reliance import misfit_sentence
@@ -54,7 +56,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be written")
     parser.add_argument(
         "--noise-um",
-        type=positive,
+        type=noise,
         metavar="S",
         help="standard deviation of a reading, um (default: from repeated readings)",
     )
@@ -89,7 +91,12 @@ def run(args: argparse.Namespace) -> int:
             options = DiagnoseOptions(noise_um=args.noise_um, progress=show, each=pool.map)
             diagnosis = diagnose(given.model, given.data, options)
         report = start("report_html", diagnosis)
-        extension = _extension(args, given, diagnosis, show)
+        try:
+            extension = _extension(args, given, diagnosis, show)
+        except NotConvergedError as failure:
+            show("")
+            print(f"trueaxis: values of the extended machine: {failure}; nothing was written", file=sys.stderr)
+            return 1
         show("report")
         machine_file = f"{given.model.name}.toml" if extension else None
         contents: dict[Path, bytes | str] = {
@@ -102,6 +109,8 @@ def run(args: argparse.Namespace) -> int:
     if fit is not None and fit.state == "misfit":
         print(f"note: {misfit_sentence(fit)}")
     print(summary_text(diagnosis), end="")
+    if given.data.setup.compensation is not None and given.data.setup.compensation.file is not None:
+        print(f"note: {compensation_note(given.data.setup, args.data)}")
     print(f"written: {', '.join(map(named, contents))}")
     left = [path for path in _outputs(args.out, given.model.name) if path not in contents and path.exists()]
     if left:

@@ -1,26 +1,36 @@
 """trueaxis identify: error values from measured data."""
 
 import argparse
+import sys
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from trueaxis.commands.arguments import file_to_write
-from trueaxis.commands.identify_options import degree_option, instruments_option, noise_option
-from trueaxis.commands.measured import read_measured
+from trueaxis.commands.identify_options import (
+    FROM_ANGLES,
+    degree_option,
+    instruments_option,
+    noise_option,
+    squareness_option,
+)
+from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import named, overwritten
-from trueaxis.faults import Fault
+from trueaxis.faults import Fault, Faults
 from trueaxis.files import write_files
+from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.global_fit.instruments import KINDS
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import AUTO_DEGREE, GlobalOptions
-from trueaxis.identify.global_fit.result import Choice as GlobalChoice
 from trueaxis.identify.observations import Observations, observations
+from trueaxis.identify.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
-from trueaxis.identify.paper.squareness import Choice as PaperChoice
-from trueaxis.identify.report import Identification
-from trueaxis.identify.report_text import report_json, report_text
+from trueaxis.identify.report import Identification, IdentificationReport
+from trueaxis.identify.report_text import fit_text, report_json, report_text, runs_text
 from trueaxis.identify.weighting import NoiseModel
+from trueaxis.measure.setup import Setup
+from trueaxis.runtime.believable import check_believable
 from trueaxis.runtime.covariance import linked
 from trueaxis.runtime.errors import ErrorValues, dump_errors
 from trueaxis.runtime.model import MachineModel
@@ -32,11 +42,11 @@ DESCRIPTION = """\
 Find the motion and location errors of a machine from readings. Method paper goes point by point and step by step: each
 run gives the components that it alone still holds, at every position, with those found before. Method global fits
 polynomials of all components to all readings at once, ball bar included. Both work on the exact model, give standard
-uncertainties where the noise is known, and say what the readings cannot determine (which is no failure: exit code 0;
-1 where they determine nothing at all)."""
+uncertainties where the noise is known, and say what the readings cannot determine (which is no failure: exit code 0).
+Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or its residuals
+are far from the noise that is known, and the values are written as a misfit."""
 
-DEFAULT_PAPER: PaperChoice = "sect36"
-DEFAULT_GLOBAL: GlobalChoice = "convention"
+DEFAULT: Literal["convention"] = "convention"
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -50,10 +60,12 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--method", choices=("paper", "global"), default="paper", help="(default %(default)s)")
     parser.add_argument(
         "--squareness",
-        choices=("sect36", "convention", "known"),
-        help="what gives the squareness: sect36 the yaw and pitch curves by Sect. 3.6 of the paper (default of "
-        "paper); convention the slope of the straightness, whose least-squares lines become level as in ISO 230-1 "
-        "(default of global); known the file --known (zero where it is silent)",
+        type=squareness_option,
+        default=DEFAULT,
+        metavar="convention|known|from-angles",
+        help="what gives the squareness: convention (default) the slope of the straightness, whose least-squares lines "
+        "become level as in ISO 230-1; known the file --known (zero where it is silent); from-angles the yaw and pitch "
+        "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method paper; sect36 is its old name)",
     )
     parser.add_argument(
         "--known",
@@ -118,7 +130,21 @@ def run(args: argparse.Namespace) -> int:
     read = read_measured(args, found)
     machine, model, data, known = read.model.machine, read.model, read.data, read.known
     observed = observations(str(args.data), data.setup.runs, data.readings)
-    identified = _identify(args, model, observed, known)
+    try:
+        identified = _identify(args, model, observed, known)
+    except NotConvergedError as failure:
+        print(f"trueaxis: {failure}; nothing was written", file=sys.stderr)
+        print(f"trueaxis: residuals of the worst runs: {runs_text(failure.runs)}", file=sys.stderr)
+        return 1
+    unbelievable = Faults(str(args.out))
+    check_believable(machine, identified.values, unbelievable)
+    if unbelievable.found:
+        for fault in unbelievable.found:
+            print(f"trueaxis: not written: {fault}", file=sys.stderr)
+        worst = identified.report.quality.runs
+        print(f"trueaxis: residuals of the worst runs: {runs_text(worst)}", file=sys.stderr)
+        return 1
+    identified = replace(identified, report=_with_setup(identified.report, data.setup, args.data))
     file = args.covariance or args.out.with_suffix(".npz")
     values, covariance = linked(identified.values, identified.covariance, args.out, file)
     contents: dict[Path, str | bytes] = {file: covariance}
@@ -128,9 +154,20 @@ def run(args: argparse.Namespace) -> int:
     if args.report is not None:
         contents[args.report] = report_json(identified.report)
     write_files(contents)
+    if args.squareness == FROM_ANGLES:
+        print(f"trueaxis: {FROM_ANGLES_WARNING}", file=sys.stderr)
     print(report_text(identified.report), end="")
     print(f"written: {', '.join(map(named, contents))}")
+    judged = identified.report.quality
+    if judged.fit.state == "misfit":
+        print(f"trueaxis: {fit_text(judged)}", file=sys.stderr)
+        return 1
     return 1 if identified.report.nothing_determined else 0
+
+
+def _with_setup(report: IdentificationReport, setup: Setup, folder: Path) -> IdentificationReport:
+    notes = (*report.notes, compensation_note(setup, folder))
+    return replace(report, notes=notes, measurement=setup.report)
 
 
 def _identify(
@@ -138,13 +175,13 @@ def _identify(
 ) -> Identification:
     noise: NoiseModel = args.noise_um
     if args.method == "paper":
-        options = PaperOptions(args.squareness or DEFAULT_PAPER, known, noise.um, args.curves)
+        options = PaperOptions(args.squareness, known, noise.um, args.curves)
         return identify_paper(model, observed, options)
     return identify_global(
         model,
         observed,
         GlobalOptions(
-            squareness=args.squareness or DEFAULT_GLOBAL,
+            squareness=args.squareness,
             known=known,
             noise_um=noise.um,
             degree=args.degree,
@@ -158,8 +195,8 @@ def _identify(
 
 def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     found = []
-    if args.method == "global" and args.squareness == "sect36":
-        found.append(Fault("--squareness sect36", "", "goes with --method paper", "convention or known"))
+    if args.method == "global" and args.squareness == FROM_ANGLES:
+        found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method paper", "convention or known"))
     if args.squareness == "known" and args.known is None:
         found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
     if args.method == "paper":

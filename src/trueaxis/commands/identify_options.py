@@ -3,12 +3,13 @@
 import argparse
 from typing import Literal
 
-from trueaxis.commands.arguments import positive, whole
+from trueaxis.commands.arguments import noise, whole
 from trueaxis.identify.global_fit.instruments import KINDS, Kind
 from trueaxis.identify.global_fit.result import AUTO_DEGREE
 from trueaxis.identify.weighting import NoiseModel, Repeats
 
 HIGHEST_DEGREE = 30
+FROM_ANGLES: Literal["from-angles"] = "from-angles"
 _REPEATS: dict[str, Repeats] = {"repeats": "instrument", "repeats-by-run": "run"}
 
 
@@ -17,7 +18,7 @@ def noise_option(text: str) -> NoiseModel:
     if text in _REPEATS:
         return NoiseModel(repeats=_REPEATS[text])
     if "=" not in text:
-        return NoiseModel(um=positive(text))
+        return NoiseModel(um=noise(text))
     found: dict[str, float] = {}
     for part in text.split(","):
         name, equals, value = part.rpartition("=")
@@ -25,8 +26,17 @@ def noise_option(text: str) -> NoiseModel:
             raise argparse.ArgumentTypeError(f"{part!r} is not NAME=S")
         if name.strip() in found:
             raise argparse.ArgumentTypeError(f"{name.strip()} is given more than once")
-        found[name.strip()] = positive(value)
+        found[name.strip()] = noise(value)
     return NoiseModel(by_group=found)
+
+
+def squareness_option(text: str) -> str:
+    """A rule for the squareness; `sect36` is the old name of `from-angles`."""
+    if text in (FROM_ANGLES, "sect36"):
+        return FROM_ANGLES
+    if text in ("convention", "known"):
+        return text
+    raise argparse.ArgumentTypeError(f"{text!r} is not convention, known or {FROM_ANGLES}")
 
 
 def degree_option(text: str) -> int | Literal["auto"]:

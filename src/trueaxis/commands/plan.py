@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.commands.arguments import file_to_write, positive, whole
+from trueaxis.commands.arguments import file_to_write, noise, whole
 from trueaxis.commands.measured import read_measured
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
@@ -49,7 +49,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--runs", nargs="+", default=[], metavar="ID", help="judge these runs only (default: all of the folder)"
     )
     parser.add_argument(
-        "--noise-um", type=positive, default=1.0, metavar="S",
+        "--noise-um", type=noise, default=1.0, metavar="S",
         help="standard deviation of a reading, um (1: what 1 um of every reading becomes)",
     )  # fmt: skip
     parser.add_argument(

@@ -1,16 +1,21 @@
 """trueaxis simulate: readings made from error values and a measuring plan."""
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from trueaxis.commands.arguments import size, whole
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
-from trueaxis.input_files import gathering
+from trueaxis.identify.believable_setup import setup_faults
+from trueaxis.input_files import gathering, utf8_text
 from trueaxis.measure import readings as readings_files
 from trueaxis.measure import setup as setup_file
+from trueaxis.measure.active_compensation import active_values, compensated_part, moved_setup
 from trueaxis.measure.context import context_of
 from trueaxis.measure.context_needs import faults_of_readings
 from trueaxis.measure.data import read_data, readings_path
@@ -26,7 +31,8 @@ DESCRIPTION = """\
 Fill in a measuring plan: every row of readings.csv in --data whose reading is empty gets what the instrument would
 read on the exact model, plus Gaussian noise on request; effects of the machine act as directions, feeds, times and
 temperatures of the plan say. Rows with a reading keep it unless --replace is given. The
-folder --out gets readings.csv and an exact copy of setup.toml."""
+folder --out gets readings.csv and a copy of setup.toml. Where setup.toml names a compensation that is active, readings
+are those of the compensated machine."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -57,6 +63,10 @@ def run(args: argparse.Namespace) -> int:
         model = load_model(args.machine, args.errors, args.kernels)
     with gathering(found):
         data = read_data(args.data, machine)
+        active = active_values(args.data, data.setup, machine)
+    if found:
+        raise InputError(found)
+    found += setup_faults(model, data, args.data)
     if found:
         raise InputError(found)
     setup, readings = data.setup, data.readings
@@ -76,10 +86,14 @@ def run(args: argparse.Namespace) -> int:
         replace_all=args.replace,
         context=context,
     )
+    if active is not None:
+        fill = rows_to_fill(readings, args.replace)
+        taken = compensated_part(model, active, setup.runs, readings)
+        simulated = replace(simulated, reading=np.where(fill, simulated.reading - taken, simulated.reading))
     check_simulated(simulated, str(readings_path(args.data)))
     write_files(
         {
-            args.out / setup_file.FILE_NAME: (args.data / setup_file.FILE_NAME).read_bytes(),
+            args.out / setup_file.FILE_NAME: _setup_for(args.out, args.data),
             args.out / readings_files.FILE_NAME: dump_readings(simulated),
         }
     )
@@ -87,6 +101,19 @@ def run(args: argparse.Namespace) -> int:
     told = f"; {kept} were there already and stay (--replace makes them anew)" if kept else ""
     print(f"{named(args.out)}: {len(setup.runs)} runs, {len(readings.run) - kept} readings made{told}")
     return 0
+
+
+def _setup_for(out: Path, data: Path) -> bytes:
+    """The setup as it is, but for the way to the values of an active compensation."""
+    path = data / setup_file.FILE_NAME
+    given = path.read_bytes()
+    text = utf8_text(path, given)
+    try:
+        moved = moved_setup(text, data, out)
+    except ValueError:
+        problem = "cannot be written for another folder"
+        raise InputError([Fault(str(path), "key compensation", problem, "a text of one line in quotes")]) from None
+    return given if moved == text else moved.encode()
 
 
 def _faults_of_out(args: argparse.Namespace) -> list[Fault]:

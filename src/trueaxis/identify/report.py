@@ -1,10 +1,11 @@
 """What identification has to say besides the values: blocks, rank, residuals, uncertainty, what stayed open."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from trueaxis.effects.kind import Role
+from trueaxis.identify.fit_quality import FitQuality
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 
@@ -142,7 +143,8 @@ class IdentificationReport:
     noise_groups: where the noise differs; noise_ratio: rms of the residuals over the noise, for the degrees of freedom
     left, 1 where model and noise agree (None where the residuals gave the noise); robust: how readings were weighed
     down, empty if not; doubted: which; orders: how degrees were chosen, None if given;
-    curve_orders: of tables that were made polynomials; effects: those of the machine.
+    curve_orders: of tables that were made polynomials; effects: those of the machine; quality: how the fit ended, and
+    the residuals of each run; measurement: free text of setup.toml about the measurement.
     """
 
     machine: str
@@ -162,6 +164,7 @@ class IdentificationReport:
     locations: tuple[LocationReport, ...]
     components: tuple[ComponentReport, ...]
     undetermined: tuple[Undetermined, ...]
+    quality: FitQuality
     notes: tuple[str, ...] = ()
     instruments: tuple[InstrumentReport, ...] = ()
     noise_groups: tuple[NoiseGroupReport, ...] = ()
@@ -171,6 +174,7 @@ class IdentificationReport:
     orders: OrderReport | None = None
     curve_orders: tuple[CurveOrderReport, ...] = ()
     effects: tuple[EffectReport, ...] = ()
+    measurement: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def nothing_determined(self) -> bool:

@@ -2,9 +2,11 @@
 
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
+from trueaxis.identify.fit_quality import MOST_RUNS, FitQuality, RunResidual
 from trueaxis.identify.report import (
     BlockReport,
     ComponentReport,
@@ -30,6 +32,7 @@ def report_text(report: IdentificationReport) -> str:
         f"exact model (last change {report.last_change:.1g} mm)",
         f"residuals: rms {report.residual_rms_um:.4g} um; noise of a reading: {noise} ({report.noise_origin})",
         f"squareness: {report.squareness}",
+        f"fit: {fit_text(report.quality)}",
     ]
     lines += _noise_lines(report)
     if report.left_out:
@@ -65,6 +68,25 @@ def report_text(report: IdentificationReport) -> str:
 def report_json(report: IdentificationReport) -> str:
     """The same as JSON; NaN is null."""
     return json.dumps(_plain({"schema": 1, **asdict(report)}), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def fit_text(judged: FitQuality) -> str:
+    """How the fit ended, in a sentence."""
+    chi2 = "" if judged.fit.chi2 is None else f"chi-square per degree of freedom {judged.fit.chi2:.3g}"
+    if judged.fit.state == "misfit":
+        return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
+    if not chi2:
+        return "converged; nothing could be checked: no reading is left over, or the noise is unknown (--noise-um)"
+    return f"converged, {chi2}"
+
+
+def runs_text(runs: Sequence[RunResidual]) -> str:
+    """The worst runs with the rms of their residuals: `X1 12 um (40 times the noise)`."""
+    said = [
+        f"{one.run} {one.rms_um:.4g} um" + ("" if one.ratio is None else f" ({one.ratio:.3g} times the noise)")
+        for one in runs[:MOST_RUNS]
+    ]
+    return ", ".join([*said, f"and {len(runs) - MOST_RUNS} more"] if len(runs) > MOST_RUNS else said)
 
 
 def _noise_lines(report: IdentificationReport) -> list[str]:

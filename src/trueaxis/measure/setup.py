@@ -1,7 +1,7 @@
 """The runs of a set of measured data, as setup.toml describes them."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 Instrument = Literal["laser", "ballbar", "probe"]
@@ -41,8 +41,25 @@ class Run:
 
 
 @dataclass(frozen=True, slots=True)
+class CompensationKey:
+    """What setup.toml says of the compensation that was active on the control while the readings were taken.
+
+    file: error values that it worked with, relative to the folder of setup.toml; None: none was active; location: line
+    and key in setup.toml, for faults.
+    """
+
+    file: str | None
+    location: str
+
+
+@dataclass(frozen=True, slots=True)
 class Setup:
-    """All runs of a set of measured data, in the order of the file."""
+    """All runs of a set of measured data, in the order of the file.
+
+    compensation: None where the file says nothing of it; report: free text about the measurement.
+    """
 
     machine: str
     runs: tuple[Run, ...]
+    compensation: CompensationKey | None = None
+    report: Mapping[str, str] = field(default_factory=dict)

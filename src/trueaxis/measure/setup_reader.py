@@ -1,6 +1,7 @@
 """setup.toml to Run records, with every fault at its line and key."""
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -8,12 +9,13 @@ from trueaxis.faults import Faults
 from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.measure.limits import FARTHEST_POINT, LONGEST_ID
 from trueaxis.measure.machine import MachineAxes
-from trueaxis.measure.setup import Carrier, Frame, Instrument, PointOn, Run, Setup, Vector
+from trueaxis.measure.setup import Carrier, CompensationKey, Frame, Instrument, PointOn, Run, Setup, Vector
 from trueaxis.spec.fields import Fields, shown
-from trueaxis.toml_lines import complainer, parse_toml
+from trueaxis.toml_lines import complainer, key_lines, parse_toml, place
 
 UNIT_TOLERANCE = 1e-6  # a unit vector written with seven digits or more is one
 LONGEST_BAR = 1e4  # mm; beyond this the length is no length of a ball bar
+NO_COMPENSATION = "none"
 
 _INSTRUMENTS = ("laser", "ballbar", "probe")
 _CARRIERS = ("tool", "workpiece", "bed")
@@ -26,8 +28,9 @@ def read_setup(path: Path, machine: MachineAxes) -> Setup:
     """
     text = utf8_text(path, input_bytes(path))
     faults = Faults(str(path))
-    tree = parse_toml(text, faults)
-    setup = _setup(Fields(tree, (), complainer(text, faults)), machine)
+    top = Fields(parse_toml(text, faults), (), complainer(text, faults))
+    setup = replace(_setup(top, machine), compensation=_compensation(top, text))
+    top.refuse_others()
     faults.raise_if_any()
     return setup
 
@@ -47,8 +50,26 @@ def _setup(top: Fields, machine: MachineAxes) -> Setup:
             fields.fault("id", f'"{run.id}" names another run already', "an id of its own for each run")
         ids |= {run.id} - {""}
         runs.append(run)
-    top.refuse_others()
-    return Setup(machine.name, tuple(runs))
+    return Setup(machine.name, tuple(runs), report=_report(top))
+
+
+def _compensation(top: Fields, text: str) -> CompensationKey | None:
+    """The key `compensation`; None where it is absent, or no text. text: of the file."""
+    name = "compensation"
+    file = top.text(name, default="")
+    if not file:
+        return None
+    location = place((name,), key_lines(text))
+    return CompensationKey(None if file == NO_COMPENSATION else file, location)
+
+
+def _report(top: Fields) -> dict[str, str]:
+    """The table [report]: free text under free keys."""
+    table = top.table("report")
+    for key, value in table.raw.items():
+        if not isinstance(value, str):
+            table.fault(key, f"is {shown(value)}", "a text in quotes")
+    return {key: value for key, value in table.raw.items() if isinstance(value, str)}
 
 
 def _run(fields: Fields, machine: MachineAxes) -> Run:

@@ -14,7 +14,7 @@ from trueaxis.identify.effects.unknowns import EffectUnknown, EffectUnknowns, me
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.instruments import Instruments
 from trueaxis.identify.global_fit.layout import Layout, layout
-from trueaxis.identify.global_fit.least_squares import ROUNDING, Factors, Gauge, factors, gauge
+from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE, ROUNDING, Factors, Gauge, factors, gauge
 from trueaxis.identify.global_fit.robust import scale_of, weights
 from trueaxis.identify.global_fit.solve import CONVERGED, Solution, solve, solve_curved
 from trueaxis.identify.machine import IdentifiedMachine
@@ -52,14 +52,15 @@ class Setting:
         moved: Gauge | None = None,
         start: FloatArray | None = None,
         tolerance: float = CONVERGED,
+        least: float = RANK_TOLERANCE,
     ) -> Solution:
         """Least squares; found, moved: factors and gauge of the design, where they are there already; start: (n,);
-        tolerance: of the last change where columns change, mm.
+        tolerance: of the last change where columns change, mm; least: relative singular value that counts.
         """
         if design.layout.effects.curved:
             start = start_of(design) if start is None else start
             return solve_curved(design, self.given, self.level, start, tolerance)
-        found = found or factors(design.triangle()[0])
+        found = found or factors(design.triangle()[0], least)
         moved = moved or gauge(design.layout, found.null, self.level)
         return solve(design, found, moved, self.given, start)
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.effects.unknowns import EffectUnknowns
+from trueaxis.identify.fit_quality import NotConvergedError, run_residuals, stands_still
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.effects import (
     Degree,
@@ -20,12 +21,12 @@ from trueaxis.identify.global_fit.effects import (
     with_zeros,
 )
 from trueaxis.identify.global_fit.instruments import instruments
-from trueaxis.identify.global_fit.least_squares import Factors, Gauge, factors, gauge
+from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE, Factors, Gauge, factors, gauge
 from trueaxis.identify.global_fit.order import Orders, choose_orders
 from trueaxis.identify.global_fit.result import AUTO_DEGREE, HIGHEST_AUTO, OPEN, GlobalOptions, GlobalResult
 from trueaxis.identify.global_fit.robust import variance_factor
 from trueaxis.identify.global_fit.solve import Solution, residuals, solve_robust
-from trueaxis.identify.global_fit.write_up import identification
+from trueaxis.identify.global_fit.write_up import identification, residuals_of
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise, noise
 from trueaxis.identify.observations import Observations
@@ -34,6 +35,10 @@ from trueaxis.identify.weighting import NoiseModel, Weighting, weighting
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import ErrorValues
+
+# The steps use the derivative of the error-free machine, which is wrong by the size of the errors (1e-4 or so). Along
+# combinations that the readings hold by less than that they can lead away; these then count as not determined.
+RANK_TOLERANCES = (RANK_TOLERANCE, 1e-5, 1e-4, 1e-3)
 
 
 def identify_global(
@@ -45,10 +50,13 @@ def identify_global(
     less), so that each step leaves that share of the last one. Where the term of an effect is not linear in its
     parameters, it is linearised anew at each step, from the best point of a grid on. Memory: a piece of the design
     matrix and a few matrices of n_unknowns squared. Raises InputError where the readings hold no unknown at all, or
-    lack a column that an effect depends on.
+    lack a column that an effect depends on; NotConvergedError where the fit does not stand still.
     """
     options = options or GlobalOptions()
-    return identification(fit_global(machine, observed, options))
+    result = fit_global(machine, observed, options)
+    if not result.converged:
+        raise NotConvergedError(run_residuals(residuals_of(result), observed.runs), result.iterations)
+    return identification(result)
 
 
 def fit_global(machine: IdentifiedMachine, observed: Observations, options: GlobalOptions) -> GlobalResult:
@@ -102,6 +110,7 @@ def fit_global(machine: IdentifiedMachine, observed: Observations, options: Glob
         groups=weighted.groups,
         orders=orders,
         zeroed=tuple(one.effect for one in zeroed),
+        converged=_stands(fit, spread),
     )
 
 
@@ -127,17 +136,21 @@ def _fit(
     design = setting.design(degree, effects)
     triangle, held = design.triangle()
     if not held.any():
-        raise InputError([Fault(setting.observed.source, "", "no reading holds an unknown", "runs that move an axis")])
-    found = factors(triangle)
-    moved = gauge(design.layout, found.null, setting.level)
-    if effects.curved and options.robust:
-        solution = first.solved(first.design(degree, effects))
-    else:
-        solution = setting.solved(design, found, moved)
+        raise _nothing_held(setting)
+    for least in RANK_TOLERANCES:
+        found = factors(triangle, least)
+        moved = gauge(design.layout, found.null, setting.level)
+        if effects.curved and options.robust:
+            solution = first.solved(first.design(degree, effects))
+        else:
+            solution = setting.solved(design, found, moved)
+        fit = _Fit(design, found, moved, solution, held)
+        if effects.curved or _stands(fit, _spread(solution, weighted, held, found, replace(options, robust=""))[0]):
+            break
     if options.robust:
 
         def again(reweighted: Design, start: FloatArray) -> Solution:
-            return setting.solved(reweighted, moved=moved, start=start)
+            return setting.solved(reweighted, moved=moved, start=start, least=least)
 
         solution = solve_robust(design, solution, again, options.robust, weighted.sigma, held)
     if effects.curved:
@@ -148,11 +161,24 @@ def _fit(
     return _Fit(design, found, moved, solution, held)
 
 
+def _nothing_held(setting: Setting) -> InputError:
+    return InputError([Fault(setting.observed.source, "", "no reading holds an unknown", "runs that move an axis")])
+
+
+def _stands(fit: _Fit, spread: Noise) -> bool:
+    """Whether the last step is none for readings of that noise."""
+    root = fit.gauge.projector @ (fit.factors.vectors / fit.factors.singular)
+    u = np.linalg.norm(root, axis=1)
+    return fit.solution.still and stands_still(fit.solution.step, u, spread.sigma)
+
+
 def _chosen_orders(setting: Setting, first: Setting, effects: EffectUnknowns) -> tuple[EffectUnknowns, Orders]:
     """Degrees by held-out readings, to first order: beside effects where a fit of the highest degree has them."""
     full = setting.design(HIGHEST_AUTO, effects)
     if effects.curved:
         full = full.at(first.solved(first.design(HIGHEST_AUTO, effects)).unknowns, setting.given)
+    if not any(piece.any() for _, piece in full.pieces()):
+        raise _nothing_held(setting)
     residual = residuals(full, setting.given, start_of(full))
     return full.layout.effects, choose_orders(full, residual, HIGHEST_AUTO)
 

@@ -23,7 +23,7 @@ from trueaxis.measure.machine import FloatArray
 MOST_PARTS = 10
 MOST_SWEEPS = 10
 LEAST = 1  # without a slope, a location error would seem determined that is not
-RIDGE = 1e-11  # of the mean diagonal: what the readings do not determine stays finite, and is predicted as small
+RIDGE = 1e-11  # of the mean diagonal of all readings: what they do not determine stays finite, predicted as small
 BoolArray = npt.NDArray[np.bool_]
 
 
@@ -43,10 +43,13 @@ class Orders:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Part:
-    """Normal equations of the readings outside a part: normal (n, n), right (n,); and the part itself."""
+    """Normal equations of the readings outside a part: normal (n, n), right (n,); ridge: added to the diagonal, so that
+    what these readings leave open stays finite; and the part itself.
+    """
 
     normal: FloatArray
     right: FloatArray
+    ridge: float
     rows: FloatArray
     readings: FloatArray
 
@@ -111,7 +114,7 @@ def _errors(parts: list[_Part], kept: BoolArray) -> FloatArray:
         own = part.readings
         if kept.any():
             normal = part.normal[np.ix_(kept, kept)]
-            normal[np.diag_indices_from(normal)] += RIDGE * float(np.trace(normal)) / normal.shape[0]
+            normal[np.diag_indices_from(normal)] += part.ridge
             factor = scipy.linalg.cho_factor(normal, check_finite=False)
             own = own - part.rows[:, kept] @ scipy.linalg.cho_solve(factor, part.right[kept], check_finite=False)
         found[index] = float(own @ own)
@@ -131,11 +134,14 @@ def _parts(design: Design, residual: FloatArray) -> list[_Part]:
             if mine.any():
                 stacked = np.vstack([folded[number], np.hstack([piece[mine], right[mine]])])
                 folded[number] = np.asarray(np.linalg.qr(stacked, mode="r")) if stacked.shape[0] > n + 1 else stacked
-    total = sum((block.T @ block for block in folded.values()), np.zeros((n + 1, n + 1)))
+    blocks = list(folded.values())
+    squares = [block.T @ block for block in blocks]
+    ridge = RIDGE * float(sum(np.trace(square[:n, :n]) for square in squares)) / n
     found = []
-    for block in folded.values():
-        rest = total - block.T @ block
-        found.append(_Part(rest[:n, :n], rest[:n, n], block[:, :n], block[:, n]))
+    for index, block in enumerate(blocks):
+        # the sum of the others, not the total less this one: what is left of that may be negative by rounding
+        rest = sum((square for other, square in enumerate(squares) if other != index), np.zeros((n + 1, n + 1)))
+        found.append(_Part(rest[:n, :n], rest[:n, n], ridge, block[:, :n], block[:, n]))
     return found
 
 

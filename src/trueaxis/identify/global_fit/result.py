@@ -51,7 +51,8 @@ class GlobalResult:
     """The fit: unknowns (n,) in mm or rad and their covariance (None where the noise is unknown); open: (n,),
     unknowns that no reading and no convention settles; held: how many readings hold an unknown; residual:
     (n_readings,), mm; roots, robust_weight: (n_readings,), square roots of the weights by noise, and what robustness
-    makes of them; zeroed: effects that are given as zero, since a square would be negative.
+    makes of them; zeroed: effects that are given as zero, since a square would be negative; converged: whether it
+    stands still.
     """
 
     layout: Layout
@@ -73,3 +74,4 @@ class GlobalResult:
     groups: tuple[GroupNoise, ...] = ()
     orders: Orders | None = None
     zeroed: tuple[Effect, ...] = ()
+    converged: bool = True

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.identify.fit_quality import RESOLUTION
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.least_squares import Factors, Gauge, factors, gauge
 from trueaxis.identify.global_fit.robust import CONVERGED as SETTLED
@@ -21,11 +22,15 @@ MOST_CURVED = 60  # where effects make the design matrix change with the values
 MOST_HALVINGS = 12
 NOTHING = 1e-12  # share of the squares by which they may fall for a step to be of no use
 NEAR = 1e-6  # mm: steps below it are taken as they are, and where they do not shrink, that is rounding
+GROWTH = 4.0  # of the squares: the steps lead away from the solution
+MOST_PROMISED = 1e-3  # the same where columns change with the values, and the last step may be half of what is possible
+STILL = 1e-6  # share of the squares, by which they may change in the last step
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Solution:
     """unknowns: (n,), scaled; residual: (n_readings,), mm; iterations on the exact model and the last change (mm);
+    step: (n,), the last one, scaled, infinite where the steps led away; still: whether the squares changed no more;
     weight: (n_readings,), robust weights, and scale (mm): 1 and None where the solution is that of least squares.
     """
 
@@ -33,6 +38,8 @@ class Solution:
     residual: FloatArray
     iterations: int
     change: float
+    step: FloatArray
+    still: bool
     weight: FloatArray
     scale: float | None = None
 
@@ -44,13 +51,22 @@ def solve(
     change, before, iteration = np.inf, np.inf, 0
     unknowns = np.zeros(design.layout.count) if start is None else start
     residual = residuals(design, given, unknowns)
+    squares = first = _squares(design, residual)
+    step, still = np.full(unknowns.size, np.inf), False
     while change > CONVERGED and iteration < MOST_ITERATIONS and not (iteration > 3 and change > 0.5 * before):
         following = moved.projector @ (unknowns + found.step(design.transposed(residual)))
-        before, change = change, float(np.max(np.abs(following - unknowns), initial=0.0))
+        step = following - unknowns
+        before, change = change, float(np.max(np.abs(step), initial=0.0))
         unknowns = following
         residual = residuals(design, given, unknowns)
+        after = _squares(design, residual)
         iteration += 1
-    return Solution(unknowns, residual, iteration, change, np.ones(residual.size))
+        if not after <= GROWTH * first + _rounding(design):
+            return Solution(
+                unknowns, residual, iteration, change, np.full(step.size, np.inf), False, np.ones(residual.size)
+            )
+        still, squares = abs(squares - after) <= STILL * squares + _rounding(design), after
+    return Solution(unknowns, residual, iteration, change, step, still, np.ones(residual.size))
 
 
 def solve_curved(
@@ -61,6 +77,7 @@ def solve_curved(
     """
     change, before, iteration = np.inf, np.inf, 0
     unknowns, residual = start, residuals(design, given, start)
+    last, still = np.full(start.size, np.inf), False
     while change > tolerance and iteration < MOST_CURVED and not (before < NEAR and change > 0.5 * before):
         here = design.at(unknowns, given)
         triangle, _ = here.triangle()
@@ -70,10 +87,15 @@ def solve_curved(
         step = found.step(gradient)
         promised = float(gradient @ step)
         following, after = _careful(here, given, moved, (unknowns, residual), step, promised)
-        before, change = change, float(np.max(np.abs(following - unknowns), initial=0.0))
+        last = following - unknowns
+        before, change = change, float(np.max(np.abs(last), initial=0.0))
+        squares = _squares(design, after)
+        # where no part of the step is for the better, what it promised says how far the solution is
+        fell = max(_squares(design, residual) - squares, promised if change == 0.0 else 0.0)
+        still = fell <= MOST_PROMISED * squares + _rounding(design)
         unknowns, residual = following, after
         iteration += 1
-    return Solution(unknowns, residual, iteration, change, np.ones(residual.size))
+    return Solution(unknowns, residual, iteration, change, last, still, np.ones(residual.size))
 
 
 def _careful(
@@ -130,7 +152,9 @@ def solve_robust(
                 break
             weighted = Design(design.layout, design.observed, roots * np.sqrt(weight))
             following = again(weighted, found.unknowns)
-            found = replace(following, weight=weight, scale=scale, iterations=found.iterations + following.iterations)
+            step = following.step if np.isinf(following.step).any() else following.unknowns - found.unknowns
+            iterations = found.iterations + following.iterations
+            found = replace(following, weight=weight, scale=scale, iterations=iterations, step=step)
     return found
 
 
@@ -142,6 +166,11 @@ def residuals(design: Design, given: ErrorValues, unknowns: FloatArray) -> Float
     runs = plan.instruments.set_up(observed.runs, own)
     expected = expected_readings(model, runs, observed.run, observed.positions, observed.context)
     return observed.reading - expected - plan.instruments.added(plan.machine, observed, own)
+
+
+def _rounding(design: Design) -> float:
+    """Squares below which nothing is read, mm^2."""
+    return design.observed.reading.size * RESOLUTION**2
 
 
 def _squares(design: Design, residual: FloatArray) -> float:

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import scipy.linalg
 
+from trueaxis.identify.fit_quality import Residuals, expected_sizes, known_noise, quality
 from trueaxis.identify.global_fit import describe, describe_effects
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
 from trueaxis.identify.global_fit.result import GlobalResult
@@ -32,12 +33,15 @@ def identification(result: GlobalResult) -> Identification:
     plan = result.layout
     undetermined = describe.undetermined(result)
     fitted = plan.values(result.unknowns, result.given)
+    doubted = float(np.mean(result.robust_weight < DOUBTED))
+    judged = quality(residuals_of(result), result.observed.runs, doubted)
     values = replace(
         fitted,
         motion_errors={**fitted.motion_errors, **describe.curves(result), **result.given.motion_errors},
         u=describe.location_u(result),
         undetermined=undetermined,
         effects=_effects(result),
+        fit=judged.fit,
     )
     block = BlockReport(
         runs=tuple(run.id for run in result.observed.runs),
@@ -66,6 +70,7 @@ def identification(result: GlobalResult) -> Identification:
         locations=describe.locations(result),
         components=found,
         undetermined=undetermined,
+        quality=judged,
         notes=(
             *dimension_notes(plan.machine, result.given),
             *weak_notes(found),
@@ -80,6 +85,20 @@ def identification(result: GlobalResult) -> Identification:
         effects=describe_effects.effects(result),
     )
     return Identification(values, report, _covariance(result, found))
+
+
+def residuals_of(result: GlobalResult) -> Residuals:
+    """The residuals, those of readings that robustness weighs down by as much smaller."""
+    observed, machine = result.observed, result.layout.machine
+    known = None if result.noise.origin.startswith("from the") and not result.groups else result.noise.sigma
+    return Residuals(
+        observed.run,
+        np.ones(observed.reading.size),
+        result.robust_weight * result.residual**2,
+        known_noise(observed, known, result.roots),
+        expected_sizes(machine, observed.runs, observed.run, observed.positions),
+        result.noise.freedom,
+    )
 
 
 def _effects(result: GlobalResult) -> tuple[EffectValues, ...]:

@@ -16,10 +16,16 @@ from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import Undetermined
 
 RULES = {
-    "sect36": "from the yaw and pitch curves (Sect. 3.6)",
+    "from-angles": "from the yaw and pitch curves (Sect. 3.6)",
     "convention": "least-squares lines of the straightness are level (ISO 230-1)",
     "known": "given",
 }
+
+
+FROM_ANGLES = (
+    "squareness from the angles (Eqs. (39)-(43)) is wrong in general: it does not follow from pitch and yaw, and the "
+    "printed sums and signs are not right either (docs/errata.md, E28 to E32); --squareness convention is right"
+)
 
 
 def lever_of(result: PaperResult) -> float:

@@ -6,6 +6,15 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from trueaxis.faults import Fault, InputError
+from trueaxis.identify.fit_quality import (
+    FitQuality,
+    NotConvergedError,
+    Residuals,
+    expected_sizes,
+    known_noise,
+    quality,
+    stands_still,
+)
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise, noise
 from trueaxis.identify.notes import dimension_notes, weak_notes
@@ -31,7 +40,7 @@ def identify_paper(
 
     machine: its own error values do not matter. Effects of known values are taken off the readings. Raises InputError
     where the machine has effects of unknown values, where no run can be used, and where a run visits a position of an
-    axis at which what it needs was not measured before.
+    axis at which what it needs was not measured before; NotConvergedError where the solution does not stand still.
     """
     options = options or PaperOptions()
     given = options.known or ErrorValues(machine.name)
@@ -52,10 +61,14 @@ def identify_paper(
     response = with_rule(steps, system, rule)
     solution = solve(Exact(machine, bare, usable, grid, cells), response, rule)
     found, rms = _noise(steps, cells, solution, options.noise_um)
-    u_nodes, u_locations = _uncertainty(response, cells, rule, found, free)
+    judged = _quality(machine, usable, cells, solution, (found, options.noise_um))
+    variances = response.variances(cells)
+    if not stands_still(solution.step / response.node_scale, np.sqrt(variances[0]) / response.node_scale, found.sigma):
+        raise NotConvergedError(judged.runs, solution.iterations)
+    u_nodes, u_locations = _uncertainty(response, variances, rule, found, free)
     result = PaperResult(
         machine, usable, left_out, given, options, grid, cells, system, steps, response, rule, free, solution, found,
-        u_nodes, u_locations, rms,
+        u_nodes, u_locations, rms, judged,
     )  # fmt: skip
     return _identification(result)
 
@@ -87,12 +100,30 @@ def _noise(steps: Steps, cells: Cells, solution: Solution, given_um: float | Non
     return noise(squares, readings, rank, given_um), float(np.sqrt(squares / max(readings, 1)))
 
 
+def _quality(
+    machine: IdentifiedMachine,
+    observed: Observations,
+    cells: Cells,
+    solution: Solution,
+    noise: tuple[Noise, float | None],
+) -> FitQuality:
+    """noise: that of the fit, and what was given, um."""
+    found, given_um = noise
+    known = known_noise(observed, None if given_um is None else given_um * 1e-3)
+    if known is not None:
+        of_run = dict(zip(observed.run.tolist(), known.tolist(), strict=True))
+        known = np.array([of_run[run] for run in cells.run.tolist()])
+    squares = cells.repeats * solution.residual**2 + cells.scatter
+    size = expected_sizes(machine, observed.runs, cells.run, cells.positions)
+    return quality(Residuals(cells.run, cells.repeats, squares, known, size, found.freedom), observed.runs)
+
+
 def _uncertainty(
-    response: Response, cells: Cells, rule: Squareness, found: Noise, free: BoolArray
+    response: Response, variances: tuple[FloatArray, FloatArray], rule: Squareness, found: Noise, free: BoolArray
 ) -> tuple[FloatArray | None, FloatArray | None]:
     if found.sigma is None:
         return None, None
-    nodes, locations = (found.sigma * np.sqrt(variance) for variance in response.variances(cells))
+    nodes, locations = (found.sigma * np.sqrt(variance) for variance in variances)
     opened = response.open_nodes
     locations[response.open_locations | ~covered(rule)] = np.nan
     if isinstance(rule, LinesFromAngles):
@@ -107,6 +138,8 @@ def _identification(result: PaperResult) -> Identification:
     curves = tables(grid, result.solution.nodes, result.steps.reached, result.u_nodes)
     found = describe.components(result)
     notes = (*dimension_notes(machine, result.given), *weak_notes(found))
+    if result.options.squareness == "from-angles":
+        notes += (describe.FROM_ANGLES,)
     orders: tuple[CurveOrderReport, ...] = ()
     covariance = covariance_of(result)
     if result.options.curves != "table":
@@ -130,6 +163,7 @@ def _identification(result: PaperResult) -> Identification:
         u=u,
         undetermined=undetermined,
         effects=result.given.effects,
+        fit=result.quality.fit,
     )
     report = IdentificationReport(
         machine=machine.name,
@@ -149,6 +183,7 @@ def _identification(result: PaperResult) -> Identification:
         locations=describe.locations(result),
         components=found,
         undetermined=undetermined,
+        quality=result.quality,
         notes=notes,
         curve_orders=orders,
     )

@@ -9,7 +9,7 @@ from scipy.sparse.csgraph import connected_components
 from trueaxis.identify.paper.grid import IntArray
 from trueaxis.measure.machine import FloatArray
 
-LARGEST_PART = 3000  # unknowns; a dense system of this size takes about a minute
+LARGEST_PART = 500  # unknowns; every one then depends on every reading of its runs: time grows with the third power
 
 
 class TooLargeError(ValueError):
@@ -91,10 +91,10 @@ def _dense(matrix: csr_array, rows: IntArray, columns: IntArray) -> FloatArray:
     """(parts, max(m, k), k): rows of zeros are added where there are fewer equations than unknowns."""
     dense = np.zeros((rows.shape[0], max(rows.shape[1], columns.shape[1]), columns.shape[1]))
     place = np.zeros(matrix.shape[1], dtype=np.int64)
-    for part, (of_rows, of_columns) in enumerate(zip(rows, columns, strict=True)):
-        place[of_columns] = np.arange(of_columns.size)
-        block = matrix[of_rows].tocoo()
-        dense[part, block.row, place[block.col]] = block.data
+    place[columns] = np.arange(columns.shape[1])
+    block = matrix[rows.ravel()].tocoo()
+    part, row = np.divmod(block.row, max(rows.shape[1], 1))
+    dense[part, row, place[block.col]] = block.data
     return dense
 
 

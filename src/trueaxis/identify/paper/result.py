@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from trueaxis.identify.fit_quality import FitQuality
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise
 from trueaxis.identify.observations import Observations
@@ -23,7 +24,7 @@ class PaperOptions:
     noise_um: standard deviation of a reading, micrometres; curves: how components are given back.
     """
 
-    squareness: Choice = "sect36"
+    squareness: Choice = "convention"
     known: ErrorValues | None = None
     noise_um: float | None = None
     curves: Curves = "table"
@@ -54,3 +55,4 @@ class PaperResult:
     u_nodes: FloatArray | None
     u_locations: FloatArray | None
     residual_rms: float
+    quality: FitQuality

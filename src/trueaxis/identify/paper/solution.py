@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.sparse import csc_array, csr_array
 
+from trueaxis.identify.fit_quality import RESOLUTION
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper.equations import Equations
@@ -18,6 +19,7 @@ from trueaxis.runtime.errors import ErrorValues
 
 CONVERGED = 1e-14  # mm, rotations times the lever
 MOST_ITERATIONS = 20
+GROWTH = 4.0  # of the largest residual: the steps lead away from the solution
 OPEN = 1e-9  # share of a node in the null space, scaled, above which it counts as open
 
 
@@ -40,9 +42,13 @@ class Response:
 
     def variances(self, cells: Cells) -> tuple[FloatArray, FloatArray]:
         """Variance of every node and every location error for readings of variance 1."""
-        whole = self.nodes + self.along @ csr_array(self.located)
+        # of nodes + along @ located, which is never formed: it is as large as the square of the readings
         share = 1.0 / cells.repeats
-        return np.asarray(whole.power(2) @ share), self.located**2 @ share
+        along, weighted = self.along, (self.located * share).T
+        both = np.asarray(along.multiply(self.nodes @ weighted).sum(axis=1)).ravel()
+        rule = np.asarray(along.multiply(along @ (self.located @ weighted)).sum(axis=1)).ravel()
+        own = np.asarray(self.nodes.power(2) @ share)
+        return np.maximum(own + 2.0 * both + rule, 0.0), self.located**2 @ share
 
     @property
     def open_nodes(self) -> BoolArray:
@@ -58,13 +64,16 @@ class Response:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Solution:
-    """nodes: (n_nodes,), locations: (n_location_errors,), mm or rad; residual: (n_cells,), mm; change: the last, mm."""
+    """nodes: (n_nodes,), locations: (n_location_errors,), mm or rad; residual: (n_cells,), mm; change: the last, mm;
+    step: (n_nodes,), the last one, mm or rad, infinite where the steps led away.
+    """
 
     nodes: FloatArray
     locations: FloatArray
     residual: FloatArray
     iterations: int
     change: float
+    step: FloatArray
 
 
 def sloped(response: Response, free: BoolArray) -> BoolArray:
@@ -122,6 +131,8 @@ def solve(exact: Exact, response: Response, rule: Squareness) -> Solution:
     locations = np.array([start.get(name, 0.0) for name in exact.machine.location_errors])
     change, before, iteration = np.inf, np.inf, 0
     residual = exact.residual(nodes, locations)
+    largest = GROWTH * float(np.abs(residual).max(initial=0.0)) + RESOLUTION
+    step: FloatArray = np.full(nodes.size, np.inf)
     while change > CONVERGED and iteration < MOST_ITERATIONS and not (iteration > 3 and change > 0.5 * before):
         step = response.nodes @ residual
         moved = rule.correction(nodes + step, locations)
@@ -130,7 +141,9 @@ def solve(exact: Exact, response: Response, rule: Squareness) -> Solution:
         residual = exact.residual(nodes, locations)
         before, change = change, float(np.max(np.abs(step / response.node_scale), initial=0.0))
         iteration += 1
-    return Solution(nodes, locations, residual, iteration, change)
+        if not np.abs(residual).max(initial=0.0) <= largest:
+            return Solution(nodes, locations, residual, iteration, change, np.full(nodes.size, np.inf))
+    return Solution(nodes, locations, residual, iteration, change, step)
 
 
 def tables(grid: Grid, nodes: FloatArray, which: BoolArray, u: FloatArray | None = None) -> dict[str, Curve]:

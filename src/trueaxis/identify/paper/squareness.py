@@ -12,7 +12,7 @@ from trueaxis.identify.paper.grid import BoolArray, Grid, IntArray
 from trueaxis.identify.straightness import is_straightness, slope_weights
 from trueaxis.measure.machine import FloatArray
 
-Choice = Literal["sect36", "convention", "known"]
+Choice = Literal["convention", "from-angles", "known"]
 TURN = "ABC"
 NEGLIGIBLE = 1e-12
 

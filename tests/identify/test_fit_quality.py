@@ -1,0 +1,225 @@
+"""No wrong result leaves `identify` with exit code 0: not converged, misfit, and good fits of many readings."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.identify.random_plans import Drawn, drawn, outcome
+from tests.identify.test_command import ERRORS, KERNELS, MACHINE, identify, simulated, values
+from trueaxis.cli import main
+from trueaxis.identify.fit_quality import NotConvergedError, Residuals, quality, stands_still
+from trueaxis.identify.global_fit.method import identify_global
+from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.paper.method import identify_paper
+from trueaxis.identify.paper.result import PaperOptions
+from trueaxis.measure.setup import PointOn, Run
+from trueaxis.runtime.errors import ErrorValues
+
+RUNS = tuple(
+    Run(name, "laser", PointOn("tool"), PointOn("bed"), "bed", {"X": 0.0}, (1.0, 0.0, 0.0)) for name in ("a", "b")
+)
+
+
+def residuals(of_a: float, of_b: float, noise: float | None = 1e-3, size: float | None = None) -> Residuals:
+    """A hundred readings of each run, with that residual each, mm."""
+    squares = np.repeat([of_a**2, of_b**2], 100)
+    return Residuals(
+        np.repeat([0, 1], 100),
+        np.ones(200),
+        squares,
+        None if noise is None else np.full(200, noise),
+        None if size is None else np.full(200, size),
+        150,
+    )
+
+
+@pytest.mark.parametrize(
+    ("judged", "state", "runs"),
+    [
+        (residuals(1e-3, 1e-3), "converged", ()),
+        (residuals(2e-3, 2e-3), "converged", ()),  # a model that lacks as much as the noise is no misfit
+        (residuals(4e-3, 3.5e-3), "misfit", ("a", "b")),
+        (residuals(1e-4, 6e-3), "misfit", ("b",)),
+        (residuals(5e-4, 5e-4, noise=1e-5, size=0.04), "converged", ()),  # no model is right to a hundredth of a um
+        (residuals(5e-3, 5e-3, noise=1e-5, size=0.04), "misfit", ("a", "b")),
+        (residuals(5e-3, 5e-3, noise=None, size=0.04), "converged", ()),
+        (residuals(5e-2, 5e-2, noise=None, size=0.04), "misfit", ("a", "b")),
+    ],
+)
+def test_residuals_are_judged_by_the_noise_or_by_the_prior(
+    judged: Residuals, state: str, runs: tuple[str, ...]
+) -> None:
+    found = quality(judged, RUNS)
+    assert found.fit.state == state
+    assert found.fit.runs == runs
+    assert (found.fit.chi2 is None) == (judged.noise is None)
+
+
+def test_a_good_fit_of_many_readings_is_no_misfit() -> None:
+    rng = np.random.default_rng(1)
+    many = 100_000
+    squares = rng.normal(0.0, 1.02e-3, many) ** 2  # 2 % more than the noise: a p-value of zero
+    one = Residuals(np.zeros(many, dtype=np.int64), np.ones(many), squares, np.full(many, 1e-3), None, many - 100)
+    assert quality(one, RUNS).fit.state == "converged"
+
+
+def test_a_step_is_judged_by_the_uncertainty() -> None:
+    u = np.array([2.0, 1.0])
+    assert stands_still(np.array([1e-6, 0.0]), u, 1e-3)
+    assert not stands_still(np.array([3e-6, 0.0]), u, 1e-3)
+    assert not stands_still(np.array([np.inf, 0.0]), u, 1e-3)
+    assert stands_still(np.array([1e-12, 1e-12]), 0.0 * u, None)
+
+
+def wrong_centre(one: Drawn) -> Drawn:
+    """The workpiece balls 200 mm from where they are."""
+    runs = tuple(
+        replace(run, reference=PointOn("workpiece", (run.reference.point[0] + 200.0, *run.reference.point[1:])))
+        if run.instrument == "ballbar"
+        else run
+        for run in one.observed.runs
+    )
+    return replace(one, observed=replace(one.observed, runs=runs))
+
+
+def test_a_fit_that_leads_away_gives_no_values() -> None:
+    """With a ball 200 mm off coefficients grew to 1e43 and were written."""
+    one = wrong_centre(drawn(np.random.default_rng(3), "dmu60p", 2, 2, 60, 0.3))
+    with pytest.raises(NotConvergedError) as caught:
+        identify_global(one.model, one.observed, GlobalOptions(known=ErrorValues("dmu60p", one.truth.parameters)))
+    assert caught.value.runs[0].run.startswith("circle")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_random_plans_end_well_or_say_so(seed: int) -> None:
+    """What is off on a random plan is open, or within its uncertainty."""
+    rng = np.random.default_rng(seed)
+    one = drawn(rng, ("dmu60p", "gantry_mill", "bridge_cmm", "trunnion_mill")[seed], 25, 3, 60, 0.3)
+    end = outcome(one, GlobalOptions(noise_um=one.noise_um), points=100)
+    if end.state == "converged":
+        assert end.ratio < 3.0
+        assert end.open == 1.0 or end.off_in_u < 5.0
+
+
+@pytest.mark.parametrize("method", ["paper", "global"])
+def test_a_run_that_does_not_fit_is_a_misfit(tmp_path: Path, method: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Readings of one run are those of another direction: repeated readings know better."""
+    data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.1"), tmp_path / "e.json"
+    lines = (data / "readings.csv").read_text().splitlines()
+    spoilt = [lines[0]]
+    for number, line in enumerate(lines[1:]):
+        start, _, reading = line.rpartition(",")
+        off = 0.02 * (-1) ** number if line.startswith(("X-", "XZ-")) else 0.0
+        spoilt += [f"{start},{float(reading) + off!r}"] * (2 if method == "paper" else 1)
+        if method == "paper":
+            run, _, rest = line.partition(",")
+            seq, _, positions = rest.partition(",")
+            spoilt[-1] = f"{run},{int(seq) + 1000},{positions.rpartition(',')[0]},{float(reading) - off!r}"
+    (data / "readings.csv").write_text("\n".join(spoilt) + "\n")
+    options = ["--method", method, "--noise-um", "0.1"]
+    assert identify(data, out, *options) == 1
+    told = capsys.readouterr().err
+    assert "MISFIT" in told
+    fit = values(out).fit
+    assert fit is not None
+    assert fit.state == "misfit"
+    assert fit.chi2 is not None
+    assert fit.chi2 > 9.0
+    assert fit.runs[0].startswith(("X-", "XZ-"))
+
+
+@pytest.mark.parametrize("method", ["paper", "global"])
+def test_a_good_fit_says_so(tmp_path: Path, method: str) -> None:
+    data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.1"), tmp_path / "e.json"
+    assert identify(data, out, "--method", method, "--noise-um", "0.1") == 0
+    fit = values(out).fit
+    assert fit is not None
+    assert fit.state == "converged"
+    if method == "global":
+        assert fit.chi2 == pytest.approx(1.0, abs=0.3)
+    else:
+        assert fit.chi2 is None  # as many unknowns as readings
+    assert identify(data, out, "--method", method) == 0
+    fit = values(out).fit
+    assert fit is not None
+    assert fit.chi2 is None  # nobody gave the noise, and no reading is repeated
+
+
+def test_nothing_is_written_where_the_fit_has_not_converged(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("trueaxis.identify.global_fit.solve.MOST_ITERATIONS", 1)
+    data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.1"), tmp_path / "e.json"
+    assert identify(data, out, "--method", "global", "--report", str(tmp_path / "r.json")) == 1
+    told = capsys.readouterr().err
+    assert "the fit has not converged in 1 iterations; nothing was written" in told
+    assert "residuals of the worst runs: " in told
+    assert not out.exists()
+    assert not (tmp_path / "r.json").exists()
+
+
+def test_the_paper_method_checks_its_convergence(monkeypatch: pytest.MonkeyPatch) -> None:
+    one = drawn(np.random.default_rng(0), "dmu60p", 3, 0, 5, 0.3)
+    options = PaperOptions(known=ErrorValues("dmu60p", one.truth.parameters))
+    identify_paper(one.model, one.observed, options)
+    monkeypatch.setattr("trueaxis.identify.paper.solution.MOST_ITERATIONS", 1)
+    with pytest.raises(NotConvergedError):
+        identify_paper(one.model, one.observed, options)
+
+
+def test_squareness_comes_back_right_by_default(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Noise-free readings with -5, 26 and 10 urad came back as 10, 65 and 48: Eqs. (39)-(43) give what they give."""
+    tree = json.loads(ERRORS.read_text())
+    squareness = {"eps_xy": -5e-6, "eps_yz": 26e-6, "eps_xz": 10e-6}
+    tree["parameters"] |= squareness
+    for name in ("EYX", "EZX", "EXY", "EZY", "EXZ", "EYZ"):
+        tree["motion_errors"].pop(name, None)  # straight axes: nothing to level
+    errors, data, out = tmp_path / "true.json", tmp_path / "data", tmp_path / "e.json"
+    errors.write_text(json.dumps(tree))
+    plan = str(MACHINE.parent / "dmu60p_regular_runs")
+    start = ["simulate", str(MACHINE), "--errors", str(errors), "--data", plan, "--out", str(data)]
+    assert main([*start, *KERNELS]) == 0
+    dimensions = tmp_path / "known.json"
+    known = {name: value for name, value in tree["parameters"].items() if name not in squareness}
+    dimensions.write_text(json.dumps({"schema": 1, "machine": "dmu60p", "parameters": known}))
+    for method in ("paper", "global"):
+        assert identify(data, out, "--method", method, "--known", str(dimensions)) == 0
+        for name, true in squareness.items():
+            assert values(out).parameters[name] == pytest.approx(true, abs=1e-8), (method, name)
+    capsys.readouterr()
+    assert identify(data, out, "--squareness", "sect36", "--known", str(dimensions)) == 0
+    told = capsys.readouterr()
+    assert "docs/errata.md, E28 to E32" in told.err
+    assert "docs/errata.md, E28 to E32" in " ".join(told.out.split())
+    assert abs(values(out).parameters["eps_yz"] - 26e-6) > 1e-5
+
+
+@pytest.mark.parametrize("value", ["1e-300", "1e300", "laser=1e-300"])
+def test_noise_that_no_instrument_has_is_refused(tmp_path: Path, value: str) -> None:
+    with pytest.raises(SystemExit) as caught:
+        identify(tmp_path, tmp_path / "e.json", "--method", "global", "--noise-um", value)
+    assert caught.value.code == 2
+
+
+def test_a_robust_fit_of_mostly_outliers_is_a_misfit() -> None:
+    found = quality(residuals(1e-3, 1e-3), RUNS, doubted=0.3)
+    assert found.fit.state == "misfit"
+    assert "30% of the readings are weighed down" in found.reason
+
+
+def test_the_range_that_was_measured_is_written(tmp_path: Path) -> None:
+    data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.1"), tmp_path / "e.json"
+    rows = (data / "readings.csv").read_text().splitlines()
+    kept = [row for row in rows[1:] if all(float(value) <= 300.0 for value in row.split(",")[2:5])]
+    (data / "readings.csv").write_text("\n".join([rows[0], *kept]) + "\n")
+    for options in (["--method", "global", "--degree", "3"], ["--curves", "polynomial"], ["--curves", "held-out"]):
+        assert identify(data, out, *options) == 0
+        measured = {name: curve.measured for name, curve in values(out).motion_errors.items()}
+        for name, ends in measured.items():
+            assert ends is not None, name
+            low, high = ends
+            assert low == 0.0
+            assert 270.0 <= high <= 300.0, name
