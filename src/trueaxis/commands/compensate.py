@@ -6,14 +6,20 @@ from dataclasses import fields
 from pathlib import Path
 from typing import get_args
 
-from trueaxis.commands.arguments import file_to_write
-from trueaxis.commands.paths import overwritten
+import numpy as np
+
+from trueaxis.commands.arguments import file_to_write, positive, size
+from trueaxis.commands.misfit import check_fit, misfit_option
+from trueaxis.commands.paths import named, overwritten
 from trueaxis.commands.progress import progress
 from trueaxis.compensate.files import compensate_file
+from trueaxis.compensate.reliance import Limits, judge_of
 from trueaxis.compensate.settings import Dialect, Integers, Settings
 from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
+from trueaxis.reporting.reliance import program_sentences, refusal_sentences
 from trueaxis.runtime.model import load_model
+from trueaxis.runtime.uncertainty import load_uncertainty
 
 _DESCRIPTION = """\
 Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
@@ -112,6 +118,14 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
                         help="folder of derived kernels (default %(default)s)")  # fmt: skip
     parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON too")
+    parser.add_argument("--max-u", type=size, metavar="MM",
+                        help="write nothing, exit code 1, where a standard uncertainty of the tool point, relative to "
+                        "home, is larger at a place of the program; what is not known or not determined counts as "
+                        "infinite")  # fmt: skip
+    parser.add_argument("--max-correction", type=positive, metavar="MM",
+                        help="write nothing, exit code 1, where a correction is larger (default: three times what "
+                        "errors of the sizes in [prior] of the spec make of the tool point)")  # fmt: skip
+    misfit_option(parser)
     parser.set_defaults(run=run)
 
 
@@ -158,18 +172,28 @@ def run(args: argparse.Namespace) -> int:
     found = overwritten(inputs, {"--out": args.out, "--report": args.report}, args.kernels)
     with gathering(found):
         settings = _settings(args)
+    model = covariance = None
     with gathering(found):
         model = load_model(args.machine, args.errors, args.kernels)
-    if found:
+        check_fit(model.errors, args.errors, args.accept_misfit)
+        covariance = load_uncertainty(args.errors, model.errors, model.machine)
+    if found or model is None or covariance is None:
         raise InputError(found)
+    limits = Limits(max_u=args.max_u, max_correction=args.max_correction)
+    judge = judge_of(model, covariance, np.array([settings.tool_point]).T, limits)
     try:
         with progress() as show:
             report = compensate_file(
                 args.program, args.out, model, settings, language=args.format, report_file=args.report,
-                progress=lambda lines: show(f"{lines} blocks read"),
+                progress=lambda lines: show(f"{lines} blocks read"), judge=judge,
             )  # fmt: skip
     except OSError as problem:
         name = problem.filename or args.program
         raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None
     print(report)
+    if report.reliance is not None:
+        for sentence in program_sentences(report.reliance):
+            print(f"note: {sentence}")
+        for sentence in refusal_sentences(report.reliance, args.max_u):
+            print(f"{named(args.out)}: not written: {sentence}")
     return 0 if report.good else 1

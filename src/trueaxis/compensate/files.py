@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO, Literal
 
@@ -12,6 +13,7 @@ from trueaxis.compensate.mark import MARK, comment_of, marked
 from trueaxis.compensate.moves import Notes
 from trueaxis.compensate.nc_reader import NcReader
 from trueaxis.compensate.program import Compensator
+from trueaxis.compensate.reliance import Judge
 from trueaxis.compensate.report import CompensationReport
 from trueaxis.compensate.settings import Settings
 from trueaxis.faults import Fault, InputError
@@ -75,11 +77,13 @@ def compensate_file(
     name: str | None = None,
     report_file: Path | None = None,
     progress: Callable[[int], None] | None = None,
+    judge: Judge | None = None,
 ) -> CompensationReport:
     """Compensate `program` and write `out`, whole or not at all; they may be the same file.
 
     report_file: where the report goes as JSON, if anywhere. name: the program's name in messages. progress: called
-    now and then with the number of lines read.
+    now and then with the number of lines read. judge: says how far the program relies on what was measured; where it
+    refuses, nothing is written.
     Raises InputError with every fault of the program (the first 50 in full), OSError when a file cannot be read or
     written; everything is then as it was.
     """
@@ -108,6 +112,10 @@ def compensate_file(
                     ends_whole = text.endswith("\n")
         faults.raise_if_any()
         report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
+        if judge is not None:
+            report = replace(report, reliance=judge(compensator.visited))
+        if report.refused:
+            return replace(report, blocks_out=0)
         if report_file is not None:
             outputs.open(report_file).write(report.to_json().encode())
         outputs.commit()

@@ -26,6 +26,7 @@ from trueaxis.compensate.solve_pose import solve_pose
 from trueaxis.compensate.subdivide import PROBE_SPACING, subdivide
 from trueaxis.compensate.tally import Solved, Tally
 from trueaxis.compensate.tracker import Tracker
+from trueaxis.compensate.visited import Visited
 from trueaxis.compensate.writer import BlockWriter
 
 FEW_ROTARY_AXES = (
@@ -247,6 +248,11 @@ class Compensator:
         if pose is not None:
             pose = replace(pose, commands=standing(pose.commands, held, self._written))
         return Solved(linear, pose)
+
+    @property
+    def visited(self) -> Visited:
+        """The places that the program came to so far."""
+        return self._tally.visited
 
     def report(self, program: str, language: str, blocks_in: int, blocks_out: int) -> CompensationReport:
         """What has been done so far."""

@@ -4,6 +4,7 @@ import json
 from dataclasses import asdict, dataclass
 
 from trueaxis.compensate.acting import EffectNote
+from trueaxis.compensate.reliance import Reliance
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.sign_check import SignCheck
 from trueaxis.compensate.statistics import Lines, Summary
@@ -44,6 +45,7 @@ class CompensationReport:
     error left there. Rapids to such points are not in the other figures.
     sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
     passed: M codes that --pass-m vouches for, with their lines.
+    reliance: how far the program relies on what was measured; None where nobody asked.
     ball: |E| of Eq. (6), mm. orientation: angle between actual and wanted tool axis, urad, on machines with rotary
     axes. over_orientation: points with orientation.after above its tolerance, where orientation is corrected.
     effects: what was done about each effect of the machine.
@@ -77,14 +79,20 @@ class CompensationReport:
     sign_check: SignCheck | None
     passed: tuple[PassedCode, ...]
     notes: tuple[str, ...]
+    reliance: Reliance | None = None
 
     @property
     def good(self) -> bool:
-        """Whether every point converged, is within the tolerances and within the travel."""
-        return not any(
+        """Whether every point converged, is within the tolerances and within the travel, and it may be relied on."""
+        return not self.refused and not any(
             found.points
             for found in (self.not_converged, self.over_tolerance, self.out_of_travel, self.over_orientation)
         )
+
+    @property
+    def refused(self) -> bool:
+        """Whether nothing was written, as it would rely on too little."""
+        return self.reliance is not None and self.reliance.refused
 
     def to_json(self) -> str:
         """The report as JSON; `settings.start` as an object of axis positions."""

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from trueaxis.compensate.acting import EffectNote
 from trueaxis.compensate.executed import Executed
 from trueaxis.compensate.held import Held
-from trueaxis.compensate.machine import ErrorModel, FloatArray
+from trueaxis.compensate.machine import ErrorModel, FloatArray, linear_rows
 from trueaxis.compensate.moves import Notes
 from trueaxis.compensate.orientation import ToolAxis, angle
 from trueaxis.compensate.path import Path
@@ -20,6 +20,7 @@ from trueaxis.compensate.sign_check import SignChecker
 from trueaxis.compensate.solve import Solution
 from trueaxis.compensate.solve_pose import PoseSolution
 from trueaxis.compensate.statistics import LineLog, Running
+from trueaxis.compensate.visited import Visited
 from trueaxis.compensate.word_choice import bar_error
 
 STAGES = ("before", "solved", "after", "along")
@@ -50,13 +51,15 @@ class Solved:
 
 
 class Tally:
-    """Counts and figures of one program on one machine."""
+    """Counts and figures of one program on one machine; visited: the places that it came to."""
 
     def __init__(self, model: ErrorModel, settings: Settings, effects: tuple[EffectNote, ...]) -> None:
         self._settings, self._effects = settings, effects
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._axis = ToolAxis(model, settings.tool_axis)
+        self._linear = list(linear_rows(model.axes))
+        self.visited = Visited(model)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._moves = self._points = self._short_blocks = self._take_ups = 0
         self._iterations: Counter[int] = Counter()
@@ -98,6 +101,8 @@ class Tally:
         written = done.at_points(previous)
         deviation, _ = self._stage("before", model, path.points, path.points, lines)
         self._sign.add(path, deviation, written, lines, held)
+        moved = (written - path.points)[self._linear]
+        self.visited.add(path.points, np.sqrt((moved**2).sum(axis=0)))
         waiting = held.any(axis=0)
         self._uncommanded.add(lines[waiting])
         counted: NDArray[np.int64] | slice = slice(None)

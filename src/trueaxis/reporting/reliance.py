@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from math import isfinite
 
+from trueaxis.compensate.reliance import Reliance
 from trueaxis.runtime.errors import Fit, Undetermined
 from trueaxis.runtime.extent import UncertaintyExtent
 from trueaxis.runtime.measured_range import BeyondMeasured
@@ -32,7 +33,7 @@ def open_sentence(points: int, total: int, largest: float, undetermined: Iterabl
 def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
     """The largest uncertainty of the tool point over positions; where: such as `over the travel`."""
     if extent.unknown == extent.points and not extent.open:
-        return [f"the uncertainty of the tool point {where} is not known: the noise of the readings is not"]
+        return [f"the uncertainty of the tool point {where} is not known: the error values carry none"]
     found = []
     if extent.unknown < extent.points:
         of = " of the positions where it is known" if extent.unknown else ""
@@ -42,6 +43,32 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
             f"at {extent.open} of {extent.points} positions {where} the tool point rests on components that the "
             f"readings did not determine ({', '.join(extent.components) or 'location errors'}): errors of the size to "
             f"be expected would move it by up to {_um(extent.largest_open)}"
+        )
+    return found
+
+
+def program_sentences(reliance: Reliance) -> list[str]:
+    """How far a compensated program relies on what was measured."""
+    found = extent_sentences(reliance.uncertainty, "at the places of the program")
+    found += [
+        f"the program leaves what was measured: {', '.join(one.components)} from {one.axis} = {one.low:g} to "
+        f"{one.high:g} {_unit(one.axis)}, used at {_reached(one)}; the curve is continued there, which nothing supports"
+        for one in reliance.beyond
+    ]
+    return found
+
+
+def refusal_sentences(reliance: Reliance, max_u: float | None) -> list[str]:
+    """Why a program was not written; max_u: the limit that was asked for, mm."""
+    found = []
+    if reliance.too_uncertain and max_u is not None:
+        found.append(above_sentence(reliance.uncertainty.counted, max_u))
+    if reliance.too_large and reliance.allowed_correction is not None:
+        at = " ".join(f"{axis}{value:g}" for axis, value in reliance.correction_at.items())
+        found.append(
+            f"the correction at {at} is {reliance.largest_correction:.4g} mm, more than "
+            f"{reliance.allowed_correction:.4g} mm; --max-correction allows more, or larger sizes in [prior] of the "
+            "spec, if the machine is that far off"
         )
     return found
 
