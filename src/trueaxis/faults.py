@@ -11,8 +11,9 @@ class Fault:
     """One thing wrong with an input file.
 
     file: the file as the user named it; place: key, line or column within it (may be empty);
-    problem: what is wrong; remedy: what would be right (may be empty). As text it is one line, each part of it made
-    safe to show and cut to a length that can be read, whatever an input put into it.
+    problem: what is wrong; remedy: what would be right (may be empty), with further lines where it shows
+    the place. As text each part is one line, safe to show and cut to a length that can be read, whatever an input put
+    into it.
     """
 
     file: str
@@ -21,7 +22,8 @@ class Fault:
     remedy: str = ""
 
     def __str__(self) -> str:
-        file, place, problem, remedy = (shown(part) for part in (self.file, self.place, self.problem, self.remedy))
+        file, place, problem = (shown(part) for part in (self.file, self.place, self.problem))
+        remedy = "\n".join(map(shown, self.remedy.split("\n")))
         where = f"{file}: {place}" if place else file
         return f"{where}: {problem}" + (f"; {remedy}" if remedy else "")
 

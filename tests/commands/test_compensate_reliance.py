@@ -56,11 +56,11 @@ def test_what_is_open_is_said_and_refused_under_a_limit(
 def test_the_limit_is_that_of_the_largest_u_along_the_program(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """EXX alone, with a slope known to 1 %: at X = 540 its u is 54 nm."""
+    """EXX alone, with a slope known to 1 %: at X = 530 its u is 53 nm."""
     errors = written(tmp_path, motion_errors={"EXX": line(1e-5, u=[1e-7])})
-    assert compensate(tmp_path, errors, "--max-u", "0.0000541") == 0
-    assert "from home: 0.054 um" in capsys.readouterr().out
-    assert compensate(tmp_path, errors, "--max-u", "0.0000539") == 1
+    assert compensate(tmp_path, errors, "--max-u", "0.0000531") == 0
+    assert "from home: 0.053 um" in capsys.readouterr().out
+    assert compensate(tmp_path, errors, "--max-u", "0.0000529") == 1
 
 
 def test_values_without_uncertainties_count_as_infinite(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -72,11 +72,11 @@ def test_values_without_uncertainties_count_as_infinite(tmp_path: Path, capsys: 
 def test_corrections_beyond_three_times_the_prior_are_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """0.95 mm at X = 540: 47 sizes of a component, believable in a file, yet far more than is likely."""
-    errors = written(tmp_path, motion_errors={"EXX": line(0.95 / 540.0)})
+    """0.95 mm at X = 530: 47 sizes of a component, believable in a file, yet far more than is likely."""
+    errors = written(tmp_path, motion_errors={"EXX": line(0.95 / 530.0)})
     assert compensate(tmp_path, errors) == 1
     said = capsys.readouterr().out
-    assert "the correction at X540 Y350 Z150 is 0.9" in said
+    assert "the correction at X530 Y350 Z150 is 0.9" in said
     assert "--max-correction" in said
     assert not (tmp_path / "out.nc").exists()
     assert compensate(tmp_path, errors, "--max-correction", "1.0") == 0
@@ -86,7 +86,7 @@ def test_corrections_beyond_three_times_the_prior_are_refused(
 def test_use_beyond_the_measured_range_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     errors = written(tmp_path, motion_errors={"EXX": line(1e-5, measured=[0.0, 400.0])})
     assert compensate(tmp_path, errors) == 0
-    assert "the program leaves what was measured: EXX from X = 0 to 400 mm, used at X = 540" in capsys.readouterr().out
+    assert "the program leaves what was measured: EXX from X = 0 to 400 mm, used at X = 530" in capsys.readouterr().out
 
 
 def test_a_misfit_is_compensated_on_request_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

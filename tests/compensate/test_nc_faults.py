@@ -111,3 +111,27 @@ def test_an_arc_that_bulges_out_of_the_travel(bench: Bench) -> None:
 def test_an_axis_that_the_start_names_must_exist(bench: Bench) -> None:
     with pytest.raises(InputError, match="no axis C"):
         bench.run(HEAD, start={"C": 1.0})
+
+
+@pytest.mark.parametrize(
+    ("block", "words"),
+    [
+        ("G70", r"G70 reads inches \(Siemens, Heidenhain\) or is a lathe cycle .*; write G20"),
+        ("G71", r"G71 reads millimetres \(Siemens, Heidenhain\) or is a lathe cycle .*; leave it out"),
+        ("G38.2 Z1.", "G38.2 probes: where the axes stop"),
+        ("G92.3", "G92.3 restores a shift"),
+        ("G60", r"stops exactly \(Siemens\)"),
+        ("G30", r"defines the blank \(Heidenhain\)"),
+        ("G15", "G15 ends polar coordinates .*--dialect fanuc"),
+        ("G81 Z-1.", "G81 is a canned cycle.*; have its motions written out"),
+    ],
+)
+def test_a_refusal_says_what_the_code_means_on_which_control(bench: Bench, block: str, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        bench.run(f"{HEAD}{block}\n")
+
+
+def test_a_code_that_one_control_makes_harmless(bench: Bench) -> None:
+    assert bench.run(f"{HEAD}G15\nX2.\n", dialect="fanuc") == f"{HEAD}G15\nX2.\n".encode()
+    with pytest.raises(InputError, match="G15 and axis words in one block"):
+        bench.run(f"{HEAD}G15 X2.\n", dialect="fanuc")

@@ -73,3 +73,25 @@ def test_a_block_numbered_by_a_colon_is_a_block(bench: Bench) -> None:
     assert bench.run(":1234\nG0 X1. Y2. Z3.\n:20 G1 X5. F9\n", shifted()) == (
         b":1234\nG0 X0.980 Y2.000 Z3.000\n:20 G1 X4.980 F9\n"
     )
+
+
+def test_a_block_in_machine_coordinates(bench: Bench) -> None:
+    machine = XyzMachine({"EXX": lambda x: 0.02 + 0.0 * x, "EZX": lambda x: 1e-7 * x * x})
+    text = bench.run("G21 G90\nG0 X0. Y0. Z0.\nG53 Z5.\nG53 G0 X500.\nX0.\nG53 G1 X900. F9\n", machine).splitlines()
+    assert text[2:5] == [b"G53 Z5.000", b"G53 G0 X499.980 Z4.975", b"X-0.020 Z5.000"]
+    # a cut block stays one in machine coordinates
+    assert len(text) > 8
+    assert all(line.startswith(b"G53 ") for line in text[5:])
+    assert any("no offset may be active" in note for note in bench.report.notes)
+    assert any("at rapid even under G1" in note for note in bench.report.notes)
+
+
+@pytest.mark.parametrize(
+    ("said", "missing"),
+    [("", ["G20 or G21", "G90 or G91"]), ("G21 ", ["G90 or G91"]), ("G90 ", ["G20 or G21"]), ("G20 G90 ", [])],
+)
+def test_modes_that_are_not_stated_are_noted(bench: Bench, said: str, missing: list[str]) -> None:
+    bench.run(f"{said}G0 X1. Y1. Z1.\nX2.\n")
+    found = [note for note in bench.report.notes if "before this motion" in note]
+    assert len(found) == len(missing)
+    assert all(note.startswith(f"line 1: no {mode}") for note, mode in zip(found, missing, strict=True))

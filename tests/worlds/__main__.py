@@ -35,7 +35,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--curves", choices=("smooth", "prior"), default="smooth")
     parser.add_argument("--effect", nargs=3, action="append", default=[], metavar=("KIND", "COMPONENT", "SIZE"))
     parser.add_argument("--worn", nargs=2, metavar=("COMPONENT", "SIZE"), help="errors.json: the truth before a wear")
-    parser.add_argument("--sessions", action="store_true", help="say in setup.toml which runs are of one session")
+    parser.add_argument(
+        "--sessions",
+        action="store_true",
+        help="say in setup.toml which runs are of one session, and what devices resolve",
+    )
     parser.add_argument("--table", type=int, metavar="N", help="designs FIRST to FIRST + N - 1 as a table")
     parser.add_argument("--first", type=int, default=1, metavar="SEED")
     parser.add_argument(

@@ -22,7 +22,7 @@ def write_world(
     """Write machine.toml, errors.json, data/setup.toml and data/readings.csv.
 
     data: None writes a plan, without readings; given: the values of errors.json, else zeros; sessions: say which runs
-    are of one session (a key of the second round).
+    are of one session, and what the displays resolve (keys of the second round).
     """
     left_out = tuple(effect.component for effect in truth.effects if effect.kind == "squareness")
     (folder / "data").mkdir(parents=True, exist_ok=True)
@@ -68,7 +68,18 @@ def errors_json(machine: Machine, given: Given, left_out: Sequence[str] = ()) ->
 
 def setup_toml(design: Design, *, sessions: bool = False) -> str:
     heads = ["schema = 1", f'machine = "{design.machine.name}"', ""]
-    return "\n".join(heads) + "".join(_run_text(run, sessions) for run in design.plan.runs)
+    devices = _devices(design) if sessions else []
+    return "\n".join(heads) + "".join([*(_run_text(run, sessions) for run in design.plan.runs), *devices])
+
+
+def _devices(design: Design) -> list[str]:
+    """A device per instrument, with the steps of its display where it has some."""
+    found = {}
+    for index, run in enumerate(design.plan.runs):
+        step = float(design.shop.resolution[design.plan.rows(index)[0]])
+        resolves = f"resolution_um = {1e3 * step:.6g}\n" if step else ""
+        found[run.instrument] = f"\n[device.{run.instrument}]\n{resolves}"
+    return list(found.values())
 
 
 def readings_csv(design: Design, reading: Array | None) -> str:
@@ -116,7 +127,7 @@ def _run_text(run: Run, sessions: bool) -> str:
     if run.length is not None:
         lines.append(f"length = {run.length!r}")
     if sessions:
-        lines.append(f'session = "{run.session + 1}"')
+        lines += [f'session = "{run.session + 1}"', f'device = "{run.instrument}"']
     for end, (on, point) in (("target", run.target), ("reference", run.reference)):
         lines.append(f'{end} = {{ on = "{on}", point = {_numbers(point)} }}')
     return "\n".join([*lines, ""])

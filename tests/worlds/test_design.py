@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import tomllib
 from collections import Counter
 from functools import cache
 from pathlib import Path
@@ -100,6 +101,19 @@ def test_velocities_are_those_of_the_path() -> None:
                 speed = plan.velocity[axis][rows]
                 top = np.max(np.abs(speed)) + 1e-3
                 assert speed[1:-1][even] == pytest.approx(middle[even], abs=0.05 * top)
+
+
+def test_setups_say_sessions_and_devices_where_that_is_asked_for() -> None:
+    design = next(d for d in designs() if d.ingredients["sessions"] and d.ingredients["display_steps"])
+    plain, more = (tomllib.loads(setup_toml(design, sessions=wanted)) for wanted in (False, True))
+    assert [run["session"] for run in more["run"]] == [str(run.session + 1) for run in design.plan.runs]
+    steps = {name: table.get("resolution_um", 0.0) for name, table in more["device"].items()}
+    for index, run in enumerate(more["run"]):
+        row = design.plan.rows(index)[0]
+        assert steps[run.pop("device")] == pytest.approx(1e3 * design.shop.resolution[row], abs=1e-9)
+        run.pop("session")
+    more.pop("device")
+    assert more == plain
 
 
 def test_a_seed_gives_the_same_bytes_whatever_the_hash_seed() -> None:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from trueaxis.compensate.apt_statements import number_of
 from trueaxis.compensate.settings import MM_PER_INCH
 
 _PER_MINUTE = {"MMPM": False, "PERMIN": None, "IPM": True}
@@ -18,19 +19,16 @@ class Feed(NamedTuple):
     per_minute: float
 
 
-def split_feed(words: Sequence[str]) -> tuple[list[str], list[str]]:
-    """The numbers and the units of a FEDRAT, upper case."""
+def feed_of(words: Sequence[str], inch: bool) -> Feed | None:
+    """The feed of FEDRAT's words (upper case) in a program in inches or mm; None if they make none."""
     numbers = [word for word in words if word[:1] in "+-.0123456789" and word]
-    return numbers, [word for word in words if word not in numbers]
-
-
-def feed_of(values: Sequence[float], units: Sequence[str], inch: bool) -> Feed | None:
-    """The feed in a program in inches or mm; None if the words make none."""
+    units = [word for word in words if word not in numbers]
     unit = units[0] if len(units) == 1 else "PERMIN" if not units else ""
     table = {**_PER_MINUTE, **_PER_TURN}
-    if len(values) != 1 or unit not in table or values[0] <= 0:
+    value = number_of(numbers[0]) if len(numbers) == 1 else None
+    if value is None or unit not in table or value <= 0:
         return None
-    of_inch, value = table[unit], values[0]
+    of_inch = table[unit]
     if of_inch is not None and of_inch != inch:
         value *= MM_PER_INCH if of_inch else 1.0 / MM_PER_INCH
     turns = unit in _PER_TURN

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from trueaxis.compensate import apt_words
 from trueaxis.compensate.apt_circle import Circle, arcs_through, unit
-from trueaxis.compensate.apt_feed import feed_of, split_feed
+from trueaxis.compensate.apt_feed import feed_of
 from trueaxis.compensate.apt_statements import Statement, decimals_of, number_of, statements
 from trueaxis.compensate.arc_rounding import half_unit
 from trueaxis.compensate.arcs import Arc, ArcError, Vector
@@ -95,7 +95,7 @@ class AptReader:
             yield from motions[major](statement)
         elif major in apt_words.BLOCKS:
             yield from self._block(statement)
-        elif major in apt_words.IGNORED or (major in apt_words.CAN_BE_OFF and self._switched_off(statement)):
+        elif major in apt_words.IGNORED or (major in apt_words.CAN_BE_OFF and apt_words.is_off(statement)):
             if major not in apt_words.TEXT:
                 self._notes.add(statement.line, f"{major} is kept as a comment only")
             yield apt_words.comment(statement.text.strip()) + _EOL
@@ -117,13 +117,8 @@ class AptReader:
             yield f"M30{_EOL}"
         self._ended = self._ended or statement.line
 
-    @staticmethod
-    def _switched_off(statement: Statement) -> bool:
-        return tuple(word.upper() for word in statement.minor) == ("OFF",)
-
     def _block(self, statement: Statement) -> Iterator[Item]:
-        text = apt_words.BLOCKS[statement.major](statement)
-        if text is None:
+        if (text := apt_words.BLOCKS[statement.major](statement)) is None:
             self._faults.add(statement.line, f"{statement.text.strip()[:60]!r} cannot be made an NC block")
             return
         if follow_codes(text, statement.line, self._commanded, self._settings, self._faults, self._notes):
@@ -296,11 +291,7 @@ class AptReader:
         if words == ["RAPID"]:
             self._rapid = True
             return
-        numbers, units = split_feed(words)
-        values = self._numbers(statement, numbers)
-        if values is None:
-            return
-        feed = feed_of(values, units, self._inch)
+        feed = feed_of(words, self._inch)
         if feed is None:
             self._faults.add(
                 statement.line, "FEDRAT is not one positive number with MMPM, IPM, MMPR or IPR", "FEDRAT/100.0,MMPM"

@@ -64,6 +64,11 @@ FAULTY = {
 _ACTIVE = re.compile(r"[ \t]*\w+[ \t]*,")
 
 
+def is_off(statement: Statement) -> bool:
+    """Whether a statement says OFF and nothing else."""
+    return tuple(word.upper() for word in statement.minor) == ("OFF",)
+
+
 def changes_nothing(system: Sequence[float]) -> bool:
     """Whether the numbers of MSYS or CSYS are those of a system that is neither turned nor shifted."""
     neutral = {9: (0, 0, 0, 1, 0, 0, 0, 1, 0), 12: (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)}

@@ -22,8 +22,10 @@ def comment_of(program: Path, dialect: Dialect | None) -> str:
 
     Raises OSError when the file cannot be read.
     """
-    with program.open("rb") as file:
-        head = file.read(_HEAD_BYTES)
+    head = b""
+    if program.is_file():  # a pipe can be read only once
+        with program.open("rb") as file:
+            head = file.read(_HEAD_BYTES)
     semicolon = dialect in {"siemens", "heidenhain"} or (
         dialect is None and b"(" not in head and (b";" in head or program.suffix.lower() in _SEMICOLON)
     )

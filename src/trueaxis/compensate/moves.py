@@ -64,7 +64,7 @@ class Move(NamedTuple):
 
 
 class Start(NamedTuple):
-    """Where the machine stands before the next move, uncompensated, mm and deg."""
+    """Where the machine stands before the next move, uncompensated, mm and deg; NaN where that is not known."""
 
     position: tuple[float, ...]
 

@@ -4,6 +4,7 @@ What it does not follow is a fault of its line; nothing that could move an axis 
 decimal point count is for `--integers` to say. A program says where its modes begin: until it does, G90 G21 G17.
 """
 
+import math
 import re
 from collections.abc import Iterable, Iterator
 
@@ -30,6 +31,9 @@ _PLAIN = re.compile(
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
+MACHINE_COORDINATES = (
+    "a G53 block: the blocks without G53 are read in machine coordinates too, so no offset may be active"
+)
 MACHINE_FEED = "some controls make a G53 block at rapid even under G1"
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 
@@ -48,8 +52,8 @@ class NcReader:
 
     def items(self, lines: Iterable[str]) -> Iterator[Item]:
         """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
-        if self._state.known:
-            yield Start(tuple(value for value in self._state.position if value is not None))
+        if self._settings.start:
+            yield Start(tuple(math.nan if value is None else value for value in self._state.position))
         plain = _PLAIN.fullmatch
         for number, line in enumerate(lines, 1):
             match = plain(line)
@@ -182,15 +186,14 @@ class NcReader:
             return
         if self._settings.undotted == "least-increment":
             meaning.count_in_least_increments(self._state.inch)
-        elif self._settings.undotted is None:
-            if not self._undotted_said:
-                letters = " ".join(sorted(meaning.undotted))
-                self._faults.add(
-                    number,
-                    f"{letters} without a decimal point: X100 is 100 mm on some controls and 0.1 mm on others",
-                    "say --integers mm (or inch, deg) or --integers least-increment (0.001 mm, 0.0001 inch, 0.001 deg)",
-                )
+        elif self._settings.undotted is None and not self._undotted_said:
             self._undotted_said = True
+            letters = " ".join(sorted(meaning.undotted))
+            self._faults.add(
+                number,
+                f"{letters} without a decimal point: X100 is 100 mm on some controls and 0.1 mm on others",
+                "say --integers mm (or inch, deg) or --integers least-increment (0.001 mm, 0.0001 inch, 0.001 deg)",
+            )
 
     def _move(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> Move | None:
         if not meaning.positions or meaning.complaints or not self._may_move(number, meaning):
@@ -274,8 +277,8 @@ class NcReader:
         elif state.motion < 2 and (meaning.centre or meaning.radius is not None):
             self._faults.add(number, f"I J K R belong to arcs, but G{state.motion} is in force")
         else:
-            if meaning.in_machine_coordinates and state.motion == 1:
-                self._notes.add(number, MACHINE_FEED)
+            if meaning.in_machine_coordinates:
+                self._notes.add(number, MACHINE_FEED if state.motion else MACHINE_COORDINATES)
             return True
         return False
 

@@ -49,11 +49,6 @@ class NcState:
         self.row = {axis: number for number, axis in enumerate(self.axes)}
 
     @property
-    def known(self) -> bool:
-        """Whether the position of every axis is known."""
-        return None not in self.position
-
-    @property
     def feed_in_minutes(self) -> float:
         """F in force, mm/min or deg/min; NaN where it is not known or counts by turns."""
         return math.nan if self.per_turn else self.feed

@@ -38,8 +38,10 @@ class BlockWriter:
 
         owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
         before them (NaN: not known); steps: (n_axes, n), mm or deg per step of a word; programmed: end and start of the
-        move that each belongs to, (n_axes, n).
+        move that each belongs to, (n_axes, n). Raises ValueError rather than write a position that is not finite.
         """
+        if not np.isfinite(positions).all():
+            raise ValueError("a position to be written is not finite")
         absolute = np.array([move.absolute for move in moves])[owner]
         with np.errstate(invalid="ignore"):
             stays = np.abs(positions - previous) < _HOLDS
