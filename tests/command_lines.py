@@ -16,7 +16,7 @@ KERNELS = ROOT / "generated"
 ERRORS = ROOT / "machines" / "dmu60p_errors.json"
 PLAN = ROOT / "machines" / "dmu60p_runs"
 REGULAR = ROOT / "machines" / "dmu60p_regular_runs"
-NC = "G90 G1 X270 Y350 Z150 F1000\nX280\n"
+NC = "G90 G1 X270. Y350. Z150. F1000\nX280.\n"
 PROGRAM = "import sys; from trueaxis.__main__ import main; sys.exit(main())"
 
 # name of a run -> its words; {out} is where it writes

@@ -132,7 +132,7 @@ def test_every_command_may_be_stopped_at_any_moment(inputs: Path, tmp_path: Path
 def test_the_code_names_the_signal(inputs: Path, tmp_path: Path, name: str, number: signal.Signals) -> None:
     if name == "compensate":  # a program that takes long
         long = tmp_path / "long.nc"
-        long.write_text("G90 G1 F1000 X270 Y350 Z150\n" + "X280\nX270\n" * 400_000)
+        long.write_text("G90 G1 F1000 X270. Y350. Z150.\n" + "X280.\nX270.\n" * 400_000)
         words = COMMANDS[name].replace("part.nc", str(long)).format(out=tmp_path / "out")
     else:
         words = {**COMMANDS, "demo": "demo --out {out}"}[name].format(out=tmp_path / "out")

@@ -10,7 +10,7 @@ from typing import TextIO
 
 from trueaxis.plain_text import escaped
 
-NOT_DELIVERED = 3  # exit code: all was done, but standard output could not take the text
+NOT_DELIVERED = 1  # exit code: all was done, but standard output could not take the text
 _LAYOUT = "\n\t"
 
 

@@ -9,7 +9,7 @@ import pytest
 from tests.identify.test_command import ERRORS, KERNELS, MACHINE, identify, simulated
 from trueaxis.cli import main
 
-PROGRAM = "G21 G90 G17\nG0 X0. Y0. Z0.\nG1 X270. Y350. Z150. F1000\nX540.\nM2\n"
+PROGRAM = "G21 G90 G17\nG0 X0. Y0. Z0.\nG1 X270. Y350. Z150. F1000\nX530.\nM2\n"
 
 
 def compensate(folder: Path, errors: Path, *options: str, program: str = PROGRAM) -> int:

@@ -149,7 +149,7 @@ class TestFaults:
         with pytest.raises(SystemExit) as stop:
             diagnose(tmp_path / "out", tmp_path, "--noise-um", noise)
         assert stop.value.code == 2
-        assert "a finite number above 0" in capsys.readouterr().err
+        assert "a number of micrometres from 1e-06 to 10000" in capsys.readouterr().err
 
     @pytest.mark.parametrize(
         ("inputs", "words"),

@@ -6,12 +6,12 @@ import numpy as np
 
 from trueaxis.identify.global_fit.describe_effects import effect_shares, effect_unknowns
 from trueaxis.identify.global_fit.design import Design
+from trueaxis.identify.global_fit.measured_range import measured_ranges
 from trueaxis.identify.global_fit.result import OPEN, GlobalResult
 from trueaxis.identify.machine import units
 from trueaxis.identify.report import ComponentReport, InstrumentReport, Known, LocationReport
 from trueaxis.identify.words import Share, enumerated, slope_unit, split_apart, together, unit_of
 from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_model import home_positions
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import Undetermined
 
@@ -47,21 +47,6 @@ def curves(result: GlobalResult) -> dict[str, PolynomialCurve]:
         curve = plan.curve(place, result.unknowns, u)
         found[plan.machine.components[component]] = replace(curve, measured=measured[place])
     return found
-
-
-def measured_ranges(design: Design) -> list[tuple[float, float] | None]:
-    """Of each component, the lowest and highest position at which a reading, or its zero at home, holds it."""
-    plan, observed = design.layout, design.observed
-    low, high = np.full(plan.components.size, np.inf), np.full(plan.components.size, -np.inf)
-    for rows, piece in design.pieces():
-        positions = observed.positions[:, rows]
-        home = home_positions(observed.runs[int(observed.run[rows[0]])], plan.machine.axes)
-        for place, axis in enumerate(plan.axis):
-            held = piece[:, plan.of_component(place)].any(axis=1)
-            if held.any():
-                at = positions[axis, held] if home is None else np.append(positions[axis, held], home[axis])
-                low[place], high[place] = min(low[place], at.min()), max(high[place], at.max())
-    return [(float(a), float(b)) if a <= b else None for a, b in zip(low, high, strict=True)]
 
 
 def location_u(result: GlobalResult) -> dict[str, float]:
