@@ -29,8 +29,8 @@ def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
         prog="trueaxis",
         description="Geometric errors of machine tools: derive the model of a machine from a short spec, identify its "
         "errors from laser, ball-bar and probe data, compensate its NC programs, name what the model lacks.",
-        epilog="trueaxis COMMAND --help tells more of each. Exit codes: 0 done; 1 done, and the answer is no, or standard "
-        "output could not take it; 2 the input is wrong, every fault is listed and no output file was touched.",
+        epilog="trueaxis COMMAND --help tells more of each. Exit codes: 0 done; 1 done, and the answer is no, or "
+        "standard output could not take it; 2 the input is wrong, every fault is listed, no output file was touched.",
     )
     parser.add_argument("--version", action="version", version=f"trueaxis {__version__}")
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
