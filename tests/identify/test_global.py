@@ -1,6 +1,5 @@
 """All readings at once: against the independent generator, and against scipy on a small case."""
 
-import time
 import tracemalloc
 from collections.abc import Sequence
 from dataclasses import replace
@@ -270,14 +269,11 @@ def _many(runs: Sequence[Run], count: int) -> Observations:
 
 
 @pytest.mark.slow
-def test_hundred_thousand_readings_take_seconds_and_bounded_memory() -> None:
+def test_hundred_thousand_readings_take_bounded_memory() -> None:
     runs = paper_runs()
     machine, data = Linear(dmu60p()), _many(runs, 99_990)
-    start = time.perf_counter()
     found = identify_global(machine, data)  # type: ignore[arg-type]
-    elapsed = time.perf_counter() - start
     assert found.report.blocks[0].unknowns == 18 * 7 + 3
-    assert elapsed < 60.0  # 1.2 s on an idle machine of four cores
     tracemalloc.start()
     identify_global(machine, data)  # type: ignore[arg-type]
     peak = tracemalloc.get_traced_memory()[1]

@@ -93,7 +93,22 @@ def test_a_setup_that_says_nothing_is_reported(tmp_path: Path, capsys: pytest.Ca
 
 def test_the_way_to_the_file_is_kept_in_another_folder(tmp_path: Path) -> None:
     text = 'schema = 1\n# compensation = "old.json"\ncompensation = "active.json"  # as of May\n'
-    moved = moved_setup(text, tmp_path / "a", tmp_path / "b" / "c")
+    source = tmp_path / "a"
+    source.mkdir()
+    (source / "setup.toml").write_text(text)
+    moved = moved_setup(source, tmp_path / "b" / "c").decode()
     assert moved == text.replace('"active.json"', '"../../a/active.json"')
-    assert moved_setup(text, tmp_path / "a", tmp_path / "a") == text
-    assert moved_setup("schema = 1\n", tmp_path / "a", tmp_path / "b") == "schema = 1\n"
+    assert moved_setup(source, source).decode() == text
+    (source / "setup.toml").write_bytes(b"\xef\xbb\xbfschema = 1\r\n")
+    assert moved_setup(source, tmp_path / "b") == b"\xef\xbb\xbfschema = 1\r\n"
+
+
+def test_a_proposed_plan_keeps_the_way_to_the_file(tmp_path: Path) -> None:
+    data, out = tmp_path / "data", tmp_path / "more" / "plan"
+    assert simulated(PLAN, data) == 0
+    (tmp_path / "active.json").write_text('{"schema": 1, "machine": "dmu60p"}')
+    setup = data / "setup.toml"
+    setup.write_text(setup.read_text().replace("schema = 1\n", 'schema = 1\ncompensation = "../active.json"\n', 1))
+    arguments = ["plan", str(MACHINE), "--data", str(data), "--degree", "2"]
+    assert main([*arguments, "--propose", "1", "--out", str(out), *KERNELS]) == 0
+    assert 'compensation = "../../active.json"' in (out / "setup.toml").read_text()

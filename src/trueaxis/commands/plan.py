@@ -11,8 +11,10 @@ from trueaxis.commands.measured import read_measured
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
+from trueaxis.input_files import utf8_text
 from trueaxis.measure import readings as readings_files
 from trueaxis.measure import setup as setup_file
+from trueaxis.measure.active_compensation import moved_setup
 from trueaxis.measure.readings import Readings, dump_readings
 from trueaxis.plan.candidates import Candidate
 from trueaxis.plan.extended import setup_text, with_runs
@@ -140,7 +142,9 @@ def _no_motion_errors(machine: Machine, known: ErrorValues | None) -> ErrorValue
 def _extended(args: argparse.Namespace, runs: Sequence[Candidate], given: Readings) -> dict[Path, bytes | str]:
     setup = args.data / setup_file.FILE_NAME
     return {
-        args.out / setup_file.FILE_NAME: setup_text(setup.read_text(encoding="utf-8"), runs, str(setup)),
+        args.out / setup_file.FILE_NAME: setup_text(
+            utf8_text(setup, moved_setup(args.data, args.out)), runs, str(setup)
+        ),
         args.out / readings_files.FILE_NAME: dump_readings(with_runs(given, runs)),
     }
 

@@ -12,7 +12,7 @@ from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.believable_setup import setup_faults
-from trueaxis.input_files import gathering, utf8_text
+from trueaxis.input_files import gathering
 from trueaxis.measure import readings as readings_files
 from trueaxis.measure import setup as setup_file
 from trueaxis.measure.active_compensation import active_values, compensated_part, moved_setup
@@ -93,7 +93,7 @@ def run(args: argparse.Namespace) -> int:
     check_simulated(simulated, str(readings_path(args.data)))
     write_files(
         {
-            args.out / setup_file.FILE_NAME: _setup_for(args.out, args.data),
+            args.out / setup_file.FILE_NAME: moved_setup(args.data, args.out),
             args.out / readings_files.FILE_NAME: dump_readings(simulated),
         }
     )
@@ -101,19 +101,6 @@ def run(args: argparse.Namespace) -> int:
     told = f"; {kept} were there already and stay (--replace makes them anew)" if kept else ""
     print(f"{named(args.out)}: {len(setup.runs)} runs, {len(readings.run) - kept} readings made{told}")
     return 0
-
-
-def _setup_for(out: Path, data: Path) -> bytes:
-    """The setup as it is, but for the way to the values of an active compensation."""
-    path = data / setup_file.FILE_NAME
-    given = path.read_bytes()
-    text = utf8_text(path, given)
-    try:
-        moved = moved_setup(text, data, out)
-    except ValueError:
-        problem = "cannot be written for another folder"
-        raise InputError([Fault(str(path), "key compensation", problem, "a text of one line in quotes")]) from None
-    return given if moved == text else moved.encode()
 
 
 def _faults_of_out(args: argparse.Namespace) -> list[Fault]:

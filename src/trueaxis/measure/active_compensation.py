@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.faults import Fault, InputError
+from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.measure.context import context_of
 from trueaxis.measure.context_needs import faults_of_readings
 from trueaxis.measure.data import MeasuredData
@@ -23,8 +24,8 @@ from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import expected_readings, ideal_reading
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import FILE_NAME, Run, Setup
-from trueaxis.runtime.errors import ErrorValues, read_errors
-from trueaxis.runtime.model import MachineModel
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.model import MachineModel, load_errors
 from trueaxis.spec import Machine
 
 _KEY = re.compile(r"""^([ \t]*(?:compensation|"compensation")[ \t]*=[ \t]*)("(?:[^"\\\n]|\\.)*"|'[^'\n]*')""", re.M)
@@ -39,14 +40,7 @@ def active_values(folder: Path, setup: Setup, machine: Machine) -> ErrorValues |
     if key is None or key.file is None:
         return None
     try:
-        return read_errors(
-            folder / key.file,
-            machine=machine.name,
-            components=machine.components,
-            parameters=machine.parameters,
-            effects=machine.effects,
-            kinds=machine.kinds,
-        )
+        return load_errors(folder / key.file, machine)
     except InputError as error:
         remedy = 'the error values that the control worked with, or "none"'
         raise InputError(
@@ -81,18 +75,22 @@ def uncompensated(model: MachineModel, data: MeasuredData, active: ErrorValues) 
     return replace(data, readings=replace(data.readings, reading=data.readings.reading + added))
 
 
-def moved_setup(text: str, source: Path, target: Path) -> str:
+def moved_setup(source: Path, target: Path) -> bytes:
     """setup.toml of the folder `source` as it must read in `target`: its `compensation` leads to the same file.
 
-    Raises ValueError where the key is no text of one line.
+    Raises InputError where the key is no text of one line.
     """
+    path = source / FILE_NAME
+    given = input_bytes(path)
+    text = utf8_text(path, given)
     tree = tomllib.loads(text)
     file = tree.get("compensation", "none")
     if file == "none" or (target / file).resolve() == (source / file).resolve():
-        return text
-    path = Path(os.path.relpath((source / file).resolve(), target.resolve())).as_posix()
+        return given
+    way = Path(os.path.relpath((source / file).resolve(), target.resolve())).as_posix()
     for found in _KEY.finditer(text):
-        moved = f"{text[: found.end(1)]}{json.dumps(path)}{text[found.end() :]}"
-        if tomllib.loads(moved) == tree | {"compensation": path}:
-            return moved
-    raise ValueError("the key compensation cannot be changed in place")
+        moved = f"{text[: found.end(1)]}{json.dumps(way)}{text[found.end() :]}"
+        if tomllib.loads(moved) == tree | {"compensation": way}:
+            return moved.encode()
+    problem = "cannot be written for another folder"
+    raise InputError([Fault(str(path), "key compensation", problem, "a text of one line in quotes")])

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from itertools import combinations
-from time import perf_counter
 
 import numpy as np
 import pytest
@@ -228,12 +227,3 @@ def test_the_table_shows_both_sides() -> None:
     assert f"{fit.after.residual_standard_error * 1e6:.5g}" in table[2]
     dropped = set(range(1, 8)) - set(fit.after.powers)
     assert {int(line.split()[2][2:]) for line in table if line.endswith("-")} == dropped
-
-
-def test_eighteen_fits_of_a_hundred_points_are_quick() -> None:
-    x = np.linspace(0.0, 700.0, 100)
-    values = [noisy(seed, x) for seed in range(18)]
-    start = perf_counter()
-    for y in values:
-        fit_optimal(x, y)
-    assert perf_counter() - start < 2.0
