@@ -37,7 +37,7 @@ def test_what_the_campaign_changes_is_right_before(
     monkeypatch.setenv("TRUEAXIS_BACKEND", "numpy")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        outcomes = [judged(reader, case_of(reader, seed, valid=True), tmp_path / "case") for seed in range(5)]
+        outcomes = [judged(reader, case_of(reader, seed, valid=True), tmp_path / "case") for seed in range(8)]
     assert not [one for one in outcomes if one.state == "finding"]
     assert sum(one.state in ("read", "done", "answered no") for one in outcomes) >= 3, outcomes
 

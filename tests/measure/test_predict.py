@@ -16,6 +16,7 @@ from tests.measure.command_line import errors_tree, run
 from trueaxis.commands import predict as command
 from trueaxis.faults import InputError
 from trueaxis.measure.points import read_points
+from trueaxis.measure.predict import check_predicted
 
 
 @pytest.fixture
@@ -67,7 +68,7 @@ def test_a_curve_given_as_a_table_is_followed_through_its_points(tmp_path: Path,
 
 
 @pytest.mark.parametrize("value", [1e300, -1e308, 1e3])
-def test_deviations_that_cannot_be_are_not_written(tmp_path: Path, value: float) -> None:
+def test_error_values_that_cannot_be_are_not_used(tmp_path: Path, value: float) -> None:
     tree = {"schema": 1, "machine": "dmu60p", "parameters": {"eps_xy": value}}
     curve = {"basis": "polynomial", "powers": [3], "coefficients": [value]}
     errors, at, out = tmp_path / "e.json", tmp_path / "points.csv", tmp_path / "out.csv"
@@ -75,12 +76,16 @@ def test_deviations_that_cannot_be_are_not_written(tmp_path: Path, value: float)
     at.write_text("X,Y,Z\n0,0,0\n100,10,0\n")
     with pytest.raises(InputError) as raised:
         run(command, "--errors", errors, "--at", at, "--out", out)
-    (fault,) = raised.value.faults
-    assert fault.file == str(errors)
-    assert fault.problem.startswith("at 1 of 2 points the tool would deviate too far: ")
-    assert fault.problem.endswith(" mm in row 2")
-    assert "errors in mm and rad" in fault.remedy
+    assert sorted(fault.place for fault in raised.value.faults) == ["motion_errors.EXX", "parameters.eps_xy"]
     assert not out.exists()
+
+
+def test_deviations_that_cannot_be_are_not_written() -> None:
+    """Effects whose parameters have no size to expect may still make the tool deviate without bounds."""
+    deviation = np.array([[0.0, 20.0, np.nan], [0.0, 0.0, 0.0], [0.0, 0.0, np.inf]])
+    with pytest.raises(InputError, match=r"e\.json: at 2 of 3 points the tool would deviate too far: 20 mm in row 2"):
+        check_predicted(deviation, np.full(3, 0.1), "e.json")
+    check_predicted(deviation[:, :1], np.full(1, 0.1), "e.json")
 
 
 def test_no_points_give_no_rows(tmp_path: Path, errors: Path) -> None:

@@ -17,7 +17,7 @@ from trueaxis.measure.predict import check_predicted, predict
 from trueaxis.reporting.reliance import above_sentence, misfit_sentence, open_sentence, range_sentences
 from trueaxis.runtime.measured_range import beyond_measured
 from trueaxis.runtime.model import MachineModel, load_model
-from trueaxis.runtime.uncertainty import ToolUncertainty, home_of, load_uncertainty, tool_uncertainty
+from trueaxis.runtime.uncertainty import ToolUncertainty, home_of, load_uncertainty, prior_size, tool_uncertainty
 from trueaxis.spec import read_machine
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def run(args: argparse.Namespace) -> int:
         model = model.in_context(points.context)
     datum = home_of(model) if args.datum == "home" else None
     deviation = predict(model, points, datum)
-    check_predicted(deviation, str(args.errors))
+    check_predicted(deviation, prior_size(model, points.positions, points.tool), str(args.errors))
     uncertainty = tool_uncertainty(model, covariance, points.positions, points.tool, datum=datum)
     largest = np.max(np.where(np.isnan(uncertainty.u), np.inf, uncertainty.u), initial=0.0)
     for sentence in _reliance(model, points, uncertainty):

@@ -5,9 +5,11 @@ import numpy as np
 from trueaxis.faults import Fault, InputError
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.points import Points
-from trueaxis.measure.readings_reader import LARGEST_READING
+from trueaxis.runtime.believable import MOST_SIZES
 from trueaxis.runtime.context import Context
 from trueaxis.runtime.model import MachineModel
+
+ROUNDING = 1e-9  # mm: what a machine without errors may seem to deviate by
 
 
 def predict(machine: MachineModel, points: Points, datum: FloatArray | None = None) -> FloatArray:
@@ -28,14 +30,17 @@ def predict(machine: MachineModel, points: Points, datum: FloatArray | None = No
         return deviation - still.deviation(at_datum, tool)
 
 
-def check_predicted(deviation: FloatArray, file: str) -> None:
-    """Raise InputError where a deviation is none that a reading could have: error values in another unit, or too large.
+def check_predicted(deviation: FloatArray, expected: FloatArray, file: str) -> None:
+    """Raise InputError where a deviation is none that a machine has: curves that run away beyond what was measured,
+    parameters of effects in another unit.
 
-    deviation: (3, n), mm; file: the error values, which the fault is of.
+    deviation: (3, n), mm; expected: (n,), length that the prior lets expect, mm; file: the error values.
     """
-    wrong = np.flatnonzero(~(np.abs(deviation) <= LARGEST_READING).all(axis=0))
+    limit = MOST_SIZES * expected + ROUNDING
+    wrong = np.flatnonzero(~(np.abs(deviation) <= limit).all(axis=0))
     if len(wrong):
-        largest = np.abs(deviation[:, wrong[0]]).max()
+        row = wrong[0]
+        largest = np.abs(deviation[:, row]).max()
         problem = f"at {len(wrong)} of {deviation.shape[1]} points the tool would deviate too far: {largest:.6g} mm"
-        remedy = f"errors in mm and rad, deviations of at most {LARGEST_READING:g} mm"
-        raise InputError([Fault(file, "", f"{problem} in row {wrong[0] + 1}", remedy)])
+        remedy = f"at most {limit[row]:.4g} mm, {MOST_SIZES:g} times the prior; positions that were measured"
+        raise InputError([Fault(file, "", f"{problem} in row {row + 1}", remedy)])

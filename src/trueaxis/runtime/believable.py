@@ -6,7 +6,7 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect
 from trueaxis.faults import Faults
-from trueaxis.runtime.curves import Curve
+from trueaxis.runtime.curves import Curve, TableCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.strict_json import JsonPath, key_path
 from trueaxis.spec.machine import Machine, component_unit
@@ -15,11 +15,14 @@ from trueaxis.spec.machine import Machine, component_unit
 # an offset of 100 mm: a belt-driven router stays below, a value in um taken for mm does not.
 MOST_SIZES = 100.0
 LARGEST_DIMENSION = 1e5  # mm: ten times the largest machines built
-_SAMPLES = 257  # positions of a travel; a polynomial of degree 15 is followed to 1 % of its range
+_SAMPLES = 257  # positions; a polynomial of degree 15 is followed to 1 % of its range
 
 
 def check_believable(machine: Machine, errors: ErrorValues, faults: Faults) -> None:
-    """Note every value that is not finite over the travel, or larger than `MOST_SIZES` times what the prior expects."""
+    """Note every value that is not finite, or larger than `MOST_SIZES` times what the prior expects.
+
+    A curve is judged where it was measured; where it does not say, over the travel.
+    """
     for path, size, limit, unit in _sizes(machine, errors):
         if not size <= limit:
             scale, shown = (1e3, "um") if unit == "mm" else (1e6, "urad")
@@ -40,7 +43,12 @@ def _sizes(machine: Machine, errors: ErrorValues) -> Iterator[tuple[JsonPath, fl
     prior = machine.prior
     for name, curve in errors.motion_errors.items():
         limit = MOST_SIZES * prior.of_component(name)
-        yield ("motion_errors", name), _largest(curve, machine.travel[name[2]]), limit, component_unit(name)
+        yield (
+            ("motion_errors", name),
+            _largest(curve, curve.measured or machine.travel[name[2]]),
+            limit,
+            component_unit(name),
+        )
     for name in machine.location_errors:
         if name in errors.parameters:
             unit = machine.parameter_unit(name)
@@ -65,8 +73,10 @@ def _limit_of_effect(machine: Machine, effect: Effect) -> tuple[float, str]:
     return MOST_SIZES * machine.prior.location_length, "mm"
 
 
-def _largest(curve: Curve, travel: tuple[float, float]) -> float:
-    """Largest absolute value over the travel; infinite or NaN where it overflows."""
+def _largest(curve: Curve, ends: tuple[float, float]) -> float:
+    """Largest absolute value from one end to the other; infinite where it overflows."""
+    if isinstance(curve, TableCurve):
+        return float(np.max(np.abs(curve.values)))
     with np.errstate(over="ignore", invalid="ignore"):
-        values = np.abs(curve(np.linspace(*travel, _SAMPLES)))
+        values = np.abs(curve(np.linspace(*ends, _SAMPLES)))
     return float(np.max(values)) if np.isfinite(values).all() else float("inf")
