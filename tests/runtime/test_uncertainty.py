@@ -121,9 +121,14 @@ def test_a_combination_that_moves_no_tool_is_not_open(model: MachineModel) -> No
         root=np.zeros((2, 1)),
         open=open_pair,
     )
-    assert not tool_uncertainty(model, pair, AT, TOOL, datum=None).open.any()
+    assert not tool_uncertainty(model, pair, AT, np.zeros((3, 1)), datum=None).open.any()
+    assert not tool_uncertainty(model, pair, AT, TOOL, datum=home_of(model)).open.any()
+    # the carriage is askew itself, and a tool that reaches out shows it: 100 urad on 35 and 12 mm
+    reaching = tool_uncertainty(model, pair, AT, TOOL, datum=None).open
+    np.testing.assert_allclose(reaching, np.array([[35.0], [12.0], [0.0]]) * 100e-6 * np.ones((1, 4)), rtol=1e-6)
+    assert uncertainty_extent(model, pair, AT, TOOL).shift == pytest.approx(35.0 * 100e-6, rel=1e-6)
     alone = replace(pair, open=np.array([[0.0], [1.0]]))
-    moved = tool_uncertainty(model, alone, AT, TOOL, datum=None)
+    moved = tool_uncertainty(model, alone, AT, TOOL, datum=home_of(model))
     # 100 urad of the prior: the X carriage stands askew and carries the tool off by 100 urad times its way
     assert moved.open[1, 2] == pytest.approx(100e-6 * 540.0, rel=1e-6)
     assert np.isnan(moved.u[1, 2])
@@ -209,7 +214,7 @@ def test_edited_values_do_not_keep_their_uncertainties(model: MachineModel, tmp_
     with pytest.raises(InputError, match=r"the values were edited since e\.npz was written"):
         load_uncertainty(path, load_errors(path, machine), machine)
     (tmp_path / "e.npz").unlink()
-    with pytest.raises(InputError, match="there is no such file"):
+    with pytest.raises(InputError, match=r"e\.npz, the covariance of these values, is not beside them"):
         load_uncertainty(path, replace(errors), machine)
 
 

@@ -32,6 +32,8 @@ def open_sentence(points: int, total: int, largest: float, undetermined: Iterabl
 
 def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
     """The largest uncertainty of the tool point over positions; where: such as `over the travel`."""
+    if not extent.points:
+        return []
     if extent.unknown == extent.points and not extent.open:
         return [f"the uncertainty of the tool point {where} is not known: the error values carry none"]
     found = []
@@ -50,6 +52,12 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
 def program_sentences(reliance: Reliance) -> list[str]:
     """How far a compensated program relies on what was measured."""
     found = extent_sentences(reliance.uncertainty, "at the places of the program")
+    if reliance.uncertainty.shift:
+        found.append(
+            "the squareness that is a convention tilts the tool: this tool point may be off by up to "
+            f"{_um(reliance.uncertainty.shift)}, the same everywhere; set the work offset with this tool and with the "
+            "compensated positions, and do so again for a tool of another length"
+        )
     found += [
         f"the program leaves what was measured: {', '.join(one.components)} from {one.axis} = {one.low:g} to "
         f"{one.high:g} {_unit(one.axis)}, used at {_reached(one)}; the curve is continued there, which nothing supports"

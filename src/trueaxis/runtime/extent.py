@@ -21,6 +21,8 @@ class UncertaintyExtent:
     points: how many; largest_u: largest standard uncertainty of a coordinate, mm, of those that are known (0: none);
     unknown: positions at which an uncertainty is not known; open: those of them that rest on what nothing determines;
     largest_open: by how much that moves the tool at the size of the prior, mm; components: those that are open there.
+    shift: by how much what nothing determines may displace this tool point against the origin of the tool frame, the
+    same everywhere, at the size of the prior, mm.
     """
 
     points: int
@@ -29,6 +31,7 @@ class UncertaintyExtent:
     open: int
     largest_open: float
     components: tuple[str, ...]
+    shift: float = 0.0
 
     @property
     def counted(self) -> float:
@@ -41,6 +44,7 @@ def uncertainty_extent(
 ) -> UncertaintyExtent:
     """The largest uncertainty over positions (n_axes, n), mm or deg, of the point `tool` (3, 1), mm, datum home."""
     uncertainty = tool_uncertainty(model, covariance, positions, tool, datum=home_of(model))
+    at_home = tool_uncertainty(model, covariance, home_of(model), tool, datum=None)
     known = np.where(np.isnan(uncertainty.u), 0.0, uncertainty.u)
     rests = (uncertainty.open > 0.0).any(axis=0)
     return UncertaintyExtent(
@@ -50,6 +54,7 @@ def uncertainty_extent(
         open=int(rests.sum()),
         largest_open=float(uncertainty.open.max(initial=0.0)),
         components=_open_components(model, covariance, positions[:, rests][:, :_MOST_POSITIONS], tool),
+        shift=float(at_home.open.max()),
     )
 
 

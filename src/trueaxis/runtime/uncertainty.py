@@ -53,6 +53,9 @@ def load_uncertainty(path: Path, errors: ErrorValues, machine: Machine, file: Pa
     if link.sha256_of_values != digest_of_values(errors):
         problem = f"the values were edited since {link.file} was written: its uncertainties are not theirs"
         raise InputError([Fault(str(path), "covariance", problem, "remove the key covariance, or identify again")])
+    if not (path.parent / link.file).exists():
+        problem = f"{link.file}, the covariance of these values, is not beside them"
+        raise InputError([Fault(str(path), "covariance", problem, "copy it as well, or remove the key covariance")])
     return read_covariance(path.parent / link.file, machine)
 
 
@@ -95,22 +98,24 @@ def tool_uncertainty(
     """Uncertainty of the deviation of tool points.
 
     positions: (n_axes, n), mm or deg; tool: (3, 1) or (3, n), mm; datum: (n_axes, 1), the position at which the
-    deviation is taken as zero (work offsets are touched off there), None: none. What is open is judged by how it moves
-    the point from home, whatever the datum: a displacement that is the same everywhere is a matter of convention.
-    Memory is bounded whatever n is.
+    deviation is taken as zero (work offsets are touched off there with the same tool), None: none. Without a datum what
+    is open is judged by how it moves the point from where the origin of the tool frame is at home: a squareness that
+    is a convention tilts the tool, and a longer tool shows that. Memory is bounded whatever n is.
     """
     n = positions.shape[1]
     u, opened = np.full((3, n), np.nan), np.zeros((3, n))
-    steps, home = open_steps(model.machine, covariance), home_of(model)
+    steps = open_steps(model.machine, covariance)
     for rows in _pieces(n, covariance.count):
         here = tool if tool.shape[1] == 1 else np.ascontiguousarray(tool[:, rows])
         by_value = derivative(model, covariance, np.ascontiguousarray(positions[:, rows]), here)
-        moved = _rows(by_value - derivative(model, covariance, _as_many(home, here), here))
+        if datum is None:
+            moved = _rows(by_value - derivative(model, covariance, home_of(model), np.zeros((3, 1))))
+        else:
+            by_value = by_value - derivative(model, covariance, _as_many(datum, here), here)
+            moved = _rows(by_value)
         opened[:, rows] = np.abs(moved @ steps).max(axis=1, initial=0.0).reshape(3, -1)
         if covariance.root is not None:
-            if datum is not None:
-                moved = _rows(by_value - derivative(model, covariance, _as_many(datum, here), here))
-            spread = (_rows(by_value) if datum is None else moved) @ covariance.root
+            spread = _rows(by_value) @ covariance.root
             u[:, rows] = np.sqrt((spread**2).sum(axis=1)).reshape(3, -1)
     opened[opened <= OPEN_MOVES] = 0.0
     u[opened > 0.0] = np.nan
