@@ -1,6 +1,7 @@
 """Uncertainty of the tool point: from a covariance, from the values' own u, and what nothing determines."""
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,8 +9,10 @@ import numpy as np
 import pytest
 
 from tests.machines import ROOT
+from trueaxis.cli import main
 from trueaxis.faults import InputError
 from trueaxis.runtime.bases import HatBasis, LegendreBasis, PowerBasis, unmeasured_basis
+from trueaxis.runtime.context import Context
 from trueaxis.runtime.covariance import (
     Covariance,
     digest_of_values,
@@ -123,10 +126,10 @@ def test_a_combination_that_moves_no_tool_is_not_open(model: MachineModel) -> No
     )
     assert not tool_uncertainty(model, pair, AT, np.zeros((3, 1)), datum=None).open.any()
     assert not tool_uncertainty(model, pair, AT, TOOL, datum=home_of(model)).open.any()
-    # the carriage is askew itself, and a tool that reaches out shows it: 100 urad on 35 and 12 mm
+    # the carriage is askew itself, and a tool that reaches out shows it: a slope of 20 um on 540 mm, on 35 and 12 mm
     reaching = tool_uncertainty(model, pair, AT, TOOL, datum=None).open
-    np.testing.assert_allclose(reaching, np.array([[35.0], [12.0], [0.0]]) * 100e-6 * np.ones((1, 4)), rtol=1e-6)
-    assert uncertainty_extent(model, pair, AT, TOOL).shift == pytest.approx(35.0 * 100e-6, rel=1e-6)
+    np.testing.assert_allclose(reaching, np.array([[35.0], [12.0], [0.0]]) * 0.02 / 540.0 * np.ones((1, 4)), rtol=1e-6)
+    assert uncertainty_extent(model, pair, AT, TOOL).shift == pytest.approx(35.0 * 0.02 / 540.0, rel=1e-6)
     alone = replace(pair, open=np.array([[0.0], [1.0]]))
     moved = tool_uncertainty(model, alone, AT, TOOL, datum=home_of(model))
     # 100 urad of the prior: the X carriage stands askew and carries the tool off by 100 urad times its way
@@ -145,7 +148,7 @@ def test_what_nothing_holds_is_open_at_the_size_of_the_prior(model: MachineModel
     assert not moved.open[1:].any()
     assert np.isnan(moved.u[0, 1:]).all()
     assert (moved.u[1:] == 0.0).all()
-    assert uncertainty_extent(model, opened, volume_grid(model), TOOL).components == ("EXX",)
+    assert uncertainty_extent(model, opened, volume_grid(model, opened), TOOL).components == ("EXX",)
 
 
 def test_own_uncertainties_count_as_independent(model: MachineModel) -> None:
@@ -211,10 +214,10 @@ def test_edited_values_do_not_keep_their_uncertainties(model: MachineModel, tmp_
     tree = json.loads(path.read_text())
     tree["parameters"]["eps_xy"] = 2e-9
     path.write_text(json.dumps(tree))
-    with pytest.raises(InputError, match=r"the values were edited since e\.npz was written"):
+    with pytest.raises(InputError, match=r"e\.npz is the covariance of other values"):
         load_uncertainty(path, load_errors(path, machine), machine)
     (tmp_path / "e.npz").unlink()
-    with pytest.raises(InputError, match=r"e\.npz, the covariance of these values, is not beside them"):
+    with pytest.raises(InputError, match=r"e\.npz, the covariance of these values, is not there"):
         load_uncertainty(path, replace(errors), machine)
 
 
@@ -273,3 +276,42 @@ def test_use_beyond_what_was_measured_is_told_by_axis_and_range() -> None:
     (one,) = found
     assert (one.axis, one.components, one.low, one.high) == ("X", ("EXX", "EYX"), 10.0, 480.0)
     assert (one.lowest, one.highest, one.count) == (0.0, 500.0, 2)
+
+
+def test_uncertainty_of_an_effect_depends_on_its_context(tmp_path: Path) -> None:
+    """Backlash of 20 um with a u of 15 um: half of it on either side of a reversal."""
+    text = (ROOT / "machines" / "dmu60p.toml").read_text()
+    spec = tmp_path / "dmu60p.toml"
+    spec.write_text(re.sub(r"(?m)^runs.*\n", "", text) + '\n[[effect]]\nkind = "backlash"\ncomponent = "EXX"\n')
+    assert main(["derive", str(spec), "--out", str(tmp_path)]) == 0
+    effect = {"kind": "backlash", "component": "EXX", "parameters": {"width": -0.02}, "u": {"width": 0.015}}
+    path = tmp_path / "e.json"
+    path.write_text(json.dumps({"schema": 1, "machine": "dmu60p", "effects": [effect]}))
+    loaded = load_model(spec, path, tmp_path, backend="numpy")
+    covariance = load_uncertainty(path, loaded.errors, loaded.machine)
+    still = Context.at_rest(3, 4)
+    moved = replace(still, directions=np.ones((3, 4)))
+    for context, u in ((None, 0.0), (still, 0.0), (moved, 0.0075)):
+        found = tool_uncertainty(loaded, covariance, AT, np.zeros((3, 1)), datum=None, context=context).u
+        np.testing.assert_allclose(found[0], u, atol=1e-12)
+    assert uncertainty_extent(loaded, covariance, AT, np.zeros((3, 1))).largest_u == pytest.approx(0.0075)
+
+
+def test_a_grid_over_the_travel_holds_every_position_of_a_table(model: MachineModel) -> None:
+    covariance = mixed_covariance(model)
+    assert {0.0, 200.0, 500.0} <= set(volume_grid(model, covariance)[0].tolist())
+
+
+def test_values_of_two_origins_are_joined_and_parted(model: MachineModel) -> None:
+    whole = mixed_covariance(model)
+    first = whole.of({"EXX", "EBX"}, {"eps_xy"}, ())
+    second = whole.of({"ECY"}, {"eps_xz"}, ())
+    again = first.joined(second)
+    assert again.components == ("EXX", "EBX", "ECY")
+    assert again.locations == ("eps_xy", "eps_xz")
+    expected = whole.matrix.copy()
+    mine = [*range(6), 8]
+    others = [6, 7, 9]
+    expected[np.ix_(mine, others)] = 0.0
+    expected[np.ix_(others, mine)] = 0.0
+    np.testing.assert_allclose(again.matrix, expected, rtol=1e-12)

@@ -19,7 +19,7 @@ from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
 from trueaxis.reporting.reliance import program_sentences, refusal_sentences
 from trueaxis.runtime.model import load_model
-from trueaxis.runtime.uncertainty import load_uncertainty
+from trueaxis.runtime.uncertainty import covariance_file, load_uncertainty
 
 _DESCRIPTION = """\
 Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
@@ -177,6 +177,8 @@ def run(args: argparse.Namespace) -> int:
         model = load_model(args.machine, args.errors, args.kernels)
         check_fit(model.errors, args.errors, args.accept_misfit)
         covariance = load_uncertainty(args.errors, model.errors, model.machine)
+        read = {"the covariance of --errors": covariance_file(args.errors, model.errors)}
+        found += overwritten(read, {"--out": args.out, "--report": args.report})
     if found or model is None or covariance is None:
         raise InputError(found)
     limits = Limits(max_u=args.max_u, max_correction=args.max_correction)

@@ -17,6 +17,7 @@ from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.input_files import gathering, input_bytes, utf8_text
+from trueaxis.measure.active_compensation import active_file
 from trueaxis.measure.data import MeasuredData
 from trueaxis.reporting.reliance import misfit_sentence
 from trueaxis.runtime.errors import ErrorValues, dump_errors
@@ -148,6 +149,8 @@ def _read(args: argparse.Namespace) -> _Given:
     elif not found and rows_of(measured.data).size == 0:
         problem = "in none of them is it known from where all moving axes came, away from a reversal"
         found.append(Fault(str(args.data), "readings", problem, "columns dir_X ..., or more readings a run"))
+    active = {"the active compensation of --data": active_file(args.data, measured.data.setup)}
+    found += overwritten(active, {str(path.relative_to(args.out)): path for path in _outputs(args.out, machine.name)})
     if found:
         raise InputError(found)
     errors = measured.known or ErrorValues(machine.name)

@@ -19,7 +19,7 @@ from trueaxis.runtime.errors import ErrorValues, dump_errors
 from trueaxis.runtime.extent import UncertaintyExtent, uncertainty_extent, volume_grid
 from trueaxis.runtime.kernels import load_kernels
 from trueaxis.runtime.model import MachineModel, load_errors
-from trueaxis.runtime.uncertainty import load_uncertainty
+from trueaxis.runtime.uncertainty import covariance_file, load_uncertainty
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.machine import component_unit
 
@@ -84,6 +84,8 @@ def run(args: argparse.Namespace) -> int:
         errors = load_errors(args.errors, machine)
         check_fit(errors, args.errors, args.accept_misfit)
         covariance = load_uncertainty(args.errors, errors, machine)
+        read = {"the covariance of --errors": covariance_file(args.errors, errors)}
+        found += overwritten(read, {"--out": args.out, "covariance of --out": file, "--picture": args.picture})
     if found or errors is None or covariance is None:
         raise InputError(found)
     fits = fit_tables(errors.motion_errors, max_order=args.max_order, alpha=args.alpha)
@@ -132,4 +134,4 @@ def _extent(
         if args.max_u is not None:
             raise
         return None
-    return uncertainty_extent(model, covariance, volume_grid(model), np.zeros((3, 1)))
+    return uncertainty_extent(model, covariance, volume_grid(model, covariance), np.zeros((3, 1)))

@@ -16,7 +16,7 @@ from trueaxis.commands.identify_options import (
 )
 from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import named, overwritten
-from trueaxis.faults import Fault, Faults
+from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.global_fit.instruments import KINDS
@@ -29,11 +29,14 @@ from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.report import Identification, IdentificationReport
 from trueaxis.identify.report_text import fit_text, report_json, report_text, runs_text
 from trueaxis.identify.weighting import NoiseModel
+from trueaxis.measure.active_compensation import active_file
 from trueaxis.measure.setup import Setup
 from trueaxis.runtime.believable import check_believable
-from trueaxis.runtime.covariance import linked
+from trueaxis.runtime.covariance import Covariance, linked
 from trueaxis.runtime.errors import ErrorValues, dump_errors
 from trueaxis.runtime.model import MachineModel
+from trueaxis.runtime.uncertainty import load_uncertainty
+from trueaxis.spec import Machine
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -129,6 +132,8 @@ def run(args: argparse.Namespace) -> int:
     found = _faults_of_options(args)
     read = read_measured(args, found)
     machine, model, data, known = read.model.machine, read.model, read.data, read.known
+    if found := overwritten({"the active compensation of --data": active_file(args.data, data.setup)}, _outputs(args)):
+        raise InputError(found)
     observed = observations(str(args.data), data.setup.runs, data.readings)
     try:
         identified = _identify(args, model, observed, known)
@@ -146,7 +151,8 @@ def run(args: argparse.Namespace) -> int:
         return 1
     identified = replace(identified, report=_with_setup(identified.report, data.setup, args.data))
     file = args.covariance or args.out.with_suffix(".npz")
-    values, covariance = linked(identified.values, identified.covariance, args.out, file)
+    joined = _with_known(args, machine, identified.covariance, known)
+    values, covariance = linked(identified.values, joined, args.out, file)
     contents: dict[Path, str | bytes] = {file: covariance}
     contents[args.out] = dump_errors(
         values, components=machine.components, parameters=machine.parameters, effects=machine.effects
@@ -163,6 +169,19 @@ def run(args: argparse.Namespace) -> int:
         print(f"trueaxis: {fit_text(judged)}", file=sys.stderr)
         return 1
     return 1 if identified.report.nothing_determined else 0
+
+
+def _with_known(
+    args: argparse.Namespace, machine: Machine, identified: Covariance, known: ErrorValues | None
+) -> Covariance:
+    """The covariance with what is known of the values of --known, which were taken as they are."""
+    if known is None:
+        return identified
+    given = load_uncertainty(args.known, known, machine)
+    components = set(given.components) & set(known.motion_errors)
+    locations = set(given.locations) & set(known.parameters) - set(identified.locations)
+    effects = set(given.effects) - set(identified.effects)
+    return identified.joined(given.of(components - set(identified.components), locations, effects))
 
 
 def _with_setup(report: IdentificationReport, setup: Setup, folder: Path) -> IdentificationReport:
@@ -213,7 +232,10 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     if args.covariance is not None and args.covariance.suffix != ".npz":
         found.append(Fault(str(args.covariance), "", "is not a .npz file", "a name that ends in .npz"))
     inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
-    covariance = args.covariance or args.out.with_suffix(".npz")
-    outputs = {"--out": args.out, "--report": args.report, "--covariance": covariance}
-    found += overwritten(inputs, outputs, args.kernels)
+    found += overwritten(inputs, _outputs(args), args.kernels)
     return found
+
+
+def _outputs(args: argparse.Namespace) -> dict[str, Path | None]:
+    covariance = args.covariance or args.out.with_suffix(".npz")
+    return {"--out": args.out, "--report": args.report, "--covariance": covariance}

@@ -14,7 +14,7 @@ from trueaxis.files import write_files
 from trueaxis.input_files import utf8_text
 from trueaxis.measure import readings as readings_files
 from trueaxis.measure import setup as setup_file
-from trueaxis.measure.active_compensation import moved_setup
+from trueaxis.measure.active_compensation import active_file, moved_setup
 from trueaxis.measure.readings import Readings, dump_readings
 from trueaxis.plan.candidates import Candidate
 from trueaxis.plan.extended import setup_text, with_runs
@@ -98,6 +98,10 @@ def run(args: argparse.Namespace) -> int:
     found = _faults_of_options(args)
     read = read_measured(args, found)
     machine, model, data, known = read.model.machine, read.model, read.data, read.known
+    if found := overwritten(
+        {"the active compensation of --data": active_file(args.data, data.setup)}, {"--report": args.report}
+    ):
+        raise InputError(found)
     _check_runs(args.runs, [run.id for run in data.setup.runs])
     assumed = Assumptions(args.ideal_instruments, args.unknown_linkage_lines, args.unknown_zeros)
     if args.location_errors_only:

@@ -15,9 +15,18 @@ from trueaxis.measure.context_needs import faults_of_points
 from trueaxis.measure.points import Points, dump_predicted, read_points
 from trueaxis.measure.predict import check_predicted, predict
 from trueaxis.reporting.reliance import above_sentence, misfit_sentence, open_sentence, range_sentences
+from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.extent import MOST_NAMED, open_names
 from trueaxis.runtime.measured_range import beyond_measured
 from trueaxis.runtime.model import MachineModel, load_model
-from trueaxis.runtime.uncertainty import ToolUncertainty, home_of, load_uncertainty, prior_size, tool_uncertainty
+from trueaxis.runtime.uncertainty import (
+    ToolUncertainty,
+    covariance_file,
+    home_of,
+    load_uncertainty,
+    prior_size,
+    tool_uncertainty,
+)
 from trueaxis.spec import read_machine
 
 if TYPE_CHECKING:
@@ -70,6 +79,9 @@ def run(args: argparse.Namespace) -> int:
     with gathering(found):
         model = load_model(args.machine, args.errors, args.kernels)
         covariance = load_uncertainty(args.errors, model.errors, machine, args.covariance)
+        found += overwritten(
+            {"the covariance of --errors": covariance_file(args.errors, model.errors)}, {"--out": args.out}
+        )
     with gathering(found):
         points = read_points(args.at, machine)
     if found:
@@ -81,9 +93,11 @@ def run(args: argparse.Namespace) -> int:
     datum = home_of(model) if args.datum == "home" else None
     deviation = predict(model, points, datum)
     check_predicted(deviation, prior_size(model, points.positions, points.tool), str(args.errors))
-    uncertainty = tool_uncertainty(model, covariance, points.positions, points.tool, datum=datum)
+    uncertainty = tool_uncertainty(
+        model, covariance, points.positions, points.tool, datum=datum, context=points.context
+    )
     largest = np.max(np.where(np.isnan(uncertainty.u), np.inf, uncertainty.u), initial=0.0)
-    for sentence in _reliance(model, points, uncertainty):
+    for sentence in _reliance(model, points, covariance, uncertainty):
         print(f"note: {sentence}")
     if args.max_u is not None and largest > args.max_u:
         print(f"{named(args.out)}: not written: {above_sentence(float(largest), args.max_u)}")
@@ -93,7 +107,7 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _reliance(model: MachineModel, points: Points, uncertainty: ToolUncertainty) -> list[str]:
+def _reliance(model: MachineModel, points: Points, covariance: Covariance, uncertainty: ToolUncertainty) -> list[str]:
     """What a user must know of these deviations besides their values."""
     count = points.positions.shape[1]
     fit, rests = model.errors.fit, (uncertainty.open > 0.0).any(axis=0)
@@ -101,5 +115,6 @@ def _reliance(model: MachineModel, points: Points, uncertainty: ToolUncertainty)
     sentences += range_sentences(beyond_measured(model.errors, model.axes, points.positions), count)
     if rests.any():
         largest = float(uncertainty.open.max())
-        sentences.append(open_sentence(int(rests.sum()), count, largest, model.errors.undetermined))
+        names = open_names(model, covariance, points.positions[:, rests][:, :MOST_NAMED], points.tool[:, rests][:, :1])
+        sentences.append(open_sentence(int(rests.sum()), count, largest, names))
     return sentences

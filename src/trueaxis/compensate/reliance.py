@@ -5,13 +5,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.compensate.machine import FloatArray
+from trueaxis.compensate.machine import ROTARY, FloatArray
+from trueaxis.compensate.orientation import SINGULAR
 from trueaxis.compensate.visited import Visited
 from trueaxis.runtime.covariance import Covariance
-from trueaxis.runtime.extent import UncertaintyExtent, uncertainty_extent
+from trueaxis.runtime.extent import UncertaintyExtent, table_positions, uncertainty_extent
 from trueaxis.runtime.measured_range import BeyondMeasured, beyond_measured
 from trueaxis.runtime.model import MachineModel
-from trueaxis.runtime.uncertainty import prior_size
+from trueaxis.runtime.uncertainty import home_of, prior_size
+from trueaxis.spec.machine import component_unit
 
 # Corrections that the prior makes likely: three standard deviations. What is larger comes from a slip (um for mm, a
 # sign, another machine's values) far more often than from a machine.
@@ -33,7 +35,9 @@ class Reliance:
     """uncertainty: of the tool point at the places of the program, relative to home; beyond: use beyond the measured
     range (places, not blocks, are counted). largest_correction and allowed_correction (None where nothing moves), mm,
     at the place `correction_at` (axis positions, mm and deg) where the first is the largest share of the second.
-    too_uncertain, too_large: which of the limits is passed; nothing may then be written.
+    largest_turn, allowed_turn: of a rotary axis, deg, and where (None where no axis turns). at_home: by how much the
+    errors displace the tool point at home, mm. too_uncertain, too_large: which limit is passed; nothing may then be
+    written.
     """
 
     uncertainty: UncertaintyExtent
@@ -41,6 +45,10 @@ class Reliance:
     largest_correction: float
     allowed_correction: float | None
     correction_at: dict[str, float]
+    largest_turn: float
+    allowed_turn: float | None
+    turned_at: dict[str, float]
+    at_home: float
     too_uncertain: bool
     too_large: bool
 
@@ -58,7 +66,10 @@ def judge_of(model: MachineModel, covariance: Covariance, tool_point: FloatArray
 
     def judge(visited: Visited) -> Reliance:
         positions, corrections = visited.positions, visited.corrections
-        extent = uncertainty_extent(model, covariance, positions, tool_point)
+        nodes = [table_positions(covariance, axis) for axis in model.axes]
+        samples = visited.samples(nodes) if corrections.size else positions
+        extent = uncertainty_extent(model, covariance, samples, tool_point)
+        allowed_turn = _allowed_turn(model)
         allowed = np.full(corrections.size, limits.max_correction or np.inf)
         if limits.max_correction is None:
             allowed = PRIOR_SIZES * prior_size(model, positions, tool_point)
@@ -69,8 +80,24 @@ def judge_of(model: MachineModel, covariance: Covariance, tool_point: FloatArray
             largest_correction=0.0 if worst is None else float(corrections[worst]),
             allowed_correction=None if worst is None else float(allowed[worst]),
             correction_at={} if worst is None else dict(zip(model.axes, positions[:, worst].tolist(), strict=True)),
+            largest_turn=visited.largest_turn,
+            allowed_turn=allowed_turn,
+            turned_at=dict(zip(model.axes, visited.turned_at.tolist(), strict=True)),
+            at_home=float(np.linalg.norm(model.deviation(home_of(model), tool_point))),
             too_uncertain=limits.max_u is not None and extent.counted > limits.max_u,
-            too_large=worst is not None and bool(corrections[worst] > allowed[worst]),
+            too_large=(worst is not None and bool(corrections[worst] > allowed[worst]))
+            or (allowed_turn is not None and visited.largest_turn > allowed_turn),
         )
 
     return judge
+
+
+def _allowed_turn(model: MachineModel) -> float | None:
+    """deg: the turn that errors of `PRIOR_SIZES` times the prior ask for where turns help least, see orientation."""
+    if not any(axis in ROTARY for axis in model.axes):
+        return None
+    prior, machine = model.prior, model.machine
+    sizes = [prior.of_component(name) for name in machine.components if component_unit(name) == "rad"]
+    units = {name: machine.parameter_unit(name) for name in machine.location_errors}
+    sizes += [prior.of_location(name, unit) for name, unit in units.items() if unit == "rad"]
+    return float(np.degrees(PRIOR_SIZES * np.linalg.norm(sizes) / SINGULAR))

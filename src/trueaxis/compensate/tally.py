@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from trueaxis.compensate.acting import EffectNote
 from trueaxis.compensate.executed import Executed
 from trueaxis.compensate.held import Held
-from trueaxis.compensate.machine import ErrorModel, FloatArray, linear_rows
+from trueaxis.compensate.machine import ErrorModel, FloatArray
 from trueaxis.compensate.moves import Notes
 from trueaxis.compensate.orientation import ToolAxis, angle
 from trueaxis.compensate.path import Path
@@ -58,7 +58,6 @@ class Tally:
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._axis = ToolAxis(model, settings.tool_axis)
-        self._linear = list(linear_rows(model.axes))
         self.visited = Visited(model)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._moves = self._points = self._short_blocks = self._take_ups = 0
@@ -101,8 +100,7 @@ class Tally:
         written = done.at_points(previous)
         deviation, _ = self._stage("before", model, path.points, path.points, lines)
         self._sign.add(path, deviation, written, lines, held)
-        moved = (written - path.points)[self._linear]
-        self.visited.add(path.points, np.sqrt((moved**2).sum(axis=0)))
+        self.visited.add(path.origins, path.points, np.where(held, 0.0, written - path.points))
         waiting = held.any(axis=0)
         self._uncommanded.add(lines[waiting])
         counted: NDArray[np.int64] | slice = slice(None)

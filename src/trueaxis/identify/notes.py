@@ -2,7 +2,9 @@
 
 from collections.abc import Sequence
 
+from trueaxis.identify.global_fit.instruments import is_straightness
 from trueaxis.identify.machine import IdentifiedMachine
+from trueaxis.identify.observations import Observations
 from trueaxis.identify.report import ComponentReport
 from trueaxis.identify.words import enumerated
 from trueaxis.runtime.errors import ErrorValues
@@ -18,3 +20,19 @@ def weak_notes(components: Sequence[ComponentReport]) -> tuple[str, ...]:
     """Components that are hardly larger than their uncertainty."""
     weak = [c.name for c in components if c.u is not None and 2.0 * c.u > c.largest]
     return (f"{enumerated(weak)}: less than twice the standard uncertainty everywhere",) if weak else ()
+
+
+def alignment_notes(machine: IdentifiedMachine, observed: Observations) -> tuple[str, ...]:
+    """Straightness runs whose line is taken to lie along the motion: no uncertainty covers that."""
+    lines = [
+        run.id
+        for index, run in enumerate(observed.runs)
+        if is_straightness(machine, run, observed.positions[:, observed.run == index])
+    ]
+    if not lines:
+        return ()
+    return (
+        f"{enumerated(lines)}: straightness lines are taken as aligned with the axes to the last micrometre; "
+        "squareness, and rotations found from several such lines, rest on that, which u does not hold; --method global "
+        "fits offset and slope of each line",
+    )

@@ -31,16 +31,22 @@ from trueaxis.spec import Machine
 _KEY = re.compile(r"""^([ \t]*(?:compensation|"compensation")[ \t]*=[ \t]*)("(?:[^"\\\n]|\\.)*"|'[^'\n]*')""", re.M)
 
 
+def active_file(folder: Path, setup: Setup) -> Path | None:
+    """The file of the error values that the control compensated with; None where none is named."""
+    key = setup.compensation
+    return None if key is None or key.file is None else folder / key.file
+
+
 def active_values(folder: Path, setup: Setup, machine: Machine) -> ErrorValues | None:
     """The error values that the control compensated with; None where none were active, or nothing is said of them.
 
     Raises InputError at the key of setup.toml where the file is missing, or no error values of this machine.
     """
-    key = setup.compensation
-    if key is None or key.file is None:
+    key, file = setup.compensation, active_file(folder, setup)
+    if key is None or file is None:
         return None
     try:
-        return load_errors(folder / key.file, machine)
+        return load_errors(file, machine)
     except InputError as error:
         remedy = 'the error values that the control worked with, or "none"'
         raise InputError(

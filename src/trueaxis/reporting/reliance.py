@@ -1,13 +1,15 @@
 """How far a result relies on what was measured, in sentences."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensate.reliance import Reliance
-from trueaxis.runtime.errors import Fit, Undetermined
+from trueaxis.runtime.errors import Fit
 from trueaxis.runtime.extent import UncertaintyExtent
 from trueaxis.runtime.measured_range import BeyondMeasured
 from trueaxis.spec.machine import LINEAR
+
+NOTICEABLE = 0.001  # mm: a displacement at home that a work offset shows
 
 
 def range_sentences(beyond: Iterable[BeyondMeasured], total: int) -> list[str]:
@@ -20,9 +22,8 @@ def range_sentences(beyond: Iterable[BeyondMeasured], total: int) -> list[str]:
     ]
 
 
-def open_sentence(points: int, total: int, largest: float, undetermined: Iterable[Undetermined]) -> str:
+def open_sentence(points: int, total: int, largest: float, names: Sequence[str]) -> str:
     """Where deviations rest on what nothing determines; largest: what it moves the tool by at the prior size, mm."""
-    names = dict.fromkeys(name for item in undetermined for name in item.parameters)
     of = f" ({', '.join(names)})" if names else ""
     return (
         f"at {points} of {total} positions the deviation rests on values that the readings did not determine{of}: "
@@ -58,6 +59,15 @@ def program_sentences(reliance: Reliance) -> list[str]:
             f"{_um(reliance.uncertainty.shift)}, the same everywhere; set the work offset with this tool and with the "
             "compensated positions, and do so again for a tool of another length"
         )
+    if reliance.at_home > NOTICEABLE:
+        found.append(
+            f"at home the error values displace this tool point by {_um(reliance.at_home)}, which compensation takes "
+            "back as well: set work offsets with compensated positions"
+        )
+    if reliance.largest_turn > 0.0 and reliance.allowed_turn is not None:
+        found.append(
+            f"largest correction of a rotary axis: {reliance.largest_turn:.4g} deg at {_at(reliance.turned_at)}"
+        )
     found += [
         f"the program leaves what was measured: {', '.join(one.components)} from {one.axis} = {one.low:g} to "
         f"{one.high:g} {_unit(one.axis)}, used at {_reached(one)}; the curve is continued there, which nothing supports"
@@ -71,10 +81,15 @@ def refusal_sentences(reliance: Reliance, max_u: float | None) -> list[str]:
     found = []
     if reliance.too_uncertain and max_u is not None:
         found.append(above_sentence(reliance.uncertainty.counted, max_u))
-    if reliance.too_large and reliance.allowed_correction is not None:
-        at = " ".join(f"{axis}{value:g}" for axis, value in reliance.correction_at.items())
+    turned = reliance.allowed_turn is not None and reliance.largest_turn > reliance.allowed_turn
+    if turned and reliance.allowed_turn is not None:
         found.append(
-            f"the correction at {at} is {reliance.largest_correction:.4g} mm, more than "
+            f"a rotary axis would be corrected by {reliance.largest_turn:.4g} deg at {_at(reliance.turned_at)}, more "
+            f"than {reliance.allowed_turn:.4g} deg; larger sizes in [prior] of the spec allow more"
+        )
+    if reliance.too_large and not turned and reliance.allowed_correction is not None:
+        found.append(
+            f"the correction at {_at(reliance.correction_at)} is {reliance.largest_correction:.4g} mm, more than "
             f"{reliance.allowed_correction:.4g} mm; --max-correction allows more, or larger sizes in [prior] of the "
             "spec, if the machine is that far off"
         )
@@ -98,6 +113,10 @@ def _reached(one: BeyondMeasured) -> str:
     if one.lowest == one.highest:
         return f"{one.axis} = {one.lowest:g}"
     return f"{one.axis} = {one.lowest:g} to {one.highest:g}"
+
+
+def _at(position: Mapping[str, float]) -> str:
+    return " ".join(f"{axis}{value:g}" for axis, value in position.items())
 
 
 def _um(length: float) -> str:

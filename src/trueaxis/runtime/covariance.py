@@ -9,7 +9,7 @@ import io
 import json
 import os
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -44,7 +44,8 @@ class Covariance:
 
     components: names; bases: of each; locations: names of location errors; root: (n, r), a factor whose product with
     its transpose is the covariance, None where the noise of the readings is unknown; open: (n, d), combinations that
-    no reading determines, as steps of the values; effects: labels, effect_parameters: names of the parameters of each.
+    no reading determines, as steps of the values; effects: labels, effect_parameters: names of the parameters of each;
+    sha256_of_values: digest of the values it belongs to, empty where it is of none yet.
     """
 
     machine: str
@@ -55,6 +56,7 @@ class Covariance:
     open: FloatArray
     effects: tuple[str, ...] = ()
     effect_parameters: tuple[tuple[str, ...], ...] = ()
+    sha256_of_values: str = ""
 
     @property
     def count(self) -> int:
@@ -86,6 +88,51 @@ class Covariance:
         components, kinds = (*self.components, *bases), (*self.bases, *bases.values())
         return replace(self, components=components, bases=kinds, root=root, open=opened)
 
+    def joined(self, other: "Covariance") -> "Covariance":
+        """With the values of another, which has none of the same; they are independent.
+
+        Values of the other whose noise is unknown are taken as exact.
+        """
+        parts = [_parts(self), _parts(other)]
+        order = np.argsort(np.concatenate(parts), kind="stable")
+        roots = [csr_array((one.count, 0)) if one.root is None else csr_array(one.root) for one in (self, other)]
+        root = csr_array(block_diag(roots, format="csr"))[order] if self.root is not None else None
+        opened = np.asarray(block_diag([csr_array(self.open), csr_array(other.open)], format="csr").toarray())[order]
+        return Covariance(
+            machine=self.machine,
+            components=self.components + other.components,
+            bases=self.bases + other.bases,
+            locations=self.locations + other.locations,
+            root=root if root is None or root.nnz <= DENSE * np.prod(root.shape) else np.asarray(root.toarray()),
+            open=opened,
+            effects=self.effects + other.effects,
+            effect_parameters=self.effect_parameters + other.effect_parameters,
+        )
+
+    def of(self, components: Collection[str], locations: Collection[str], effects: Collection[str]) -> "Covariance":
+        """Of some of the components, location errors and effects alone."""
+        kept = [
+            name in components
+            for name, basis in zip(self.components, self.bases, strict=True)
+            for _ in range(basis.count)
+        ]
+        kept += [name in locations for name in self.locations]
+        kept += [label in effects for label, of in zip(self.effects, self.effect_parameters, strict=True) for _ in of]
+        rows = np.flatnonzero(kept)
+        opened = self.open[rows]
+        pairs = [pair for pair in zip(self.components, self.bases, strict=True) if pair[0] in components]
+        of_effects = [pair for pair in zip(self.effects, self.effect_parameters, strict=True) if pair[0] in effects]
+        return Covariance(
+            machine=self.machine,
+            components=tuple(name for name, _ in pairs),
+            bases=tuple(basis for _, basis in pairs),
+            locations=tuple(name for name in self.locations if name in locations),
+            root=None if self.root is None else self.root[rows],
+            open=opened[:, opened.any(axis=0)],
+            effects=tuple(label for label, _ in of_effects),
+            effect_parameters=tuple(names for _, names in of_effects),
+        )
+
     def smoothed(self, changes: Mapping[str, FloatArray]) -> "Covariance":
         """With the noise of components as it is after their coefficients went through matrices (n, n), by component.
 
@@ -98,6 +145,12 @@ class Covariance:
         others = self.count - sum(basis.count for basis in self.bases)
         change = csr_array(block_diag([*blocks, eye_array(others)], format="csr"))
         return replace(self, root=_mapped(change, self.root))
+
+
+def _parts(covariance: Covariance) -> FloatArray:
+    """(n,): 0 for values of components, 1 for location errors, 2 for effects."""
+    counts = [sum(basis.count for basis in covariance.bases), len(covariance.locations)]
+    return np.repeat([0.0, 1.0, 2.0], [*counts, covariance.count - sum(counts)])
 
 
 def _mapped(change: csr_array, root: FloatArray | csr_array | None) -> FloatArray | csr_array | None:
@@ -141,8 +194,9 @@ def linked(errors: ErrorValues, covariance: Covariance, path: Path, file: Path) 
     path: where the values will be written; file: where the covariance will be.
     """
     name = os.path.relpath(file.resolve(), path.resolve().parent)
-    link = CovarianceLink(Path(name).as_posix(), digest_of_values(errors))
-    return replace(errors, covariance=link), dump_covariance(covariance)
+    digest = digest_of_values(errors)
+    link = CovarianceLink(Path(name).as_posix(), digest)
+    return replace(errors, covariance=link), dump_covariance(replace(covariance, sha256_of_values=digest))
 
 
 def dump_covariance(covariance: Covariance) -> bytes:
@@ -150,6 +204,7 @@ def dump_covariance(covariance: Covariance) -> bytes:
     head: dict[str, Any] = {
         "schema": SCHEMA,
         "machine": covariance.machine,
+        "sha256_of_values": covariance.sha256_of_values,
         "components": list(covariance.components),
         "bases": [_basis_object(basis) for basis in covariance.bases],
         "locations": list(covariance.locations),
@@ -240,6 +295,7 @@ def _parsed(head: Mapping[str, Any], values: Any, indices: Any, indptr: Any, ope
         open=np.array(opened, float),
         effects=tuple(str(one["effect"]) for one in head["effects"]),
         effect_parameters=tuple(_names(one["parameters"]) for one in head["effects"]),
+        sha256_of_values=str(head["sha256_of_values"]),
     )
 
 

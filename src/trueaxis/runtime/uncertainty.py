@@ -39,24 +39,29 @@ class ToolUncertainty:
     open: FloatArray
 
 
+def covariance_file(path: Path, errors: ErrorValues) -> Path | None:
+    """The covariance file that error values read from `path` name."""
+    return None if errors.covariance is None else path.parent / errors.covariance.file
+
+
 def load_uncertainty(path: Path, errors: ErrorValues, machine: Machine, file: Path | None = None) -> Covariance:
     """What is known of the uncertainty of error values read from `path`.
 
     From `file` if given, else from the covariance file that the values name; where they name none, from their own
-    standard uncertainties, as if these were independent. Raises InputError where the file is not theirs.
+    standard uncertainties, as if these were independent. Raises InputError where the file is not of these values.
     """
-    if file is not None:
-        return read_covariance(file, machine)
-    link = errors.covariance
-    if link is None:
+    linked = covariance_file(path, errors)
+    if file is None and linked is None:
         return own_uncertainty(machine, errors)
-    if link.sha256_of_values != digest_of_values(errors):
-        problem = f"the values were edited since {link.file} was written: its uncertainties are not theirs"
-        raise InputError([Fault(str(path), "covariance", problem, "remove the key covariance, or identify again")])
-    if not (path.parent / link.file).exists():
-        problem = f"{link.file}, the covariance of these values, is not beside them"
+    found = file or linked or Path()
+    if file is None and not found.exists():
+        problem = f"{found}, the covariance of these values, is not there"
         raise InputError([Fault(str(path), "covariance", problem, "copy it as well, or remove the key covariance")])
-    return read_covariance(path.parent / link.file, machine)
+    covariance = read_covariance(found, machine)
+    if covariance.sha256_of_values != digest_of_values(errors):
+        problem = f"{found} is the covariance of other values: these were edited, or it was written again since"
+        raise InputError([Fault(str(path), "covariance", problem, "identify again, or remove the key covariance")])
+    return covariance
 
 
 def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
@@ -93,21 +98,29 @@ def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
 
 
 def tool_uncertainty(
-    model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray, *, datum: FloatArray | None
+    model: MachineModel,
+    covariance: Covariance,
+    positions: FloatArray,
+    tool: FloatArray,
+    *,
+    datum: FloatArray | None,
+    context: Context | None = None,
 ) -> ToolUncertainty:
     """Uncertainty of the deviation of tool points.
 
     positions: (n_axes, n), mm or deg; tool: (3, 1) or (3, n), mm; datum: (n_axes, 1), the position at which the
     deviation is taken as zero (work offsets are touched off there with the same tool), None: none. Without a datum what
     is open is judged by how it moves the point from where the origin of the tool frame is at home: a squareness that
-    is a convention tilts the tool, and a longer tool shows that. Memory is bounded whatever n is.
+    is a convention tilts the tool, and a longer tool shows that. context: of the positions, which effects depend on;
+    None: axes stand and have not moved. Memory is bounded whatever n is.
     """
     n = positions.shape[1]
     u, opened = np.full((3, n), np.nan), np.zeros((3, n))
     steps = open_steps(model.machine, covariance)
     for rows in _pieces(n, covariance.count):
         here = tool if tool.shape[1] == 1 else np.ascontiguousarray(tool[:, rows])
-        by_value = derivative(model, covariance, np.ascontiguousarray(positions[:, rows]), here)
+        there = None if context is None else context.of(rows)
+        by_value = derivative(model, covariance, np.ascontiguousarray(positions[:, rows]), here, there)
         if datum is None:
             moved = _rows(by_value - derivative(model, covariance, home_of(model), np.zeros((3, 1))))
         else:
@@ -153,11 +166,17 @@ def home_of(model: MachineModel) -> FloatArray:
     return np.array([[min(max(0.0, low), high)] for low, high in (model.travel[axis] for axis in model.axes)])
 
 
-def derivative(model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray) -> FloatArray:
+def derivative(
+    model: MachineModel,
+    covariance: Covariance,
+    positions: FloatArray,
+    tool: FloatArray,
+    context: Context | None = None,
+) -> FloatArray:
     """(3, n_values, n): of the deviation of tool points in the workpiece frame by the values, error-free machine.
 
-    positions: (n_axes, n), mm or deg; tool: (3, 1) or (3, n), mm. Effects are those of axes that stand and have not
-    moved, as where the machine is evaluated without a context.
+    positions: (n_axes, n), mm or deg; tool: (3, 1) or (3, n), mm; context: of the positions. Without one effects are
+    those of axes that stand and have not moved.
     """
     by_error = _by_error(model, positions, tool)
     parts = []
@@ -166,7 +185,8 @@ def derivative(model: MachineModel, covariance: Covariance, positions: FloatArra
         parts.append(by_error[:, model.components.index(name), np.newaxis] * at)
     start = len(model.components)
     parts += [by_error[:, start + model.location_errors.index(name), np.newaxis] for name in covariance.locations]
-    parts += _by_effects(model, by_error, positions, covariance.effects)
+    still = (context or Context.at_rest(len(model.axes), positions.shape[1])).filled()
+    parts += _by_effects(model, by_error, positions, covariance.effects, still)
     return np.concatenate(parts, axis=1) if parts else np.zeros((3, 0, positions.shape[1]))
 
 
@@ -176,25 +196,26 @@ def _by_error(model: MachineModel, positions: FloatArray, tool: FloatArray) -> F
 
 
 def _by_effects(
-    model: MachineModel, by_error: FloatArray, positions: FloatArray, labels: Sequence[str]
+    model: MachineModel, by_error: FloatArray, positions: FloatArray, labels: Sequence[str], context: Context
 ) -> list[FloatArray]:
-    """(3, m, n) for each of the effects, at the model's values of them, axes standing.
+    """(3, m, n) for each of the effects, at the model's values of them.
 
     Effects on readings and on points of a set-up move no tool: theirs is zero; a squareness is a location error.
     """
     by_label = {effect.label: effect for effect in model.effects}
-    return [_by_effect(model, by_error, positions, by_label[label]) for label in labels]
+    return [_by_effect(model, by_error, positions, by_label[label], context) for label in labels]
 
 
-def _by_effect(model: MachineModel, by_error: FloatArray, positions: FloatArray, effect: Effect) -> FloatArray:
+def _by_effect(
+    model: MachineModel, by_error: FloatArray, positions: FloatArray, effect: Effect, context: Context
+) -> FloatArray:
     kind = model.kinds[effect.kind]
     count = positions.shape[1]
     found = np.zeros((3, len(kind.parameters), count))
     if kind.place == "component":
         values = next((one for one in model.effect_values if identity(one.effect) == identity(effect)), None)
         vector = (values or EffectValues(effect, {})).vector(kind)
-        still = Context.at_rest(len(model.axes), count).filled()
-        term = component_term(model.kernels, model.machine, effect, vector, positions, still)
+        term = component_term(model.kernels, model.machine, effect, vector, positions, context)
         found += by_error[:, model.components.index(effect.component or "")][:, np.newaxis] * term[np.newaxis, 1:]
     elif kind.place == "location":
         row = len(model.components) + model.location_errors.index(effect.component or "")

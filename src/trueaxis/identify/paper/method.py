@@ -17,7 +17,7 @@ from trueaxis.identify.fit_quality import (
 )
 from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise, noise
-from trueaxis.identify.notes import dimension_notes, weak_notes
+from trueaxis.identify.notes import alignment_notes, dimension_notes, weak_notes
 from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper import describe
 from trueaxis.identify.paper.covariance import covariance_of
@@ -138,6 +138,7 @@ def _identification(result: PaperResult) -> Identification:
     curves = tables(grid, result.solution.nodes, result.steps.reached, result.u_nodes)
     found = describe.components(result)
     notes = (*dimension_notes(machine, result.given), *weak_notes(found))
+    notes += alignment_notes(result.machine, result.observed)
     if result.options.squareness == "from-angles":
         notes += (describe.FROM_ANGLES,)
     orders: tuple[CurveOrderReport, ...] = ()
