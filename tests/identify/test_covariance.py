@@ -1,9 +1,11 @@
 """From the readings' noise to the uncertainty of a predicted deviation: derivatives, Monte Carlo, coverage, files."""
 
 import io
+import json
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import polars as pl
@@ -317,6 +319,36 @@ def test_numbers_that_no_identification_writes_are_told(tmp_path: Path, name: st
     file = tmp_path / "c.npz"
     np.savez(file, **arrays)  # type: ignore[arg-type]  # a keyword for each array
     with pytest.raises(InputError, match=r"c\.npz"):
+        read_covariance(file, machine().machine)
+
+
+@pytest.mark.parametrize("change", ["text", "dates", "columns", "rows", "float indices", "falling"])
+def test_arrays_that_no_identification_writes_are_told(tmp_path: Path, change: str) -> None:
+    content = dump_covariance(
+        Covariance(
+            machine="dmu60p",
+            components=("EXX",),
+            bases=(LegendreBasis(0.0, 540.0, 2),),
+            locations=(),
+            root=np.eye(2) * 1e-6,
+            open=np.zeros((2, 1)),
+        )
+    )
+    with np.load(io.BytesIO(content)) as archive:
+        arrays: dict[str, Any] = {key: np.array(archive[key]) for key in archive}
+    head = json.loads(arrays["head"].tobytes())
+    if change in ("columns", "rows"):
+        head["shape"][change == "columns"] = 10**12
+    arrays |= {
+        "head": np.frombuffer(json.dumps(head).encode(), dtype=np.uint8),
+        **({"data": np.array(["a", "b"])} if change == "text" else {}),
+        **({"open": np.array([["2026-01-01"], ["2026-01-02"]], dtype="datetime64[D]")} if change == "dates" else {}),
+        **({"indices": np.array([0.5, 1.0])} if change == "float indices" else {}),
+        **({"indptr": np.array([0, 2, 1])} if change == "falling" else {}),
+    }
+    file = tmp_path / "c.npz"
+    np.savez(file, **arrays)
+    with pytest.raises(InputError, match=r"c\.npz: is no covariance file"):
         read_covariance(file, machine().machine)
 
 

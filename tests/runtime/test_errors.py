@@ -249,7 +249,7 @@ def test_all_faults_come_at_once(tmp_path: Path) -> None:
 
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
-U = st.floats(0.0, 1e300) | st.just(math.nan)
+U = st.floats(0.0, 1e6) | st.just(math.nan)
 
 
 @st.composite
@@ -324,3 +324,17 @@ def test_a_file_with_damaged_bytes_reads_or_is_refused_clearly(tmp_path: Path, d
     text = json.dumps(VALID).encode()
     with suppress(InputError):
         read_text(tmp_path, text[:at] + data + text[at + cut :])
+
+
+@pytest.mark.parametrize("positions", [[0.0, 1e-7, 1.0], [0, 3e-298, 6e-298], [0.0, 0.0, 1.0]])
+def test_positions_that_nothing_can_take_apart_are_faults(tmp_path: Path, positions: list[float]) -> None:
+    curve = {"basis": "table", "positions": positions, "values": [0, 1e-6, 2e-6]}
+    assert any(
+        "positions must increase, by 1e-06 at least" in fault for fault in faults_of(tmp_path, with_curve(curve))
+    )
+
+
+@pytest.mark.parametrize("u", [1e308, 2e6])
+def test_an_uncertainty_that_says_nothing_is_a_fault(tmp_path: Path, u: float) -> None:
+    curve = {"basis": "table", "positions": [0, 1, 2], "values": [0, 1e-6, 2e-6], "u": [0, u, None]}
+    assert any("is no standard uncertainty" in fault for fault in faults_of(tmp_path, with_curve(curve)))

@@ -11,6 +11,7 @@ from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.curves import Curve, FloatArray, PolynomialCurve, TableCurve
 
 _FEWEST = 3  # positions away from zero
+LEAST_SHARE = 1e-6  # of the largest u: smaller ones weigh so much more that rounding decides, and all weigh alike
 
 
 def fit_tables(curves: Mapping[str, Curve], *, max_order: int = 7, alpha: float = 0.05) -> dict[str, OptimalFit]:
@@ -37,7 +38,7 @@ def _samples(curve: TableCurve) -> Samples:
     weights = np.ones(np.count_nonzero(away))
     if curve.u is not None:
         u = np.array(curve.u)[away]
-        if np.isfinite(u).all() and (u > 0.0).all():
+        if np.isfinite(u).all() and (u > LEAST_SHARE * u.max(initial=0.0)).all():
             weights = (u.max(initial=0.0) / u) ** 2
     return Samples(np.array(curve.positions)[away], np.array(curve.values)[away], weights)
 

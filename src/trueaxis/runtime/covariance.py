@@ -32,7 +32,7 @@ LARGEST_U = 1e3  # mm, rad: beyond a metre nothing has been measured
 LARGEST_STEP = 1e9  # of an open combination, which has no length of its own
 LARGEST_END = 1e7  # mm or deg, of the range of a basis
 MOST_TERMS = 99  # of a basis of polynomials, as of a polynomial
-_ARRAYS = ("data", "indices", "indptr", "open")
+MOST_ENTRIES = 1_000_000  # of a row or column: a row of that many numbers is 8 MB
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -245,8 +245,8 @@ def read_covariance(path: Path, machine: Machine) -> Covariance:
             head = json.loads(archive["head"].tobytes())
             schema = head["schema"]
             if schema == SCHEMA:
-                values, indices, indptr, opened = (archive[name] for name in _ARRAYS)
-                covariance = _parsed(head, values, indices, indptr, opened)
+                values, opened = (_numbers(archive[name]) for name in ("data", "open"))
+                covariance = _parsed(head, values, archive["indices"], archive["indptr"], opened)
     except Exception as error:  # whatever damage does to an archive
         faults.add("", f"is no covariance file: {type(error).__name__}", remedy)
         faults.raise_if_any()
@@ -278,10 +278,25 @@ def read_covariance(path: Path, machine: Machine) -> Covariance:
     return covariance
 
 
-def _parsed(head: Mapping[str, Any], values: Any, indices: Any, indptr: Any, opened: Any) -> Covariance:
+def _numbers(array: Any) -> FloatArray:
+    """Raises TypeError where the array holds anything else."""
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"holds {array.dtype}")
+    return np.array(array, dtype=np.float64)
+
+
+def _parsed(head: Mapping[str, Any], values: FloatArray, indices: Any, indptr: Any, opened: FloatArray) -> Covariance:
     """The record of an archive's parts; raises anything where they are damaged."""
     rows, columns = (int(size) for size in head["shape"])
-    sparse = csr_array((np.array(values, float), indices, indptr), shape=(rows, columns))
+    if not (0 <= rows <= MOST_ENTRIES and 0 <= columns <= MOST_ENTRIES):
+        raise ValueError(f"{rows} values, {columns} columns")
+    if indices.dtype.kind not in "iu" or indptr.dtype.kind not in "iu" or indices.ndim != 1 or indptr.ndim != 1:
+        raise TypeError("indices are whole numbers")
+    if indptr.size != rows + 1 or (indices < 0).any() or (indices >= columns).any() or (np.diff(indptr) < 0).any():
+        raise ValueError("indices do not fit")
+    if indptr[0] != 0 or indptr[-1] != values.size or values.shape != indices.shape:
+        raise ValueError("indices do not fit")
+    sparse = csr_array((values, indices.astype(np.int64), indptr.astype(np.int64)), shape=(rows, columns))
     sparse.check_format(full_check=True)
     root: FloatArray | csr_array | None = None
     if head["noise"] == "known":
@@ -292,7 +307,7 @@ def _parsed(head: Mapping[str, Any], values: Any, indices: Any, indptr: Any, ope
         bases=tuple(_basis(one) for one in head["bases"]),
         locations=_names(head["locations"]),
         root=root,
-        open=np.array(opened, float),
+        open=opened,
         effects=tuple(str(one["effect"]) for one in head["effects"]),
         effect_parameters=tuple(_names(one["parameters"]) for one in head["effects"]),
         sha256_of_values=str(head["sha256_of_values"]),

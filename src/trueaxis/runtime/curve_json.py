@@ -9,6 +9,8 @@ from trueaxis.faults import Faults
 from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
 from trueaxis.runtime.strict_json import JsonPath, key_path, number, numbers, shown
 
+LEAST_SPACING = 1e-6  # mm, deg: of the positions of a table; nothing is positioned closer
+LARGEST_U = 1e6  # of any value in its unit: what is less certain is not known, which null says
 HIGHEST_POWER = 99  # a power of a travel of 1000 mm then still is a finite number
 
 _KEYS = {"polynomial": ("powers", "coefficients"), "table": ("positions", "values")}
@@ -45,6 +47,8 @@ def read_u(value: Any, path: JsonPath, faults: Faults) -> float:
     found = number(value, path, faults)
     if found < 0.0:
         faults.add(key_path(path), f"{found!r} is negative", "a standard uncertainty is at least 0")
+    elif found > LARGEST_U:
+        faults.add(key_path(path), f"{found!r} is no standard uncertainty", f"at most {LARGEST_U:g}, or null")
     return found
 
 
@@ -119,9 +123,10 @@ def _table(value: dict[str, Any], path: JsonPath, faults: Faults) -> TableCurve 
     u = _uncertainties(value, path, faults)
     if value["positions"] == []:
         faults.add(key_path((*path, "positions")), "is empty", "give one position at least")
-    for index in np.flatnonzero(np.diff(positions) <= 0.0):
+    for index in np.flatnonzero(~(np.diff(positions) >= LEAST_SPACING)):
         place = key_path((*path, "positions", int(index) + 1))
-        faults.add(place, f"{positions[index + 1]!r} follows {positions[index]!r}", "positions must increase")
+        remedy = f"positions must increase, by {LEAST_SPACING:g} at least"
+        faults.add(place, f"{positions[index + 1]!r} follows {positions[index]!r}", remedy)
     if _same_length(value, ("positions", "values", "u"), path, faults):
         return TableCurve(positions, values, u)
     return None

@@ -117,7 +117,8 @@ def tool_uncertainty(
     n = positions.shape[1]
     u, opened = np.full((3, n), np.nan), np.zeros((3, n))
     steps = open_steps(model.machine, covariance)
-    for rows in _pieces(n, covariance.count):
+    columns = 0 if covariance.root is None else int(covariance.root.shape[1])
+    for rows in _pieces(n, max(covariance.count, columns, steps.shape[1])):
         here = tool if tool.shape[1] == 1 else np.ascontiguousarray(tool[:, rows])
         there = None if context is None else context.of(rows)
         by_value = derivative(model, covariance, np.ascontiguousarray(positions[:, rows]), here, there)
