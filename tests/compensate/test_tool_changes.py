@@ -4,8 +4,8 @@ import re
 
 import pytest
 
-from tests.compensate.control import Bench
 from tests.compensate.analytic_machine import paper_sized
+from tests.compensate.control import Bench
 from tests.compensate.test_uncommanded import words
 from trueaxis.faults import InputError
 

@@ -241,7 +241,7 @@ class NcReader:
             text.lead, text.tail, self._gap, line[len(body) :], "" if arc or insert else line,
             again + (f"G53{self._gap}" if meaning.in_machine_coordinates else ""), text.split, arc,
             not meaning.miscellaneous and not meaning.exact_stop, state.feed_in_minutes,
-            state.commanded.command(written, state.absolute), elsewhere,
+            state.commanded.command(commands, state.absolute), elsewhere,
             meaning.uncertain_codes,
         )  # fmt: skip
 
