@@ -12,7 +12,7 @@ from trueaxis.compensate import m_codes
 from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.arcs import ArcError
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.mark import COMPENSATED_ALREADY, MARK
+from trueaxis.compensate.mark import COMPENSATED_ALREADY, is_marked
 from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Start
 from trueaxis.compensate.nc_arc import arc_of_block, keep_rounding
 from trueaxis.compensate.nc_block import Meaning, interpret
@@ -31,6 +31,7 @@ _PLAIN = re.compile(
 )
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
+_OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
 MACHINE_COORDINATES = (
     "a G53 block: the blocks without G53 are read in machine coordinates too, so no offset may be active"
@@ -109,7 +110,7 @@ class NcReader:
 
     def _any(self, number: int, line: str) -> Item:
         """Any block: what it sets, and its move if it has one."""
-        if MARK in line:
+        if is_marked(line):
             self._faults.add(number, *COMPENSATED_ALREADY)
         body = line.rstrip("\r\n")
         begin = 3 if number == 1 and body.startswith(BYTE_ORDER_MARK) else 0
@@ -121,11 +122,11 @@ class NcReader:
         aligned = _ALIGNMENT.match(body, lead)
         if aligned:
             lead = aligned.end()
-        optional = body[lead : lead + 1] == "/"
+        optional = _OPTIONAL.match(body, lead)
         if optional:
             if self._settings.block_delete == "skip":
                 return line
-            lead += 2 if body[lead + 1 : lead + 2].isdigit() else 1
+            lead = optional.end()
         block = lex(body, lead)
         meaning = interpret(block, self._axes, self._settings)
         meaning.program_number |= aligned is not None and not block.words
@@ -137,7 +138,7 @@ class NcReader:
             self._faults.add(number, problem, remedy)
         self._modes(number, meaning)
         self._known_numbers(number, meaning)
-        move = self._move(number, line, body, block, meaning, "/" if optional else "")
+        move = self._move(number, line, body, block, meaning, optional[0] if optional else "")
         if meaning.changes_tool:  # after the motion too: controls do not agree which comes first
             self._state.commanded.displace()
         if m_codes.STOPS.intersection(meaning.miscellaneous):
