@@ -67,7 +67,7 @@ class Senses:
     rotary: dict[str, float]
 
     def __str__(self) -> str:
-        parts = []
+        parts: list[str] = []
         for axis, way in self.towards.items():
             first = " move the tool" if not parts else ""
             workpiece = " of the workpiece" if not parts else ""
