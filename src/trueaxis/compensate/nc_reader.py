@@ -213,7 +213,8 @@ class NcReader:
         self._note_modes(number)
         moved = {*meaning.axes, *(codes.PLANES[state.plane][:2] if state.motion in (2, 3) else ())}
         commands = tuple(axis in moved for axis in self._axes)  # an arc puts both axes of its plane where it ends
-        elsewhere = starts_elsewhere(number, state, commands, self._tools.remedy, self._faults)
+        own_block = f"and give {meaning.uncertain_codes} a block of its own" if meaning.changes_tool else ""
+        elsewhere = starts_elsewhere(number, state, commands, own_block or self._tools.remedy, self._faults)
         state.position = end
         known_end = tuple(value for value in end if value is not None)
         arc = None
