@@ -72,3 +72,12 @@ def test_a_marked_cutter_location_file_is_refused_and_its_program_marked(bench: 
     assert text.startswith(b"%\n" + MARK + b"\nG21 ")
     with pytest.raises(InputError, match="line 1: this program is compensated already"):
         written(bench, b"$$ (TRUEAXIS COMPENSATED)\n" + source, "b.cls")
+
+
+@pytest.mark.parametrize("mark", [b"(trueaxis compensated)", b"; Trueaxis Compensated", b"G21 (TrueAxis COMPENSATED)"])
+def test_the_mark_is_known_in_any_case(bench: Bench, mark: bytes) -> None:
+    """An editor or a control may have changed the case of comments."""
+    with pytest.raises(InputError, match="line 2: this program is compensated already"):
+        written(bench, b"%\n" + mark + b"\nG0 X1. Y1. Z1.\n")
+    with pytest.raises(InputError, match="line 1: this program is compensated already"):
+        written(bench, b"$$ " + mark + b"\nFROM/0,0,0\nGOTO/1,0,0\nFINI\n", "b.cls")

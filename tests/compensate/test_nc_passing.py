@@ -1,5 +1,7 @@
 """What must come back as it was."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -102,3 +104,11 @@ def test_optional_blocks(bench: Bench) -> None:
     skipped = bench.run(program.replace("X5.", "G1 X5."), machine, block_delete="skip")
     assert b"/ G1 X1. F5\n/2 M8\n" in skipped
     assert np.allclose(execute(skipped.replace(b"/ G1 X1. F5\n", b""))[0], [0, 4.995])
+
+
+@pytest.mark.parametrize("switch", ["/", "/2", "/9", " /3"])
+def test_every_piece_of_an_optional_block_hangs_on_the_same_switch(bench: Bench, switch: str) -> None:
+    program = f"G0 X0. Y0. Z0.\n{switch}G2 X20. R10. F9\n{switch} X40. R10.\n"
+    pieces = bench.run(program, block_delete="run", chord_tolerance=0.1).decode().splitlines()[1:]
+    assert len(pieces) > 10
+    assert {re.match(r"\s*(/\d?)", piece)[1] for piece in pieces} == {switch.strip()}  # type: ignore[index]

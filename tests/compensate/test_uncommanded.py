@@ -77,6 +77,26 @@ def test_after_a_stop_axes_wait_for_their_words(bench: Bench, stop: str) -> None
     assert words(text, "Z") == [2, 5, 6, 7]  # none in line 4; an increment in line 5 is right wherever Z is
 
 
+@pytest.mark.parametrize(
+    "block", ["G2 X140. I20. J0. F100", "G2 X140. R20. F100", "G3 I20. F100", "G18 G2 X140. R20. F9"]
+)
+@pytest.mark.parametrize("before", ["M0\n", "M1\nG91 ", "start", "plain"])
+def test_an_arc_commands_both_axes_of_its_plane(bench: Bench, block: str, before: str) -> None:
+    """Its way is determined by them: without words of the axis that it does not name it would be a straight cut."""
+    start: dict[str, float] = {}
+    if before == "start":
+        start, head = {"X": 100.0, "Y": 200.0, "Z": 300.0}, "G91 "
+    else:
+        head = f"G90 G0 X100. Y200. Z300.\n{before.removeprefix('plain')}"
+    block = block if "G91" not in head else block.replace("X140.", "X40.")
+    text = bench.run(f"G21\n{head}{block}\n", XyzMachine({"EXX": lambda x: 1e-5 * x}), start=start)
+    at = execute(text, start=[100.0, 200.0, 300.0])[:, 0 if start else 1 :]
+    across = 2 if "G18" in block else 1
+    radius = np.hypot(at[0] * (1 + 1e-5) - 120.0, at[across] - (300.0 if across == 2 else 200.0))
+    assert radius.size > 20
+    assert radius == pytest.approx(20.0, abs=0.002)
+
+
 def test_increments_from_a_start_get_no_absolute_words_later(bench: Bench) -> None:
     machine = paper_sized(10.0)
     text = bench.run(
@@ -152,7 +172,7 @@ def test_absolute_words_only_for_commanded_axes(
             if "G9" in block:
                 absolute = "G90" in block
             named = set() if block in ("M6", "M0") else named
-            own = set(re.findall("[XYZ]", block))
+            own = set(re.findall("[XYZ]", block)) | (set("XY") if "G3" in block else set())
             named |= own if absolute else set()
         for axis, value in re.findall(r"([XYZ])([-.\d]+)", line):
             if absolute:

@@ -5,6 +5,8 @@ A program goes through these stages, a bounded batch of blocks at a time:
     files       bytes of a program <-> lines; the output is put in place whole or not at all
     nc_reader, apt_reader
                 lines -> items: text that moves nothing, and moves; what is not followed is a fault
+    commanded   which axes the program has put where they stand (tool_changes and stops undo it); the others are held:
+                they get no word
     path        moves -> points; arcs become chords within the chord tolerance
     tracker     with effects: how the axes come and go along it (course, velocity, acting); a point of its own where a
                 reversal makes the commands jump; placed gives the machine at each place
@@ -13,7 +15,9 @@ A program goes through these stages, a bounded batch of blocks at a time:
     solve_pose  the same by all axes, the tool axis too (orientation)
     executed    commands -> words: nearest, or chosen along the ball bar (word_choice, middles)
     writer      moves -> blocks with new axis words
-    program     all of it; tally: the figures of the report
+    mark        the comment by which a compensated program is known, and refused a second time
+    visited     the places that the program came to; reliance: how far it relies there on what was measured
+    program     all of it; tally: the figures of the report; sign_check: what to compare with the machine before use
 
 Programs are in axis positions (machine coordinates). The solver leaves less than a hundredth of the tolerance; what
 is left of the error after it is the rounding of words. With words of 0.001 mm, |E| of Eq. (6) is then

@@ -14,6 +14,7 @@ class Timing(IntEnum):
 
     BEFORE = 0
     AFTER = 1
+    EITHER = 2  # controls do not agree
 
 
 class MCode(NamedTuple):
@@ -34,7 +35,7 @@ KNOWN: dict[int, MCode] = {
     3: MCode("spindle on, clockwise", Timing.BEFORE),
     4: MCode("spindle on, counter-clockwise", Timing.BEFORE),
     5: MCode("spindle stop", Timing.AFTER),
-    6: MCode("tool change", Timing.BEFORE, axes_kept=False),
+    6: MCode("tool change", Timing.EITHER, axes_kept=False),
     7: MCode("coolant 2 on", Timing.BEFORE),
     8: MCode("coolant 1 on", Timing.BEFORE),
     9: MCode("coolant off", Timing.AFTER),
@@ -44,6 +45,7 @@ TOOL_CHANGE = 6
 END = frozenset(code for code, known in KNOWN.items() if known.ends)
 STOPS = frozenset(code for code, known in KNOWN.items() if not known.axes_kept and code != TOOL_CHANGE)
 AFTER = frozenset(code for code, known in KNOWN.items() if known.timing == Timing.AFTER)
+OF_CERTAIN_TIMING = frozenset(code for code, known in KNOWN.items() if known.timing != Timing.EITHER)
 
 _SUBPROGRAM = "calls, ends or repeats a subprogram, which is not followed"
 _FRAME = "gives the positions of its block in another frame (Heidenhain)"

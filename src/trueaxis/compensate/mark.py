@@ -32,10 +32,15 @@ def comment_of(program: Path, dialect: Dialect | None) -> str:
     return f"; {MARK}" if semicolon else f"({MARK})"
 
 
+def is_marked(line: str) -> bool:
+    """Whether a line holds the mark, in capitals or not: an editor may have changed them."""
+    return MARK in line.upper()
+
+
 def unmarked(lines: Iterable[str], faults: FaultLog) -> Iterator[str]:
     """The lines as they are; one that holds the mark is a fault."""
     for number, line in enumerate(lines, 1):
-        if MARK in line:
+        if is_marked(line):
             faults.add(number, *COMPENSATED_ALREADY)
         yield line
 

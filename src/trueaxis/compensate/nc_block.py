@@ -23,7 +23,8 @@ class Meaning:
 
     motion, plane, inch, absolute, per_turn (F counts by turns), feed (as written): None where the block says nothing
     of it. axes: words that are positions. decimals: digits written after the decimal point of axis and arc words.
-    undotted: letters of axis and arc words other than 0 without a decimal point.
+    undotted: letters of axis and arc words other than 0 without a decimal point. tool: the T word, as `T2`.
+    changes_tool: whether the block may change the tool, see tool_changes.
     """
 
     motion: int | None = None
@@ -41,6 +42,8 @@ class Meaning:
     centre: dict[str, float] = field(default_factory=dict)
     radius: float | None = None
     program_number: bool = False
+    tool: str = ""
+    changes_tool: bool = False
     undotted: set[str] = field(default_factory=set)
     decimals: dict[str, int] = field(default_factory=dict)
     parameters: set[str] = field(default_factory=set)
@@ -58,8 +61,10 @@ class Meaning:
 
     @property
     def uncertain_codes(self) -> str:
-        """M codes of which it is not known whether they act before or after a motion, as `M70 M71`."""
-        return " ".join(f"M{code}" for code in self.miscellaneous if code not in m_codes.KNOWN)
+        """Codes of which it is not known whether they act before or after a motion, as `M70 M71`."""
+        uncertain = [f"M{code}" for code in self.miscellaneous if code not in m_codes.OF_CERTAIN_TIMING]
+        by_tool_word = self.changes_tool and m_codes.TOOL_CHANGE not in self.miscellaneous
+        return " ".join([*uncertain, *([self.tool] if by_tool_word else [])])
 
     @property
     def changes_modes(self) -> bool:
@@ -178,6 +183,8 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         return
     if letter == "F":
         meaning.feed = word.value
+    if letter == "T":
+        meaning.tool = f"T{word.value:g}"
     if letter in _AXES:
         _axis(word, meaning, machine_axes)
     elif letter in _CENTRE:

@@ -11,16 +11,17 @@ from collections.abc import Iterable, Iterator
 from trueaxis.compensate import m_codes
 from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.arcs import ArcError
-from trueaxis.compensate.commanded import Commanded
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.mark import COMPENSATED_ALREADY, MARK
-from trueaxis.compensate.moves import STOP, TOOL_CHANGE, Item, Kind, Move, Notes, Start
+from trueaxis.compensate.mark import COMPENSATED_ALREADY, is_marked
+from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Start
 from trueaxis.compensate.nc_arc import arc_of_block, keep_rounding
 from trueaxis.compensate.nc_block import Meaning, interpret
 from trueaxis.compensate.nc_lexer import NUMBER, Block, lex
+from trueaxis.compensate.nc_start import starts_elsewhere
 from trueaxis.compensate.nc_state import MODE_NOTES, NcState
 from trueaxis.compensate.nc_text import block_text
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
+from trueaxis.compensate.tool_changes import ToolChanges
 
 # most blocks: N, G0 or G1, X Y Z and F, in this order; the groups are lead, G, X, Y, Z, tail, F, line end
 _PLAIN = re.compile(
@@ -30,6 +31,7 @@ _PLAIN = re.compile(
 )
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
+_OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it
 _UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
 MACHINE_COORDINATES = (
     "a G53 block: the blocks without G53 are read in machine coordinates too, so no offset may be active"
@@ -46,6 +48,7 @@ class NcReader:
         self._settings = settings
         self._faults = faults
         self._notes = notes
+        self._tools = ToolChanges(settings.dialect, notes)
         self._gap = " "  # between words, as in the last block that shows it
         self._undotted_said = False  # whether the fault of numbers without a decimal point is in the log
         self._state = NcState(axes, [settings.start.get(axis) for axis in axes])
@@ -107,7 +110,7 @@ class NcReader:
 
     def _any(self, number: int, line: str) -> Item:
         """Any block: what it sets, and its move if it has one."""
-        if MARK in line:
+        if is_marked(line):
             self._faults.add(number, *COMPENSATED_ALREADY)
         body = line.rstrip("\r\n")
         begin = 3 if number == 1 and body.startswith(BYTE_ORDER_MARK) else 0
@@ -119,11 +122,11 @@ class NcReader:
         aligned = _ALIGNMENT.match(body, lead)
         if aligned:
             lead = aligned.end()
-        optional = body[lead : lead + 1] == "/"
+        optional = _OPTIONAL.match(body, lead)
         if optional:
             if self._settings.block_delete == "skip":
                 return line
-            lead += 2 if body[lead + 1 : lead + 2].isdigit() else 1
+            lead = optional.end()
         block = lex(body, lead)
         meaning = interpret(block, self._axes, self._settings)
         meaning.program_number |= aligned is not None and not block.words
@@ -135,7 +138,9 @@ class NcReader:
             self._faults.add(number, problem, remedy)
         self._modes(number, meaning)
         self._known_numbers(number, meaning)
-        move = self._move(number, line, body, block, meaning, "/" if optional else "")
+        move = self._move(number, line, body, block, meaning, optional[0] if optional else "")
+        if meaning.changes_tool:  # after the motion too: controls do not agree which comes first
+            self._state.commanded.displace()
         if m_codes.STOPS.intersection(meaning.miscellaneous):
             self._state.commanded.stop()
             self._notes.add(number, STOP)
@@ -173,8 +178,8 @@ class NcReader:
             state.feed = meaning.feed * (MM_PER_INCH if state.inch else 1.0)
         if meaning.program_number and state.moved and not state.ended:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
-        if m_codes.TOOL_CHANGE in meaning.miscellaneous:
-            self._notes.add(number, TOOL_CHANGE)
+        meaning.changes_tool = self._tools.may_change(number, meaning)
+        if meaning.changes_tool:
             state.commanded.displace()
         for code in meaning.miscellaneous:
             if code in self._settings.pass_m and code not in m_codes.KNOWN:
@@ -205,7 +210,11 @@ class NcReader:
         if None in needed:
             self._unknown(number, needed, end)
             return None
-        stated = self._stated_start(number, meaning)
+        self._note_modes(number)
+        moved = {*meaning.axes, *(codes.PLANES[state.plane][:2] if state.motion in (2, 3) else ())}
+        commands = tuple(axis in moved for axis in self._axes)  # an arc puts both axes of its plane where it ends
+        own_block = f"and give {meaning.uncertain_codes} a block of its own" if meaning.changes_tool else ""
+        elsewhere = starts_elsewhere(number, state, commands, own_block or self._tools.remedy, self._faults)
         state.position = end
         known_end = tuple(value for value in end if value is not None)
         arc = None
@@ -234,34 +243,16 @@ class NcReader:
             text.lead, text.tail, self._gap, line[len(body) :], "" if arc or insert else line,
             again + (f"G53{self._gap}" if meaning.in_machine_coordinates else ""), text.split, arc,
             not meaning.miscellaneous and not meaning.exact_stop, state.feed_in_minutes,
-            state.commanded.command(written, state.absolute), stated,
+            state.commanded.command(commands, state.absolute), elsewhere,
             meaning.uncertain_codes,
         )  # fmt: skip
 
-    def _stated_start(self, number: int, meaning: Meaning) -> bool:
-        """Whether the block starts where the program has not commanded its axes to; notes and faults that follow."""
-        state = self._state
-        if not state.moved:
+    def _note_modes(self, number: int) -> None:
+        """Note modes that the program has not stated before its first motion."""
+        if not self._state.moved:
             for mode, text in MODE_NOTES.items():
-                if mode not in state.said:
+                if mode not in self._state.said:
                     self._notes.add(number, text)
-        arc = state.motion in (2, 3)
-        moved = set(meaning.axes) | (set(codes.PLANES[state.plane][:2]) if arc else set())
-        rows = [state.row[axis] for axis in moved if axis in state.row]
-        known = state.commanded.of(rows)
-        if known == Commanded.DISPLACED and (arc or not state.absolute):
-            self._faults.add(
-                number,
-                "this motion counts from where the axes stand, and the tool change before it may have moved them",
-                "give their positions by G90 G0 first",
-            )
-        elif arc and state.absolute and known < Commanded.STOPPED:
-            self._faults.add(
-                number,
-                "an arc that starts where the program has not commanded the axes to",
-                "give the position by G90 G0 or G1 in the program first",
-            )
-        return known < (Commanded.STOPPED if state.absolute else Commanded.STATED)
 
     def _may_move(self, number: int, meaning: Meaning) -> bool:
         """Whether positions mean a motion here; a fault if they do not."""

@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass
 from trueaxis.compensate.acting import EffectNote
 from trueaxis.compensate.reliance import Reliance
 from trueaxis.compensate.settings import Settings
-from trueaxis.compensate.sign_check import SignCheck
+from trueaxis.compensate.sign_check import Senses, SignCheck
 from trueaxis.compensate.statistics import Lines, Summary
 
 
@@ -43,6 +43,7 @@ class CompensationReport:
     out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
     uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
     error left there. Rapids to such points are not in the other figures.
+    senses: which way the model takes each linear axis to move the tool.
     sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
     passed: M codes that --pass-m vouches for, with their lines.
     reliance: how far the program relies on what was measured; None where nobody asked.
@@ -76,6 +77,7 @@ class CompensationReport:
     uncommanded: Lines
     uncommanded_left: Summary | None
     effects: tuple[EffectNote, ...]
+    senses: Senses
     sign_check: SignCheck | None
     passed: tuple[PassedCode, ...]
     notes: tuple[str, ...]
@@ -145,6 +147,7 @@ class CompensationReport:
             for one in self.passed
         )
         lines.extend(f"note: {note}" for note in self.notes)
+        lines.append(str(self.senses))
         if self.sign_check is not None:
             lines.append(str(self.sign_check))
         return "\n".join(lines)

@@ -16,7 +16,7 @@ from trueaxis.compensate.path import Path
 from trueaxis.compensate.placed import Placing
 from trueaxis.compensate.report import CompensationReport, Errors, PassedCode
 from trueaxis.compensate.settings import Settings
-from trueaxis.compensate.sign_check import SignChecker
+from trueaxis.compensate.sign_check import SignChecker, senses_of
 from trueaxis.compensate.solve import Solution
 from trueaxis.compensate.solve_pose import PoseSolution
 from trueaxis.compensate.statistics import LineLog, Running
@@ -59,6 +59,7 @@ class Tally:
         self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._axis = ToolAxis(model, settings.tool_axis)
         self.visited = Visited(model)
+        self._senses = senses_of(model, self._tool_point)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._moves = self._points = self._short_blocks = self._take_ups = 0
         self._iterations: Counter[int] = Counter()
@@ -203,6 +204,7 @@ class Tally:
             self._uncommanded.lines(),
             self._vector[UNCOMMANDED].summary(),
             self._effects,
+            self._senses,
             self._sign.found,
             tuple(PassedCode(code, log.lines()) for code, log in sorted(notes.passed.items())),
             notes.texts(),
