@@ -69,11 +69,12 @@ class Contest:
         self.machine, self.routines = machine, derive_routines(machine)
         self.module = ModuleType("kernels")
         exec(numpy_source(machine, self.routines), self.module.__dict__)
-        source = folder / "kernels.c"
-        source.write_text(c_source(machine, self.routines))
-        source.with_name("kernels.h").write_text(c_header(machine, self.routines))
+        code = {
+            "kernels.c": c_source(machine, self.routines).encode(),
+            "kernels.h": c_header(machine, self.routines).encode(),
+        }
         records = self.module.META["routines"]
-        self.compiled, reason = load_c_kernels(source, machine.name, machine.digest, ABI, records)
+        self.compiled, reason = load_c_kernels(code, machine.name, machine.digest, ABI, records)
         if reason:
             raise SystemExit(reason)
         self.model = [

@@ -150,6 +150,11 @@ class TestDerive:
         shown = capsys.readouterr().out
         assert "L^1  0  1  2  1  5  6" in shown
         assert "4. XZ-1x, XZ-2x -> EXZ, ECZ" in shown
+        assert "\nX+ commands move the tool to X+ of the workpiece\n" in shown
+        told = (
+            "\nY+ commands move the tool to Y- of the workpiece: Y slide carriage moves to Y+ (`sense = -1` where the "
+        )
+        assert f"{told}control counts the other way)\n" in shown
 
     def test_check_is_0_where_nothing_differs(self, written: Path, capsys: pytest.CaptureFixture[str]) -> None:
         assert main(["derive", str(DMU60P), "--out", str(written), "--check"]) == 0

@@ -15,6 +15,7 @@ import pytest
 
 from tests.command_lines import COMMANDS, KERNELS, command_line, leftovers, prepare, run, words_of
 from tests.machines import ROOT
+from trueaxis import staging
 from trueaxis.cli import main
 from trueaxis.faults import InputError
 from trueaxis.files import OutputFiles, write_files
@@ -281,6 +282,75 @@ class TestSweeping:
             sweep(tmp_path)
             assert folder.is_dir()
         assert not folder.exists()
+
+    @pytest.mark.parametrize("moment", ["before it is opened", "before it is locked", "while it is locked"])
+    def test_a_new_folder_that_another_run_takes_is_made_again(
+        self, tmp_path: Path, moment: str, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        real_mkdir, real_hold = Path.mkdir, staging.hold
+        lost: list[Path] = []
+
+        def mkdir(path: Path, mode: int = 0o777) -> None:
+            real_mkdir(path, mode)
+            if moment == "before it is opened" and not lost:
+                lost.append(path)
+                sweep(tmp_path)
+
+        def hold(handle: int) -> bool:
+            if moment == "before it is opened" or lost:
+                return real_hold(handle)
+            lost.extend(tmp_path.iterdir())
+            if moment == "before it is locked":
+                sweep(tmp_path)
+                return real_hold(handle)
+            return False
+
+        monkeypatch.setattr(Path, "mkdir", mkdir)
+        monkeypatch.setattr(staging, "hold", hold)
+        with staged_folder(tmp_path) as folder:
+            assert folder not in lost
+            sweep(tmp_path)
+            (folder / "file").write_text("in it")
+        assert len(lost) == 1
+        assert list(tmp_path.iterdir()) == []
+
+    def test_folders_that_others_keep_taking_are_a_fault(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(staging, "hold", lambda _: False)
+        with pytest.raises(TimeoutError, match="keep taking"), staged_folder(tmp_path):
+            pass
+        assert list(tmp_path.iterdir()) == []
+
+    @pytest.mark.parametrize("case", ["no links", "held by another run"])
+    def test_the_old_file_is_held_until_all_is_done(
+        self, tmp_path: Path, case: str, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        real = Path.replace
+        a, b = tmp_path / "a", tmp_path / "b"
+        a.write_text("old a")
+        a.chmod(0o640)
+
+        def no_link(*_: object) -> None:
+            raise PermissionError(errno.EPERM, os.strerror(errno.EPERM))
+
+        def replace(path: Path, target: Path) -> Path:
+            if target == b:
+                if other is not None:
+                    other.close()
+                sweep(tmp_path)  # of another run
+                raise OSError(errno.EIO, os.strerror(errno.EIO))
+            return real(path, target)
+
+        other = a.open() if case == "held by another run" else None
+        if other is None:
+            monkeypatch.setattr(os, "link", no_link)
+        else:
+            assert staging.hold(other.fileno())
+        monkeypatch.setattr(Path, "replace", replace)
+        with pytest.raises(OSError, match=os.strerror(errno.EIO)):
+            write_files({a: "new a", b: "new b"})
+        assert a.read_text() == "old a"
+        assert stat.S_IMODE(a.stat().st_mode) == 0o640
+        assert list(tmp_path.iterdir()) == [a]
 
     def test_files_of_the_user_stay(self, tmp_path: Path) -> None:
         names = [".trueaxis-notes.tmp", ".trueaxis-0123456789abcdef.tmp.txt", "trueaxis-0123456789abcdef.tmp", ".x.tmp"]

@@ -211,6 +211,9 @@ def test_the_lines_of_thousands_of_runs_take_no_time() -> None:
     [
         ("a = 1\n" + ".".join("a" * 100_000) + " = 1", "line 2", "a dotted key of too many parts"),
         ("a = 1\n\n [ " + " . ".join(['"a"'] * 100_000) + "]", "line 3", "a dotted key of too many parts"),
+        ("a = 1\nb = { c = 2, " + ".".join("a" * 100_000) + " = 1 }", "line 2", "a dotted key of too many parts"),
+        ('a = """\n\n"""\n' + ".".join(["'a.b'"] * 51) + " = 1", "line 4", "a dotted key of too many parts"),
+        ('"a\\' * 1_000_000, "", "is not TOML: "),
         ("a = " + "[" * 10_000 + "]" * 10_000, "", "nested too deeply"),
         ("a = " + "{a=" * 10_000 + "1" + "}" * 10_000, "", "nested too deeply"),
         ("a" * 1_000_000 + " = 1\n" + "a" * 1_000_000 + " = 2\n", "line 2", "is not TOML: Cannot overwrite"),
@@ -218,7 +221,7 @@ def test_the_lines_of_thousands_of_runs_take_no_time() -> None:
         ("a = " + "1" * 5000, "", "is not TOML: "),
         ("#" * (LARGEST_TEXT + 1), "", f"has {LARGEST_TEXT + 1} characters"),
     ],
-    ids=range(8),
+    ids=range(11),
 )
 def test_a_hostile_text_is_one_short_fault(text: str, place: str, problem: str) -> None:
     with pytest.raises(InputError) as raised:
@@ -233,6 +236,34 @@ def test_as_many_parts_as_are_allowed_are_read() -> None:
     key = ".".join("a" * MOST_PARTS)
     assert place(("a",) * 3, key_lines(f"\n{key} = 1")) == "line 2, key a.a.a"
     assert parse_toml(f"{key} = 1", Faults("f"))
+
+
+WORDS = ".".join(["word"] * 60)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f'a = """\n{WORDS}\n"""',
+        f'a = """\n[{WORDS}]\n"""',
+        f"a = '''\n'{WORDS} = 1\n'''''",
+        f'a = """\\"""\n{WORDS}\n"""',
+        f'a = """""{WORDS}\n{WORDS}"""""',
+        f"a = [\n\"{WORDS}\",\n'{WORDS}']",
+        f'a = "\\"{WORDS}"',
+        f"a = 1 # {WORDS}\n# {WORDS} = 1",
+        f"\"{WORDS}\" = 1\n['b.{WORDS}'.b]",
+    ],
+    ids=range(9),
+)
+def test_dotted_words_that_are_no_key_are_read(text: str) -> None:
+    assert parse_toml(text, Faults("f")) == tomllib.loads(text)
+
+
+@settings(max_examples=200, deadline=None)
+@given(documents())
+def test_any_valid_text_of_short_keys_is_read(text: str) -> None:
+    assert repr(parse_toml(text, Faults("f"))) == repr(tomllib.loads(text.replace("\r\n", "\n")))  # a nan is no other
 
 
 def test_a_long_or_strange_key_is_shown_short() -> None:

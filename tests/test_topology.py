@@ -1,11 +1,14 @@
 """The lower-body array and the branches: the paper's machine by hand, and any tree against repeated application."""
 
+import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.machines import DMU60P, machine_at
+from tests.kernels import kernels_of
+from tests.machines import DMU60P, machine_at, machine_of, serial_text, spec_text
 from trueaxis.spec import Body, Machine
-from trueaxis.topology import branch, branches, format_lower_body_array, lower_body_array
+from trueaxis.topology import branch, branches, format_lower_body_array, lower_body_array, tool_senses
 
 
 def test_the_papers_machine() -> None:
@@ -63,3 +66,32 @@ def test_a_branch_runs_from_the_bed_to_its_end_by_the_array(machine: Machine) ->
         found = branch(machine, end)
         assert [body.number for body in found] == downwards[::-1]
         assert found[0].lower == 1
+
+
+BOTH_ENDS = [
+    {"number": 2, "name": "column", "lower": 1, "moves": "X", "travel": [0.0, 1.0]},
+    {"number": 3, "name": "table", "lower": 2, "moves": "Y", "travel": [0.0, 1.0]},
+    {"number": 4, "name": "ram", "lower": 2, "moves": "Z", "travel": [0.0, 1.0]},
+]
+
+
+@pytest.mark.parametrize(
+    ("text", "senses"),
+    [
+        (serial_text("", "XYZ"), {"X": 1, "Y": 1, "Z": 1}),
+        (serial_text("YX", "Z"), {"X": -1, "Y": -1, "Z": 1}),
+        (serial_text("YX", "Z", X={"sense": -1}, Z={"sense": -1}), {"X": 1, "Y": -1, "Z": -1}),
+        (serial_text("YC", "XZB"), {"X": 1, "Y": -1, "Z": 1}),
+        (spec_text(BOTH_ENDS, 3, 4), {"X": 0, "Y": -1, "Z": 1}),
+    ],
+    ids=range(5),
+)
+def test_the_way_that_positive_commands_move_the_tool(text: str, senses: dict[str, int]) -> None:
+    machine = machine_of(text)
+    assert tool_senses(machine) == senses
+    ideal = kernels_of(text).tool_in_workpiece_ideal
+    home, lengths = np.zeros((len(machine.axes), 1)), np.zeros(len(machine.parameters))
+    for axis, sense in senses.items():
+        moved = home + np.array([[float(axis == other)] for other in machine.axes])
+        step = ideal(moved, lengths, np.zeros((3, 1))) - ideal(home, lengths, np.zeros((3, 1)))
+        np.testing.assert_allclose(step[:, 0], [sense * float(axis == other) for other in "XYZ"], atol=1e-12)

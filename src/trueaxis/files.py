@@ -120,17 +120,33 @@ class OutputFiles:
         if not destination.exists():
             undo.callback(destination.unlink, missing_ok=True)
             return
+        old = self._linked(destination) or self._copied(destination)
+        undo.callback(old.replace, destination)
+
+    def _linked(self, destination: Path) -> Path | None:
+        """Another name of the file, locked; None where there are no links, or while another run has the lock."""
         old = staged_name(destination.parent)
         self._temporary.callback(old.unlink, missing_ok=True)
         with suppress(PermissionError):  # a file that may be written, but not read
             handle = os.open(destination, os.O_RDONLY)
             self._temporary.callback(os.close, handle)
-            hold(handle)
+            if not hold(handle):
+                return None
         try:
             os.link(destination, old)
         except OSError:  # a file system without links
-            shutil.copy2(destination, old)
-        undo.callback(old.replace, destination)
+            return None
+        return old
+
+    def _copied(self, destination: Path) -> Path:
+        """A locked copy of the file."""
+        old, handle = staged_file(destination.parent, self._temporary)
+        if sys.platform == "win32":
+            os.close(handle)  # no open file can be moved there
+        else:
+            self._temporary.callback(os.close, handle)
+        shutil.copy2(destination, old)
+        return old
 
 
 def _destination(target: Path) -> Path:

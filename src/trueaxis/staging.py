@@ -33,21 +33,33 @@ def staged_file(folder: Path, undo: ExitStack) -> tuple[Path, int]:
         if hold(handle) and os.fstat(handle).st_nlink:
             return path, handle
         os.close(handle)
-    raise TimeoutError(0, "other programs keep taking its temporary files away", str(folder))
+    raise _taken_away(folder)
 
 
 @contextmanager
 def staged_folder(folder: Path) -> Iterator[Path]:
     """A new folder in `folder` for its owner alone, locked; it goes with all that is in it. Raises OSError."""
-    path = staged_name(folder)
     with ExitStack() as undo:
+        yield _held_folder(folder, undo)
+
+
+def _held_folder(folder: Path, undo: ExitStack) -> Path:
+    for _ in range(_TRIES):
+        path = staged_name(folder)
         undo.callback(shutil.rmtree, path, ignore_errors=True)
         path.mkdir(mode=0o700)
-        if sys.platform != "win32":
+        if sys.platform == "win32":
+            return path
+        with suppress(FileNotFoundError):  # taken before it was opened
             handle = os.open(path, os.O_RDONLY)
             undo.callback(os.close, handle)
-            hold(handle)
-        yield path
+            if hold(handle) and path.is_dir():
+                return path
+    raise _taken_away(folder)
+
+
+def _taken_away(folder: Path) -> TimeoutError:
+    return TimeoutError(0, "other programs keep taking its temporary files away", str(folder))
 
 
 def staged_name(folder: Path) -> Path:

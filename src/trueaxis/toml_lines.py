@@ -17,7 +17,13 @@ LONGEST_SHOWN = 60  # characters of a key, in a message; the parser's own messag
 _DEEPEST = 8  # steps from the top to which lines are kept; deeper keys have the line of the key above them
 _PART = r"""(?:[A-Za-z0-9_-]+|"[^"\\\n]*(?:\\.[^"\\\n]*)*"|'[^'\n]*')"""
 _KEY = re.compile(rf"{_PART}(?:[ \t]*\.[ \t]*{_PART})*")
-_LONG_KEY = re.compile(rf"^[ \t]*(?:\[\[?[ \t]*)?{_PART}(?:[ \t]*\.[ \t]*{_PART}){{{MOST_PARTS}}}", re.MULTILINE)
+# What may look like a dotted key and is none: comments and strings, of which those on one line may be parts of a key.
+# A string without an end takes the rest of its line, or of the text: the parser stops there.
+_NO_KEY = re.compile(
+    r'''(?P<lines>"""(?:[^"\\]++|\\[\s\S]?|"{1,2}(?!"))*(?:"{3,5}|\Z)|\'\'\'(?:[^']++|'{1,2}(?!'))*(?:'{3,5}|\Z))'''
+    r"""|(?P<comment>#[^\n]*)|"[^"\\\n]*+(?:\\.[^"\\\n]*+)*"?|'[^'\n]*+'?"""
+)
+_LONG_KEY = re.compile(rf'(?<![\w"-])[\w"-]+(?:[ \t]*\.[ \t]*[\w"-]+){{{MOST_PARTS}}}', re.ASCII)
 _BLANK = re.compile(r"(?:[ \t\n]+|#[^\n]*)*")
 _HEADER = re.compile(r"(\[\[?)[ \t]*")
 _OF_VALUE = re.compile(
@@ -33,8 +39,9 @@ def parse_toml(text: str, faults: Faults) -> dict[str, Any]:
         faults.add("", f"has {len(text)} characters", f"{LARGEST_TEXT} at most")
         raise InputError(faults.found)
     text = text.replace("\r\n", "\n")
-    for found in _LONG_KEY.finditer(text):
-        line = text.count("\n", 0, found.start()) + 1
+    bare = _NO_KEY.sub(_without, text)
+    if found := _LONG_KEY.search(bare):
+        line = bare.count("\n", 0, found.start()) + 1
         faults.add(f"line {line}", "has a dotted key of too many parts", f"{MOST_PARTS} at most")
         raise InputError(faults.found)
     try:
@@ -47,6 +54,13 @@ def parse_toml(text: str, faults: Faults) -> dict[str, Any]:
             message = f"{message[:LONGEST_SHOWN]} ... {message[-LONGEST_SHOWN:]}"
         faults.add(error_line(error), f"is not TOML: {message}")
     raise InputError(faults.found)
+
+
+def _without(found: re.Match[str]) -> str:
+    """What stands for a string or comment where dotted keys are looked for: as many lines, and a part for a part."""
+    if found["lines"] is not None:
+        return "=" + "\n" * found[0].count("\n")
+    return "" if found["comment"] is not None else '""'
 
 
 def complainer(text: str, faults: Faults) -> Callable[[KeyPath, str, str], None]:

@@ -69,13 +69,14 @@ def machine_with(kinds: Sequence[Kind]) -> Machine:
 
 
 def compiled(folder: Path, machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Kernel]:
-    source = folder / "kernels.c"
-    source.write_text(c_source(machine, routines))
-    source.with_name("kernels.h").write_text(c_header(machine, routines))
+    code = {
+        "kernels.c": c_source(machine, routines).encode(),
+        "kernels.h": c_header(machine, routines).encode(),
+    }
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TRUEAXIS_CACHE", str(folder / "cache"))
         records = executed(machine, routines).META["routines"]
-        kernels, reason = load_c_kernels(source, machine.name, machine.digest, ABI, records)
+        kernels, reason = load_c_kernels(code, machine.name, machine.digest, ABI, records)
     assert reason == ""
     return kernels  # type: ignore[return-value]  # each has one output
 

@@ -55,7 +55,27 @@ def test_options_out_of_range_are_faults(tmp_path: Path, extra: list[str]) -> No
     assert not out.exists()
 
 
-def test_nothing_to_fit_is_a_fault(tmp_path: Path) -> None:
-    out = tmp_path / "f.json"
-    assert main(["fit", MACHINE, "--errors", str(tables(tmp_path)), "--out", str(out)]) == 2
+@pytest.mark.parametrize(
+    ("curves", "problem"),
+    [
+        ({}, "has no table of three positions or more"),
+        ({"EXX": "table"}, "has no table of three positions or more"),
+        ({"EXX": "table", "EYX": "polynomial"}, "has no table of three positions or more"),
+        ({"EYX": "polynomial"}, "are polynomials already, without a table: there is nothing to fit"),
+    ],
+    ids=range(4),
+)
+def test_nothing_to_fit_is_a_fault(
+    tmp_path: Path, curves: dict[str, str], problem: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    by_basis = {
+        "table": {"basis": "table", "positions": [0.0, 1.0], "values": [0.0, 1e-3]},
+        "polynomial": {"basis": "polynomial", "powers": [1], "coefficients": [1e-6]},
+    }
+    path, out = tables(tmp_path), tmp_path / "f.json"
+    tree = json.loads(path.read_text())
+    tree["motion_errors"] = {name: by_basis[basis] for name, basis in curves.items()}
+    path.write_text(json.dumps(tree))
+    assert main(["fit", MACHINE, "--errors", str(path), "--out", str(out)]) == 2
+    assert f"trueaxis: {path}: motion_errors: {problem}" in capsys.readouterr().err
     assert not out.exists()

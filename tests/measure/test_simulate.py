@@ -183,7 +183,17 @@ def test_a_folder_that_cannot_be_made_leaves_nothing_behind(tmp_path: Path, erro
     assert (tmp_path / "out").read_text() == "a file"
 
 
-@pytest.mark.parametrize("option", [("--noise-um", "-1"), ("--noise-um", "nan"), ("--seed", "-3"), ("--seed", "x")])
+@pytest.mark.parametrize(
+    "option",
+    [
+        ("--noise-um", "-1"),
+        ("--noise-um", "nan"),
+        ("--noise-um", "1e308"),
+        ("--noise-um", "1.1e4"),
+        ("--seed", "-3"),
+        ("--seed", "x"),
+    ],
+)
 def test_noise_options_are_checked(tmp_path: Path, errors: Path, option: tuple[str, str]) -> None:
     with pytest.raises(SystemExit) as caught:
         simulated(errors, PLAN, tmp_path / "out", *option)

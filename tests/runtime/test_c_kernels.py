@@ -34,7 +34,7 @@ DEVIATION = "tool_in_workpiece_deviation"
 class Compiled:
     machine: Machine
     routines: tuple[Routine, ...]
-    source: Path
+    code: dict[str, bytes]
     numpy: ModuleType
     c: dict[str, CRoutine]
 
@@ -44,16 +44,17 @@ def compiled(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFa
     machine = machine_at(request.param)
     routines = derive_routines(machine)
     folder = tmp_path_factory.mktemp(machine.name)
-    source = folder / "kernels.c"
-    source.write_text(c_source(machine, routines))
-    source.with_name("kernels.h").write_text(c_header(machine, routines))
+    code = {
+        "kernels.c": c_source(machine, routines).encode(),
+        "kernels.h": c_header(machine, routines).encode(),
+    }
     module = ModuleType("kernels")
     exec(numpy_source(machine, routines), module.__dict__)
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TRUEAXIS_CACHE", str(folder / "cache"))
-        kernels, reason = load_c_kernels(source, machine.name, machine.digest, ABI, module.META["routines"])
+        kernels, reason = load_c_kernels(code, machine.name, machine.digest, ABI, module.META["routines"])
         assert reason == ""
-        yield Compiled(machine, routines, source, module, kernels)
+        yield Compiled(machine, routines, code, module, kernels)
 
 
 def drawn(argument: Argument, machine: Machine, n: int) -> FloatArray:
@@ -188,20 +189,20 @@ def test_wrong_calls_say_what_is_wrong(compiled: Compiled) -> None:
 def test_kernels_of_another_spec_or_abi_are_refused(compiled: Compiled) -> None:
     records = compiled.numpy.META["routines"]
     name, digest = compiled.machine.name, compiled.machine.digest
-    assert load_c_kernels(compiled.source, name, "0" * 64, ABI, records) == (
+    assert load_c_kernels(compiled.code, name, "0" * 64, ABI, records) == (
         {},
-        f"{compiled.source} was made from another spec",
+        "kernels.c was made from another spec",
     )
-    found, reason = load_c_kernels(compiled.source, name, digest, ABI + 1, records)
-    assert (found, reason) == ({}, f"{compiled.source} has the kernel ABI {ABI}, not {ABI + 1}")
-    found, reason = load_c_kernels(compiled.source, name, digest, ABI, records | {"more": records[DEVIATION]})
+    found, reason = load_c_kernels(compiled.code, name, digest, ABI + 1, records)
+    assert (found, reason) == ({}, f"kernels.c has the kernel ABI {ABI}, not {ABI + 1}")
+    found, reason = load_c_kernels(compiled.code, name, digest, ABI, records | {"more": records[DEVIATION]})
     assert found == {}
     assert "cannot be used" in reason
 
 
 def test_library_that_is_none_is_told(compiled: Compiled, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TRUEAXIS_CACHE", str(tmp_path))
-    arguments_ = (compiled.source, compiled.machine.name, compiled.machine.digest, ABI)
+    arguments_ = (compiled.code, compiled.machine.name, compiled.machine.digest, ABI)
     compiler = tmp_path / "cc"
     compiler.write_text('#!/bin/sh\nwhile [ "$1" != -o ]; do shift || exit 0; done; echo no library > "$2"\n')
     compiler.chmod(0o755)

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from trueaxis.runtime import compiler
-from trueaxis.runtime.compiler import compile_kernels, find_compiler
+from trueaxis.runtime.compiler import Compilation, compile_kernels, find_compiler
 
 pytestmark = [
     pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler"),
@@ -38,29 +38,37 @@ def script(path: Path, text: str) -> str:
     return str(path)
 
 
+def code_of(source: Path) -> dict[str, bytes]:
+    return {name: source.with_name(name).read_bytes() for name in ("kernels.c", "kernels.h")}
+
+
+def compiled(source: Path) -> Compilation:
+    return compile_kernels(code_of(source))
+
+
 def answer(library: Path | None) -> int:
     assert library is not None
     return int(ctypes.CDLL(str(library)).answer())
 
 
 def test_the_second_time_nothing_is_compiled(source: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    first = compile_kernels(source)
+    first = compiled(source)
     assert answer(first.library) == 41
     monkeypatch.setattr(compiler, "_compile", None)
-    assert compile_kernels(source) == first
+    assert compiled(source) == first
 
 
 def test_another_content_is_another_library(source: Path) -> None:
-    before = compile_kernels(source).library
+    before = compiled(source).library
     source.with_name("kernels.h").write_text("#define ANSWER 42\nint answer(void);\n")
-    after = compile_kernels(source).library
+    after = compiled(source).library
     assert before != after
     assert answer(after) == 42
 
 
 def test_processes_compile_at_once(source: Path) -> None:
     with ProcessPoolExecutor(4) as pool:
-        found = set(pool.map(compile_kernels, [source] * 8))
+        found = set(pool.map(compiled, [source] * 8))
     assert len(found) == 1
     assert answer(found.pop().library) == 41
     left = [path.suffix for path in (source.parent / "cache" / "kernels").iterdir()]
@@ -75,17 +83,17 @@ def test_flags_that_a_compiler_refuses_are_dropped(
         f'for word; do [ "$word" = -march=native ] && {{ echo "error: no such flag" >&2; exit 1; }}; done; {real} "$@"'
     )
     monkeypatch.setenv("CC", script(tmp_path / "old-cc", old))
-    assert answer(compile_kernels(source).library) == 41
+    assert answer(compiled(source).library) == 41
 
 
 def test_words_of_cc_are_kept(source: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CC", f"{(find_compiler() or ('',))[0]} -DUNUSED='two words'")
-    assert answer(compile_kernels(source).library) == 41
+    assert answer(compiled(source).library) == 41
 
 
 def test_broken_source_tells_the_first_error(source: Path) -> None:
     source.write_text("int answer(void) { return }\n")
-    found = compile_kernels(source)
+    found = compiled(source)
     assert found.library is None
     assert "cannot compile kernels.c" in found.reason
     assert "error:" in found.reason
@@ -94,39 +102,46 @@ def test_broken_source_tells_the_first_error(source: Path) -> None:
 def test_compiler_that_fails_or_makes_nothing(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for text in ("exit 1", "exit 0"):
         monkeypatch.setenv("CC", script(tmp_path / "bad-cc", text))
-        found = compile_kernels(source)
+        found = compiled(source)
         assert found.library is None
         assert "bad-cc cannot compile kernels.c: no message" in found.reason
 
 
 def test_no_compiler(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CC", "no-such-compiler")
-    assert compile_kernels(source).reason == "no C compiler found (CC is no-such-compiler)"
+    assert compiled(source).reason == "no C compiler found (CC is no-such-compiler)"
     monkeypatch.delenv("CC")
     monkeypatch.setenv("PATH", str(tmp_path / "nothing"))
-    assert compile_kernels(source).reason == "no C compiler found (looked for cc, gcc, clang)"
+    assert compiled(source).reason == "no C compiler found (looked for cc, gcc, clang)"
 
 
 def test_compiler_that_hangs(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiler, "_SECONDS", 0.2)
     monkeypatch.setenv("CC", script(tmp_path / "slow-cc", f"exec {shutil.which('sleep')} 60"))
-    assert compile_kernels(source).reason == "the C compiler took longer than 0.2 s"
+    assert compiled(source).reason == "the C compiler took longer than 0.2 s"
 
 
-def test_missing_source(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("TRUEAXIS_CACHE", str(tmp_path))
-    assert "cannot be compiled" in compile_kernels(tmp_path / "kernels.c").reason
+def test_the_content_is_compiled_and_no_file_is_read(source: Path) -> None:
+    code = code_of(source)
+    source.write_text("no C at all")
+    source.with_name("kernels.h").unlink()
+    assert answer(compile_kernels(code).library) == 41
+
+
+def test_cache_that_cannot_be_made(source: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TRUEAXIS_CACHE", str(source / "below a file"))
+    assert "cannot be compiled" in compiled(source).reason
 
 
 def test_cache_that_others_can_write_is_not_trusted(source: Path) -> None:
     folder = source.parent / "cache" / "kernels"
     folder.mkdir(parents=True)
     folder.chmod(0o777)
-    assert "others can write" in compile_kernels(source).reason
+    assert "others can write" in compiled(source).reason
 
 
 def test_cache_is_made_for_its_owner_alone(source: Path) -> None:
-    compile_kernels(source)
+    compiled(source)
     assert (source.parent / "cache" / "kernels").stat().st_mode & 0o777 == 0o700
 
 
@@ -134,19 +149,19 @@ def test_cache_is_made_for_its_owner_alone(source: Path) -> None:
 def test_cache_of_the_platform(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("TRUEAXIS_CACHE")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "xdg"))
-    library = compile_kernels(source).library
+    library = compiled(source).library
     assert library is not None
     assert library.parent == tmp_path / "xdg" / "trueaxis" / "kernels"
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
-    library = compile_kernels(source).library
+    library = compiled(source).library
     assert library is not None
     assert library.parent == tmp_path / "home" / ".cache" / "trueaxis" / "kernels"
 
 
 @pytest.mark.parametrize("damage", ["truncated", "zeros", "one byte", "empty"])
 def test_a_damaged_library_is_compiled_anew(source: Path, damage: str) -> None:
-    library = compile_kernels(source).library
+    library = compiled(source).library
     assert library is not None
     content = library.read_bytes()
     flipped = content[:1000] + bytes([content[1000] ^ 1]) + content[1001:]
@@ -157,7 +172,7 @@ def test_a_damaged_library_is_compiled_anew(source: Path, damage: str) -> None:
         "empty": b"",
     }
     library.write_bytes(damaged[damage])
-    again = compile_kernels(source).library
+    again = compiled(source).library
     assert answer(again) == 41
     assert [path.suffix for path in library.parent.iterdir()] == [".so"]
 
@@ -167,7 +182,7 @@ def test_a_full_cache_is_a_reason(source: Path, tmp_path: Path, monkeypatch: pyt
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "fsync", full)
-    found = compile_kernels(source)
+    found = compiled(source)
     assert found.library is None
     assert "No space left on device" in found.reason
     assert list((tmp_path / "cache" / "kernels").iterdir()) == []
@@ -175,20 +190,23 @@ def test_a_full_cache_is_a_reason(source: Path, tmp_path: Path, monkeypatch: pyt
 
 def test_a_killed_compilation_is_cleared_up_by_the_next(source: Path, tmp_path: Path) -> None:
     slow = script(tmp_path / "slow-cc", '[ "$1" = --version ] || { touch "$STARTED"; sleep 60; }')
-    code = "import sys; from pathlib import Path; from trueaxis.runtime.compiler import compile_kernels as c\n"
+    code = (
+        "import sys; from pathlib import Path; from trueaxis.runtime.compiler import compile_kernels\n"
+        "compile_kernels({path.name: path.read_bytes() for path in map(Path, sys.argv[1:])})"
+    )
     environment = os.environ | {"CC": slow, "STARTED": str(tmp_path / "started")}
-    words = [sys.executable, "-c", f"{code}c(Path(sys.argv[1]))", str(source)]
+    words = [sys.executable, "-c", code, str(source), str(source.with_name("kernels.h"))]
     with subprocess.Popen(words, env=environment, start_new_session=True) as process:
         while not (tmp_path / "started").exists():
             time.sleep(0.01)
         cache = tmp_path / "cache" / "kernels"
         (folder,) = cache.iterdir()
-        assert compile_kernels(source).library is not None
+        assert compiled(source).library is not None
         assert folder.is_dir(), "what a running process holds is not removed"
         os.killpg(process.pid, signal.SIGKILL)
     assert folder.is_dir()
     source.write_text(source.read_text() + "\n")
-    assert answer(compile_kernels(source).library) == 41
+    assert answer(compiled(source).library) == 41
     assert {path.suffix for path in cache.iterdir()} == {".so"}
 
 
@@ -198,6 +216,6 @@ def test_a_relative_cache_of_the_user_is_passed_over(
     monkeypatch.delenv("TRUEAXIS_CACHE")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
     monkeypatch.setenv("XDG_CACHE_HOME", "relative")
-    library = compile_kernels(source).library
+    library = compiled(source).library
     assert library is not None
     assert library.is_relative_to(tmp_path / "home")

@@ -3,6 +3,7 @@
 import json
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,8 +14,10 @@ from trueaxis.emit.meta import ABI as EMITTED_ABI
 from trueaxis.emit.render import render
 from trueaxis.faults import InputError
 from trueaxis.files import write_files
+from trueaxis.runtime import kernels as kernels_module
+from trueaxis.runtime.compiler import find_compiler
 from trueaxis.runtime.kernels import ABI, Kernels, load_kernels
-from trueaxis.runtime.manifest import CODE_FILES, MANIFEST
+from trueaxis.runtime.manifest import CODE_FILES, MANIFEST, verified_code
 from trueaxis.spec import Machine
 
 
@@ -126,6 +129,22 @@ def test_no_other_content_is_run_than_was_derived(folder: Path, name: str, backe
     path.unlink()
     with pytest.raises(InputError, match=name):
         load(folder, backend=backend)
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
+@pytest.mark.parametrize("name", ["kernels.c", "kernels.h"])
+def test_what_is_compiled_is_what_was_checked(
+    folder: Path, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def checked_then_changed(*args: Any, **options: Any) -> dict[str, bytes]:
+        code = verified_code(*args, **options)
+        path = folder / "dmu60p" / name
+        path.write_bytes(b"#error changed after its check\n" + path.read_bytes())
+        return code
+
+    monkeypatch.setenv("TRUEAXIS_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setattr(kernels_module, "verified_code", checked_then_changed)
+    assert load(folder, backend="c").backend == "c"
 
 
 def test_every_file_that_was_changed_is_told(folder: Path) -> None:

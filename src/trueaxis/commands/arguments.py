@@ -33,6 +33,12 @@ def noise(text: str) -> float:
     return _finite(text, f"a number of micrometres from {low:g} to {high:g}", lambda value: low <= value <= high)
 
 
+def noise_or_none(text: str) -> float:
+    """Standard deviation of a reading, um, or 0 for none. Raises argparse.ArgumentTypeError otherwise."""
+    high = NOISE_UM[1]
+    return _finite(text, f"a number of micrometres from 0 to {high:g}", lambda value: 0.0 <= value <= high)
+
+
 def share(text: str) -> float:
     """A number above 0 and below 1. Raises argparse.ArgumentTypeError otherwise."""
     return _finite(text, "a number above 0 and below 1", lambda value: 0.0 < value < 1.0)

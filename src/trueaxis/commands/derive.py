@@ -11,7 +11,7 @@ from trueaxis.measure.data import MeasuredData, read_data
 from trueaxis.measure.setup import PointOn
 from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.spec import Machine, read_machine
-from trueaxis.topology import format_lower_body_array
+from trueaxis.topology import format_lower_body_array, tool_senses
 
 if TYPE_CHECKING:
     from trueaxis.derive.systems import RunPattern
@@ -81,7 +81,28 @@ def run(args: argparse.Namespace) -> int:
             print(f"  {number}. {', '.join(system.runs)} -> {', '.join(system.unknowns)}{lack}")
     for name in files:
         print(f"wrote {named(folder / name)}")
+    for line in _sense_sentences(machine):
+        print(line)
     return 0
+
+
+def _sense_sentences(machine: Machine) -> list[str]:
+    """Where positive commands move the tool: an axis that counts the other way on the machine is a slip in the spec."""
+    lines = []
+    for axis, sense in tool_senses(machine).items():
+        if sense > 0:
+            lines.append(f"{axis}+ commands move the tool to {axis}+ of the workpiece")
+        elif sense < 0:
+            body = machine.mover(axis)
+            moves = f"{axis}{'+' if body.sense > 0 else '-'}"
+            change = "`sense = -1`" if body.sense > 0 else "no `sense = -1`"
+            lines.append(
+                f"{axis}+ commands move the tool to {axis}- of the workpiece: {body.name} moves to {moves} "
+                f"({change} where the control counts the other way)"
+            )
+        else:
+            lines.append(f"{axis} commands move the tool and the workpiece together")
+    return lines
 
 
 def identification_runs(machine: Machine, spec: Path, given: Path | None = None) -> "tuple[RunPattern, ...]":

@@ -90,7 +90,7 @@ def run(args: argparse.Namespace) -> int:
         raise InputError(found)
     fits = fit_tables(errors.motion_errors, max_order=args.max_order, alpha=args.alpha)
     if not fits:
-        raise InputError([Fault(str(args.errors), "motion_errors", "has no table of three positions or more")])
+        raise InputError([_nothing_to_fit(errors, args.errors)])
     curves, notes = polynomial_curves(errors.motion_errors, fits)
     fitted = replace(errors, motion_errors=curves, covariance=None)
     of_fitted = in_polynomials(covariance, errors.motion_errors, curves)
@@ -122,6 +122,14 @@ def run(args: argparse.Namespace) -> int:
         return 1
     print(f"written: {', '.join(map(named, contents))}")
     return 0 if all(fit.after.powers for fit in fits.values()) else 1
+
+
+def _nothing_to_fit(errors: ErrorValues, file: Path) -> Fault:
+    curves = errors.motion_errors.values()
+    if curves and not any(isinstance(curve, TableCurve) for curve in curves):
+        problem = "are polynomials already, without a table: there is nothing to fit"
+        return Fault(str(file), "motion_errors", problem, "use these error values as they are")
+    return Fault(str(file), "motion_errors", "has no table of three positions or more")
 
 
 def _extent(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trueaxis.commands.arguments import size, whole
+from trueaxis.commands.arguments import noise_or_none, whole
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
@@ -45,7 +45,11 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="another folder, to be written")
     parser.add_argument(
-        "--noise-um", type=size, default=0.0, metavar="S", help="standard deviation of the noise, micrometres (0)"
+        "--noise-um",
+        type=noise_or_none,
+        default=0.0,
+        metavar="S",
+        help="standard deviation of the noise, micrometres (0)",
     )
     parser.add_argument("--seed", type=whole(0), default=0, metavar="N", help="seed of the noise (%(default)s)")
     parser.add_argument("--replace", action="store_true", help="replace readings that are there, too")

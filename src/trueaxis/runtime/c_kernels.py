@@ -5,14 +5,13 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from trueaxis.c_prefix import c_prefix
-from trueaxis.runtime.compiler import compile_kernels
+from trueaxis.runtime.compiler import SOURCE, compile_kernels
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -104,20 +103,21 @@ class CRoutine:
 
 
 def load_c_kernels(
-    source: Path, machine_name: str, digest: str, abi: int, routines: Mapping[str, Any]
+    code: Mapping[str, bytes], machine_name: str, digest: str, abi: int, routines: Mapping[str, Any]
 ) -> tuple[dict[str, CRoutine], str]:
     """The routines of kernels.c, compiled where need be; or none of them, and the reason.
 
-    digest, abi: what the library must say of itself. routines: the `routines` of the META record.
+    code: the content of kernels.c and kernels.h by these names. digest, abi: what the library must
+    say of itself. routines: the `routines` of the META record.
     """
-    compiled = compile_kernels(source)
+    compiled = compile_kernels(code)
     if compiled.library is None:
         return {}, compiled.reason
     prefix = c_prefix(machine_name)
     try:
         library = ctypes.CDLL(str(compiled.library))
         if reason := _mismatch(library, prefix, digest, abi):
-            return {}, f"{source} {reason}"
+            return {}, f"{SOURCE} {reason}"
         return {name: _routine(library, prefix, name, record) for name, record in routines.items()}, ""
     except (OSError, AttributeError) as error:  # a library of another processor, a function that is not there
         return {}, f"the compiled kernels cannot be used: {error}"

@@ -7,7 +7,7 @@ import shlex
 import shutil
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from trueaxis.staging import staged_folder, sweep
 # Contraction (fused multiply-add) is the one licence taken with the arithmetic: it rounds less, not more. Without errno
 # a root is one instruction. -ffast-math is not given: its sums in another order would not keep the last digits.
 FLAGS = ("-std=c17", "-O3", "-fno-math-errno", "-ffp-contract=fast", "-fPIC", "-shared")
+SOURCE = "kernels.c"  # which includes kernels.h
 NATIVE = "-march=native"  # dropped where a compiler does not know it
 
 _COMPILERS = ("cc", "gcc", "clang")
@@ -33,9 +34,11 @@ class Compilation:
     reason: str = ""
 
 
-def compile_kernels(source: Path) -> Compilation:
-    """The shared library of kernels.c (with kernels.h beside it), compiled unless the cache has it.
+def compile_kernels(code: Mapping[str, bytes]) -> Compilation:
+    """The shared library of kernels.c, compiled unless the cache has it.
 
+    code: the content of kernels.c and kernels.h by these names. It is compiled as given and not read from files, which
+    may have changed since they were checked.
     The cache is $TRUEAXIS_CACHE, else the user's cache folder; its entries are named by the content of the source, the
     flags, the compiler's version and the processor, and by their own content, which is compared before they are used.
     Any number of processes may do this at once.
@@ -46,12 +49,11 @@ def compile_kernels(source: Path) -> Compilation:
         return Compilation(None, f"no C compiler found ({_looked_for()})")
     try:
         root = _cache_root()
-        texts = {name: source.with_name(name).read_bytes() for name in (source.name, "kernels.h")}
         folder = _private_folder(root)
-        key = _key(texts, compiler, folder)
+        key = _key(code, compiler, folder)
         if library := _cached(folder, key):
             return Compilation(library)
-        return _compile(compiler, texts, source.name, folder, key)
+        return _compile(compiler, code, folder, key)
     except subprocess.TimeoutExpired:
         return Compilation(None, f"the C compiler took longer than {_SECONDS} s")
     except (OSError, RuntimeError) as error:  # a folder that cannot be written, a full disk, a user without a home
@@ -116,9 +118,13 @@ def _private_folder(root: Path) -> Path:
     return folder
 
 
-def _key(texts: dict[str, bytes], compiler: Sequence[str], folder: Path) -> str:
+def _key(code: Mapping[str, bytes], compiler: Sequence[str], folder: Path) -> str:
     version = _run([*compiler, "--version"], folder).stdout
-    parts = (*texts.values(), *(word.encode() for word in (*compiler, *FLAGS, NATIVE, _processor())), version.encode())
+    parts = (
+        *(code[name] for name in sorted(code)),
+        *(word.encode() for word in (*compiler, *FLAGS, NATIVE, _processor())),
+        version.encode(),
+    )
     return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()[:32]
 
 
@@ -152,20 +158,20 @@ def _library_name(key: str, content: bytes) -> str:
     return f"{key}-{hashlib.sha256(content).hexdigest()[:32]}{_suffix()}"
 
 
-def _compile(compiler: Sequence[str], texts: dict[str, bytes], main: str, cache: Path, key: str) -> Compilation:
-    """Compile copies in a folder of our own, then move the library into place, whole."""
+def _compile(compiler: Sequence[str], code: Mapping[str, bytes], cache: Path, key: str) -> Compilation:
+    """Compile the code in a folder of our own, then move the library into place, whole."""
     sweep(cache)
     with staged_folder(cache) as folder:
-        for file, text in texts.items():
-            (folder / file).write_bytes(text)
+        for name, content in code.items():
+            (folder / name).write_bytes(content)
         output = folder / f"kernels{_suffix()}"
-        arguments = [str(folder / main), "-o", str(output), "-lm"]
+        arguments = [str(folder / SOURCE), "-o", str(output), "-lm"]
         for flags in ((*FLAGS, NATIVE), FLAGS):
             # in that folder: empty entries of variables such as CPATH mean the folder that the compiler is run in
             done = _run([*compiler, *flags, *arguments], folder)
             if done.returncode == 0 and output.is_file():
                 return Compilation(_kept(output, cache, key))
-    return Compilation(None, f"{compiler[0]} cannot compile {main}: {_first_error(done.stderr)}")
+    return Compilation(None, f"{compiler[0]} cannot compile {SOURCE}: {_first_error(done.stderr)}")
 
 
 def _kept(output: Path, cache: Path, key: str) -> Path:

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from trueaxis.faults import Fault, InputError
 from trueaxis.runtime.c_kernels import load_c_kernels
-from trueaxis.runtime.manifest import verified_code
+from trueaxis.runtime.manifest import C_FILES, verified_code
 from trueaxis.spec.machine import Machine
 
 FloatArray = npt.NDArray[np.float64]
@@ -61,12 +61,14 @@ def load_kernels(machine: Machine, spec: Path, folder: Path, *, backend: str | N
     kernels = numpy_kernels(code[path.name], path, remedy)
     if backend == "numpy":
         return kernels
-    source = path.with_name("kernels.c")
-    compiled, reason = load_c_kernels(source, machine.name, machine.digest, ABI, kernels.meta["routines"])
+    c_code = {name: code[name] for name in C_FILES}
+    compiled, reason = load_c_kernels(c_code, machine.name, machine.digest, ABI, kernels.meta["routines"])
     if compiled:
         return replace(kernels, routines=compiled, backend="c")
     if backend == "c":
-        raise InputError([Fault(str(source), "", reason, "a C compiler, or TRUEAXIS_BACKEND=numpy")])
+        raise InputError(
+            [Fault(str(path.with_name("kernels.c")), "", reason, "a C compiler, or TRUEAXIS_BACKEND=numpy")]
+        )
     note = f"running on NumPy, about ten times slower than C: {reason}"
     _LOG.warning(note)
     return replace(kernels, note=note)

@@ -10,7 +10,8 @@ from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.input_files import gathering, input_bytes
 
 MANIFEST = "manifest.json"
-CODE_FILES = ("kernels.py", "kernels.c", "kernels.h")
+C_FILES = ("kernels.c", "kernels.h")
+CODE_FILES = ("kernels.py", *C_FILES)
 KERNEL_FILES = (*CODE_FILES, "equations.md", MANIFEST)
 
 
