@@ -270,3 +270,9 @@ def test_a_long_or_strange_key_is_shown_short() -> None:
     text = '"' + "k" * 1_000_000 + '" = 1\n"a\\n\\u001b" = 2\n'
     assert place(("k" * 1_000_000,), key_lines(text)) == f"line 1, key {'k' * 60} ..."
     assert place(("a\n\x1b",), key_lines(text)) == r"line 2, key 'a\n\x1b'"
+
+
+def test_a_line_end_of_three_characters_is_a_fault() -> None:
+    """Reading \\r\\n as \\n twice would have made a text valid of which the lines could not be told."""
+    with pytest.raises(InputError, match="is not TOML"):
+        parse_toml("\r\r\nschema = 1\r\n", Faults("f"))

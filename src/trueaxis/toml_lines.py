@@ -38,8 +38,7 @@ def parse_toml(text: str, faults: Faults) -> dict[str, Any]:
     if len(text) > LARGEST_TEXT:
         faults.add("", f"has {len(text)} characters", f"{LARGEST_TEXT} at most")
         raise InputError(faults.found)
-    text = text.replace("\r\n", "\n")
-    bare = _NO_KEY.sub(_without, text)
+    bare = _NO_KEY.sub(_without, text.replace("\r\n", "\n"))
     if found := _LONG_KEY.search(bare):
         line = bare.count("\n", 0, found.start()) + 1
         faults.add(f"line {line}", "has a dotted key of too many parts", f"{MOST_PARTS} at most")
