@@ -237,9 +237,13 @@ def test_what_is_not_toml_is_told_with_its_line(text: str, place: str, problem: 
 def test_keys_nested_deeper_than_python_recurses_are_faults_like_others() -> None:
     (fault,) = faults_of(BASE + ".".join("a" * 2000) + " = 1\n")
     assert (fault.place, fault.problem) == ("line 42", "has a dotted key of too many parts")
-    inline = ".".join("a" * 100_000)  # the parser takes it, Python's repr would not
+    inline = ".".join("a" * 100_000)  # the parser would take it, in time that grows with the square of its parts
     (fault,) = faults_of(BASE + f"b = [{{ {inline} = 1 }}]\n")
+    assert (fault.place, fault.problem) == ("line 42", "has a dotted key of too many parts")
+    nested = "{ a = " * 60 + "1" + " }" * 60  # Python's repr would show all of it
+    (fault,) = faults_of(BASE + f"b = {nested}\n")
     assert fault.place == "line 42, key references.b"
+    assert len(str(fault)) < 300
 
 
 def test_lines_are_counted_as_editors_do() -> None:
