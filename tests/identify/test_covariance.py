@@ -119,7 +119,8 @@ def test_predicted_uncertainty_is_the_scatter_of_repeated_identification() -> No
     for _ in range(120):
         noisy = replace(clean, reading=clean.reading + source.normal(0.0, SIGMA, clean.reading.size))
         values = identify_global(machine(), noisy, options).values
-        found.append(machine().with_values(values).view_deviation("tool_in_workpiece", AT[:, 1:], TOOL))
+        deviation = machine().with_values(values).view_deviation("tool_in_workpiece", AT, TOOL)
+        found.append(deviation[:, 1:] - deviation[:, :1])  # from home
     spread = np.std(np.array(found), axis=0) / u
     assert np.all((spread > 0.75) & (spread < 1.25)), spread
     assert spread.mean() == pytest.approx(1.0, abs=0.1)
@@ -200,9 +201,10 @@ def test_intervals_of_95_percent_cover_95_percent(noise_um: float | None) -> Non
     each = inside.mean(axis=1)
     assert 0.94 < each.mean() < 0.96
     assert np.abs(each - 0.95).max() < 0.02  # 4 standard errors of 0.5 %
-    by_value = derivative(machine().with_values(base.values), base.covariance, AT[:, 1:], TOOL)
+    model = machine().with_values(base.values)
+    by_value = derivative(model, base.covariance, AT[:, 1:], TOOL) - derivative(model, base.covariance, AT[:, :1], TOOL)
     wrong = np.einsum("ikn,kd->ind", by_value, start[:, np.newaxis] + moved[:n])
-    of_point = predicted_u(machine().with_values(base.values), base.covariance, AT[:, 1:], TOOL)[..., np.newaxis]
+    of_point = predicted_u(model, base.covariance, AT[:, 1:], TOOL)[..., np.newaxis]
     share = (np.abs(wrong) <= quantile * of_point * _ratio(u, base.covariance)).mean(axis=2)
     assert np.abs(share - 0.95).max() < 0.02
     assert 0.94 < share.mean() < 0.96
