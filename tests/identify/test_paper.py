@@ -223,7 +223,8 @@ def test_uncertainty_is_that_of_readings_moved_one_by_one() -> None:
             squares[name] += (last(moved, name) - last(base.values, name)) ** 2
     for name, total in squares.items():
         u = base.values.u[name] if name in base.values.u else base.values.motion_errors[name].u[-1]  # type: ignore[index]
-        assert u == pytest.approx(np.sqrt(total) * 1e-3 / step, rel=1e-3), name
+        # levelled lines of three points end where they began, whatever is read: variances of 1e-6 cancel to rounding
+        assert u == pytest.approx(np.sqrt(total) * 1e-3 / step, rel=1e-3, abs=2e-9), name
 
 
 def last(values: ErrorValues, name: str) -> float:
