@@ -300,44 +300,36 @@ def test_damaged_files_are_told(tmp_path: Path, damage: str) -> None:
         read_covariance(file, replace(machine().machine, name="other") if damage == "machine" else machine().machine)
 
 
+def small_archive() -> dict[str, Any]:
+    """The arrays of a valid covariance file of two values."""
+    covariance = Covariance(
+        machine="dmu60p",
+        components=("EXX",),
+        bases=(LegendreBasis(0.0, 540.0, 2),),
+        locations=(),
+        root=np.eye(2) * 1e-6,
+        open=np.zeros((2, 1)),
+    )
+    with np.load(io.BytesIO(dump_covariance(covariance))) as archive:
+        return {key: np.array(archive[key]) for key in archive}
+
+
 @pytest.mark.parametrize(
     ("name", "value"),
     [("data", 1e308), ("data", np.nan), ("open", 1e308), ("open", np.inf), ("indices", 7), ("indptr", 99)],
 )
 def test_numbers_that_no_identification_writes_are_told(tmp_path: Path, name: str, value: float) -> None:
-    content = dump_covariance(
-        Covariance(
-            machine="dmu60p",
-            components=("EXX",),
-            bases=(LegendreBasis(0.0, 540.0, 2),),
-            locations=(),
-            root=np.eye(2) * 1e-6,
-            open=np.zeros((2, 1)),
-        )
-    )
-    with np.load(io.BytesIO(content)) as archive:
-        arrays = {key: np.array(archive[key]) for key in archive}
+    arrays = small_archive()
     arrays[name].flat[0] = value
     file = tmp_path / "c.npz"
-    np.savez(file, **arrays)  # type: ignore[arg-type]  # a keyword for each array
+    np.savez(file, **arrays)
     with pytest.raises(InputError, match=r"c\.npz"):
         read_covariance(file, machine().machine)
 
 
 @pytest.mark.parametrize("change", ["text", "dates", "columns", "rows", "float indices", "falling"])
 def test_arrays_that_no_identification_writes_are_told(tmp_path: Path, change: str) -> None:
-    content = dump_covariance(
-        Covariance(
-            machine="dmu60p",
-            components=("EXX",),
-            bases=(LegendreBasis(0.0, 540.0, 2),),
-            locations=(),
-            root=np.eye(2) * 1e-6,
-            open=np.zeros((2, 1)),
-        )
-    )
-    with np.load(io.BytesIO(content)) as archive:
-        arrays: dict[str, Any] = {key: np.array(archive[key]) for key in archive}
+    arrays = small_archive()
     head = json.loads(arrays["head"].tobytes())
     if change in ("columns", "rows"):
         head["shape"][change == "columns"] = 10**12
