@@ -9,9 +9,10 @@ from typing import ClassVar
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
+from tests.fuzz import expressions as exact
 from tests.machines import DMU60P, machine_at
 from trueaxis.derive import symbols
 from trueaxis.derive.effect_terms import symbolic
@@ -103,6 +104,7 @@ def expressions() -> st.SearchStrategy[str]:
 
 
 @given(expressions())
+@example("sign(((q) - (q)) / ((q) - (q)))")
 def test_the_formula_is_worth_what_the_expression_is(text: str) -> None:
     """Read back by a reader of its own, against SymPy's value of the expression."""
     tree = parse(text)
@@ -117,7 +119,12 @@ def test_the_formula_is_worth_what_the_expression_is(text: str) -> None:
             return
     if value.imag or not math.isfinite(value.real) or abs(value) > 1e12:
         return
-    read = Reader(latex, {shown: values[name] for name, shown in NAMES.items()}).value()
+    try:
+        read = Reader(latex, {shown: values[name] for name, shown in NAMES.items()}).value()
+    except ZeroDivisionError:
+        # SymPy cancels u / u where u is 0, the formula shows it as written: the text has no value there.
+        assert exact.value(text, values) is None
+        return
     assert read == pytest.approx(value.real, rel=1e-6, abs=1e-9)
 
 

@@ -15,7 +15,7 @@ from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.next_runs import Ahead, next_runs, separating_run
 from trueaxis.diagnose.procedure import diagnose
-from trueaxis.diagnose.prospect import TIMES, Outlook, Placed, Prospect, outlooks_of, prospect_of
+from trueaxis.diagnose.prospect import TIMES, Outlook, Placed, Prospect, inverse_roots, outlooks_of, prospect_of
 from trueaxis.diagnose.result import Check, Diagnosis, NoiseOf
 from trueaxis.diagnose.separation import separation, told
 from trueaxis.diagnose.signatures import signature_of
@@ -199,3 +199,14 @@ def test_the_line_that_is_proposed_leaves_one_name(monkeypatch: pytest.MonkeyPat
 def _diagnosed(case: Case) -> Diagnosis:
     given = prepared.__wrapped__(case)
     return diagnose(given.model, given.data)
+
+
+@pytest.mark.parametrize("far", [1.0, 1e4, 1e8])
+def test_runs_far_from_the_readings_at_hand_are_whitened(far: float) -> None:
+    """What is known badly is weighted down as far as that, what is known keeps its weight: no rounding in between."""
+    draw = np.random.default_rng(3)
+    turn = np.linalg.qr(draw.standard_normal((12, 12)))[0]
+    known = turn[:, :4] * np.array([0.0, 1.0, far, far])
+    for times, root in zip(TIMES, inverse_roots(known), strict=True):
+        expected = (turn / (1.0 + times * np.r_[0.0, 1.0, far, far, np.zeros(8)] ** 2)) @ turn.T
+        np.testing.assert_allclose(root.T @ root, expected, atol=1e-7)

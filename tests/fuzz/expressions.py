@@ -15,8 +15,9 @@ FUNCTIONS: Mapping[str, Callable[[Any], Any]] = {
     "exp": mpmath.exp,
     "sqrt": mpmath.sqrt,
     "abs": abs,
-    "sign": mpmath.sign,
-    "step": lambda x: mpmath.mpf(x >= 0),
+    # What is too small for a double is 0 to the program: both jump there.
+    "sign": lambda x: mpmath.sign(float(x)),
+    "step": lambda x: mpmath.mpf(float(x) >= 0),
     "tanh": mpmath.tanh,
 }
 OPERATORS: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from scipy.linalg import cholesky, qr, solve_triangular
+from scipy.linalg import qr, svd
 
 from trueaxis.diagnose.base import RANK, base_of
 from trueaxis.diagnose.menu import FurtherRun, menu
@@ -105,7 +105,7 @@ def prospect_of(ground: Ground) -> Prospect:
         turned = white[part] @ right.T
         own = Projection(orthonormal(_significant(turned[:, rank:])))
         known = own.rest(turned[:, :rank] / singular[:rank])
-        roots = tuple(_inverse_root(np.eye(known.shape[0]) + times * (known @ known.T)) for times in TIMES)
+        roots = inverse_roots(known)
         innovations.append(Innovation(part, one, known, own, roots))
     return Prospect(
         ground, further, readings_of(readings.model, everything), Projection(q @ left[:, :rank]), tuple(innovations)
@@ -224,6 +224,11 @@ def _significant(columns: FloatArray) -> FloatArray:
     return columns[:, size > RANK * max(float(size.max(initial=0.0)), 1.0)]
 
 
-def _inverse_root(covariance: FloatArray) -> FloatArray:
-    lower = cholesky(covariance, lower=True)
-    return np.asarray(solve_triangular(lower, np.eye(lower.shape[0]), lower=True))
+def inverse_roots(known: FloatArray) -> tuple[FloatArray, ...]:
+    """For each of TIMES a W with W' W = (I + times known known')^-1. known: (m, rank). The product itself is never
+    formed: where a run leads far from the readings at hand it is so large that rounding takes the I away.
+    """
+    left, singular, _ = svd(known, full_matrices=True, check_finite=False)
+    size = np.zeros(len(left))
+    size[: len(singular)] = singular
+    return tuple(left.T / np.sqrt(1.0 + times * size**2)[:, None] for times in TIMES)
