@@ -10,7 +10,7 @@ import numpy as np
 from trueaxis.faults import Fault
 from trueaxis.instrument_files.instrument_run import DirectionArray, FloatArray, InstrumentRun
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
-from trueaxis.measure.limits import FARTHEST_POINT, LONGEST_ID
+from trueaxis.measure.limits import COLDEST, FARTHEST_POINT, FASTEST, LONGEST_ID, LONGEST_TIME, WARMEST
 from trueaxis.measure.readings_reader import LARGEST_READING
 from trueaxis.measure.setup import Carrier, Frame, Instrument, PointOn, Run, Vector
 from trueaxis.measure.setup_reader import LONGEST_BAR
@@ -249,6 +249,15 @@ def _check(found: DataRun, machine: Machine, own: RunKeys) -> None:
         problem = f"has a reading of {largest:.6g} mm"
         remedy = f"deviations of at most {LARGEST_READING:g} mm: unit.reading, length"
         own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, remedy))
+    for name, values, low, high in (
+        ("time", source.time, -LONGEST_TIME, LONGEST_TIME),
+        ("feed", source.feed, 0.0, FASTEST),
+        ("temperature", source.temperature, COLDEST, WARMEST),
+    ):
+        wrong = np.zeros(0) if values is None else values[(values < low) | (values > high)]
+        if wrong.size:
+            problem = f"{name} {wrong[0]:.6g} is outside what can be"
+            own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, f"from {low:g} to {high:g}"))
 
 
 def renamed(runs: tuple[DataRun, ...]) -> tuple[DataRun, ...]:
