@@ -32,6 +32,7 @@ COMMANDS: Mapping[str, str] = {
     "compensate": "compensate m.toml --errors e.json part.nc --out {out}/c.nc --report {out}/c.json",
     "diagnose": "diagnose m.toml --errors e.json --data regular --out {out}/d --noise-um 0.3",
     "import": "import x.rtl --machine m.toml --out {out}/imported --map target.point=0,0,0 at.Y=0 at.Z=0",
+    "export": "export m.toml --errors e.json --format siemens-enc --out {out}/enc.ini",
     "evaluate": "evaluate test.csv --out {out}/t.json --picture {out}/t.png",
 }
 

@@ -27,6 +27,7 @@ COMMANDS = (
     "diagnose",
     "evaluate",
     "import",
+    "export",
     "demo",
 )
 WRONG_INPUT = 2

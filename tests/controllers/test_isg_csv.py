@@ -1,0 +1,92 @@
+"""The ISG file, read again and put into the chain of transforms that it describes, is what `predict` says."""
+
+import numpy as np
+import pytest
+
+from tests.controllers import control_files
+from tests.controllers.machines import FIVE, GANTRY, TABLE, FloatArray, random_model
+from trueaxis.controllers.formats import export_tables, problem_of
+from trueaxis.controllers.isg_csv import control_model, csv_text, reversed_axes
+
+TOOL = np.array([[3.0], [-2.0], [-60.0]])
+BOTH = TABLE.replace("[axis.X]", "[axis.X]\nsense = -1")
+
+
+def turn(vector: FloatArray) -> FloatArray:
+    x, y, z = vector
+    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+
+
+def motion(axis: str, at: float, points: dict[str, FloatArray]) -> FloatArray:
+    """An axis of the chain, in coordinates whose origin is that of the machine."""
+    matrix = np.eye(4)
+    if axis in "XYZ":
+        matrix["XYZ".index(axis), 3] = at
+        return matrix
+    angle, around = np.radians(at), turn(np.eye(3)["ABC".index(axis)])
+    matrix[:3, :3] += np.sin(angle) * around + (1 - np.cos(angle)) * around @ around
+    matrix[:3, 3] = points[f"P{axis}"] - matrix[:3, :3] @ points[f"P{axis}"]
+    return matrix
+
+
+def tool_point(text: str, chain: str, position: dict[str, float], *, errors: bool) -> FloatArray:
+    """Where the chain puts the tool point: every axis moves, then its errors act."""
+    points, tables = control_files.isg(text)
+    matrix = np.eye(4)
+    for axis in chain:
+        matrix = matrix @ motion(axis, position[axis], points)
+        at, components = tables[axis]
+        value = {name: float(np.interp(position[axis], at, column)) for name, column in components.items()}
+        if errors:
+            error = np.eye(4)
+            error[:3, :3] += turn(np.array([value[f"E{letter}{axis}"] for letter in "ABC"]))
+            error[:3, 3] = [value[f"E{letter}{axis}"] for letter in "XYZ"]
+            matrix = matrix @ error
+    return (matrix @ np.append(points["P0"], 1.0))[:3]
+
+
+@pytest.mark.parametrize(("text", "chain"), [(GANTRY, "XYZ"), (BOTH, "YXZ"), (FIVE, "CYXZB")], ids=["3", "table", "5"])
+@pytest.mark.parametrize("seed", range(3))
+def test_the_deviations_of_the_chain_are_those_predicted(text: str, chain: str, seed: int) -> None:
+    model = random_model(text, seed, scale=0.01)
+    assert reversed_axes(model) == ()
+    control = control_model(model, TOOL[:, 0], None)
+    assert "".join(control.chain) == chain
+    written = csv_text(control)
+    draw = np.random.default_rng(seed)
+    nodes = {table.axis: table.positions for table in control.tables}
+    at = np.array([draw.choice(nodes[axis], 12) for axis in model.axes])
+    predicted = model.deviation(at, TOOL)
+    assert np.abs(predicted).max() > 2e-4
+    for column in range(at.shape[1]):
+        position = dict(zip(model.axes, at[:, column], strict=True))
+        actual, ideal = (tool_point(written, chain, position, errors=errors) for errors in (True, False))
+        np.testing.assert_allclose(actual - ideal, predicted[:, column], atol=4e-7)
+
+
+def test_what_remains_is_the_bend_between_nodes() -> None:
+    model = random_model(FIVE, 7)
+    positions = (
+        np.random.default_rng(7).uniform(*np.array([model.travel[axis] for axis in model.axes]).T, size=(50, 5)).T
+    )
+    left = export_tables("isg-csv", model, TOOL, None, positions).remaining
+    assert left.before > 0.01
+    assert left.after < 1e-3 * left.before
+
+
+def test_axes_that_count_the_other_way_are_refused() -> None:
+    model = random_model(TABLE, 0)
+    assert reversed_axes(model) == ("X",)
+    assert "positive commands of X move the tool in the negative direction" in problem_of("isg-csv", model, None)
+
+
+def test_the_file_is_laid_out_as_published() -> None:
+    """`ISG CSV format` (Beckhoff TF5280, ISG kernel): a header of names, rows, `//` before comments, `#` between."""
+    export = export_tables("isg-csv", random_model(GANTRY, 1), TOOL, 250.0, np.zeros((3, 1)))
+    lines = export.files[""].splitlines()
+    assert [line for line in lines if not line.startswith("//")][:2] == ["P0X P0Y P0Z", "3 -2 -60"]
+    assert "X EXX EYX EZX EAX EBX ECX" in lines
+    assert lines.count("#") == 3
+    row = lines[lines.index("X EXX EYX EZX EAX EBX ECX") + 2].split()
+    assert row[0] == "250"
+    assert len(row) == 7
