@@ -61,7 +61,7 @@ def _regular(parts: Mapping[str, Mapping[int, float]]) -> tuple[FloatArray, Floa
     count = round((high - low) / step) + 1
     assert sorted(parts[""]) == list(range(count)), "gaps keep values of earlier tables"
     values = np.array([parts[""][index] for index in range(count)])
-    return low + step * np.arange(count), values, values
+    return np.array([low + step * index for index in range(count)]), values, values
 
 
 def linuxcnc(folder: Path, axes: str = "XYZ") -> Tables:

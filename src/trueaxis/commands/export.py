@@ -93,14 +93,15 @@ def run(args: argparse.Namespace) -> int:
         raise InputError(found)
     extent = uncertainty_extent(model, covariance, positions, tool)
     beyond = range_sentences(beyond_measured(model.errors, model.axes, positions), positions.shape[1])
+    refusals = _refusals(args, model, tool, positions, extent)
+    if not refusals:
+        write_files(contents)
     for sentence in (*export.notes, *extent_sentences(extent, "over the travel"), *beyond):
         print(f"note: {sentence}")
-    refusals = _refusals(args, model, tool, positions, extent)
     for sentence in refusals:
         print(f"{named(args.out)}: not written: {sentence}")
     if refusals:
         return 1
-    write_files(contents)
     left = export.remaining
     print(
         f"RMS of the tool point over the travel, from home: {left.before * 1e3:.3g} um, {left.after * 1e3:.3g} um left"
