@@ -42,7 +42,8 @@ def tool_point(text: str, chain: str, position: dict[str, float], *, errors: boo
             error[:3, :3] += turn(np.array([value[f"E{letter}{axis}"] for letter in "ABC"]))
             error[:3, 3] = [value[f"E{letter}{axis}"] for letter in "XYZ"]
             matrix = matrix @ error
-    return (matrix @ np.append(points["P0"], 1.0))[:3]
+    found: FloatArray = (matrix @ np.append(points["P0"], 1.0))[:3]
+    return found
 
 
 @pytest.mark.parametrize(("text", "chain"), [(GANTRY, "XYZ"), (BOTH, "YXZ"), (FIVE, "CYXZB")], ids=["3", "table", "5"])
@@ -66,9 +67,8 @@ def test_the_deviations_of_the_chain_are_those_predicted(text: str, chain: str, 
 
 def test_what_remains_is_the_bend_between_nodes() -> None:
     model = random_model(FIVE, 7)
-    positions = (
-        np.random.default_rng(7).uniform(*np.array([model.travel[axis] for axis in model.axes]).T, size=(50, 5)).T
-    )
+    draw = np.random.default_rng(7)
+    positions = np.array([draw.uniform(*model.travel[axis], 50) for axis in model.axes])
     left = export_tables("isg-csv", model, TOOL, None, positions).remaining
     assert left.before > 0.01
     assert left.after < 1e-3 * left.before
