@@ -57,6 +57,55 @@ position = [5.0, 0.0, 260.0]
 [tool]
 position = [0.5, -1.0, -140.0]
 """
+FIXED_TABLE = """[[body]]
+number = 2
+name = "fixture"
+lower = 1
+position = [5.0, 6.0, 7.0]
+position_errors = { EX = "f_x", EC = "f_c" }
+"""
+# bodies that no axis moves, with location errors: a fixture on the bed, a head on the ram
+FIXED = f"""schema = 1
+name = "fixed"
+{FIXED_TABLE}
+[[body]]
+number = 3
+name = "gantry"
+lower = 1
+moves = "X"
+travel = [0.0, 600.0]
+[[body]]
+number = 4
+name = "saddle"
+lower = 3
+moves = "Y"
+travel = [0.0, 400.0]
+position = [0.0, 30.0, 0.0]
+position_errors = {{ EC = "s_xy" }}
+[[body]]
+number = 5
+name = "ram"
+lower = 4
+moves = "Z"
+travel = [-200.0, 0.0]
+position_errors = {{ EA = "s_yz" }}
+[[body]]
+number = 6
+name = "head"
+lower = 5
+position = [0.0, -40.0, -90.0]
+position_errors = {{ EY = "h_y", EB = "h_b" }}
+[ends]
+workpiece = 2
+tool = 6
+"""
+# the same with the fixture on a table that Y moves
+FIXED_ON_TABLE = (
+    FIXED.replace('name = "fixed"', 'name = "fixed_on_table"')
+    .replace(FIXED_TABLE, FIXED_TABLE.replace("lower = 1", "lower = 4"))
+    .replace('name = "saddle"\nlower = 3\n', 'name = "saddle"\nlower = 1\nsense = -1\n')
+    .replace('name = "ram"\nlower = 4', 'name = "ram"\nlower = 3')
+)
 
 
 @cache

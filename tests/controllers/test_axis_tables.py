@@ -9,11 +9,13 @@ import pytest
 
 from tests.controllers import control_files
 from tests.controllers.machines import GANTRY, TABLE, FloatArray, model_of, random_model
+from tests.machines import machine_of
 from trueaxis.controllers import heidenhain, linuxcnc, siemens
 from trueaxis.controllers.axis_tables import AxisTable, axis_tables, nodes, round_step
-from trueaxis.controllers.formats import TABLE_FORMATS, all_pairs, export_tables
+from trueaxis.controllers.formats import TABLE_FORMATS, all_pairs, export_tables, untabled_effects
 from trueaxis.controllers.remaining import remaining, taken_by_tables
 from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 
@@ -189,3 +191,32 @@ def test_nodes_reach_from_end_to_end() -> None:
     for high in (0.7, 1.0, 199.0, 540.0, 2999.0):
         assert 40 <= nodes((0.0, high), None).size <= 200
     assert [round_step(value) for value in (0.013, 1.0, 2.0001, 7.0)] == [0.02, 1.0, 5.0, 10.0]
+
+
+def test_lost_motion_is_in_the_tables_of_both_directions(tmp_path: Path) -> None:
+    text = GANTRY + '[[effect]]\nkind = "backlash"\ncomponent = "EXX"\n'
+    (effect,) = machine_of(text).effects
+    curves = {"EXX": PolynomialCurve((1,), (2e-5,))}
+    values = (EffectValues(effect, {"width": 0.006}),)
+    model = model_of(text, ErrorValues("gantry", motion_errors=curves, effects=values))
+    both, mean = (tmp_path / name for name in ("both", "mean"))
+    both.mkdir()
+    mean.mkdir()
+    at, forward, backward = written("linuxcnc-comp", model, both)["X", "X"]
+    np.testing.assert_allclose(forward, 2e-5 * at + 0.003, atol=1e-7)
+    np.testing.assert_allclose(backward, 2e-5 * at - 0.003, atol=1e-7)
+    at, one, _ = written("siemens-enc", model, mean)["X", "X"]
+    np.testing.assert_allclose(one, 2e-5 * at, atol=1e-6)
+    exports = {name: export_tables(name, model, ORIGIN, None, grid(model)) for name in ("linuxcnc-comp", "siemens-enc")}
+    assert exports["linuxcnc-comp"].remaining.after < 1e-6
+    assert exports["siemens-enc"].remaining.after == pytest.approx(0.003, rel=1e-3)  # half of the lost motion
+    assert "mean reversal error of X: 6 um, which the table cannot hold" in exports["siemens-enc"].notes
+
+
+def test_effects_that_no_table_holds_are_named() -> None:
+    drift = '[[effect]]\nkind = "thermal_expansion"\ncomponent = "EYY"\n'
+    text = GANTRY + '[[effect]]\nkind = "backlash"\ncomponent = "EXX"\n' + drift
+    effects = machine_of(text).effects
+    values = tuple(EffectValues(effect, {}) for effect in effects)
+    model = model_of(text, ErrorValues("gantry", effects=values))
+    assert untabled_effects(model) == (effects[1].label,)

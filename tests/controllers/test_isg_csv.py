@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.controllers import control_files
-from tests.controllers.machines import FIVE, GANTRY, TABLE, FloatArray, random_model
+from tests.controllers.machines import FIVE, FIXED, FIXED_ON_TABLE, GANTRY, TABLE, FloatArray, random_model
 from trueaxis.controllers.formats import export_tables, problem_of
 from trueaxis.controllers.isg_csv import control_model, csv_text, reversed_axes
 
@@ -46,7 +46,16 @@ def tool_point(text: str, chain: str, position: dict[str, float], *, errors: boo
     return found
 
 
-@pytest.mark.parametrize(("text", "chain"), [(GANTRY, "XYZ"), (BOTH, "YXZ"), (FIVE, "CYXZB")], ids=["3", "table", "5"])
+MACHINES = {
+    "gantry": (GANTRY, "XYZ"),
+    "table": (BOTH, "YXZ"),
+    "five axes": (FIVE, "CYXZB"),
+    "fixed bodies": (FIXED, "XYZ"),
+    "fixed bodies on a table": (FIXED_ON_TABLE, "YXZ"),
+}
+
+
+@pytest.mark.parametrize(("text", "chain"), MACHINES.values(), ids=MACHINES)
 @pytest.mark.parametrize("seed", range(3))
 def test_the_deviations_of_the_chain_are_those_predicted(text: str, chain: str, seed: int) -> None:
     model = random_model(text, seed, scale=0.01)

@@ -10,7 +10,7 @@ from trueaxis.commands.arguments import positive, size
 from trueaxis.commands.misfit import check_fit, misfit_option
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.compensate.reliance import PRIOR_SIZES
-from trueaxis.controllers.formats import FORMATS, Export, export_tables, problem_of
+from trueaxis.controllers.formats import FORMATS, Export, export_tables, problem_of, untabled_effects
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
@@ -96,7 +96,10 @@ def run(args: argparse.Namespace) -> int:
     refusals = _refusals(args, model, tool, positions, extent)
     if not refusals:
         write_files(contents)
-    for sentence in (*export.notes, *extent_sentences(extent, "over the travel"), *beyond):
+    notes = list(export.notes)
+    if labels := untabled_effects(model):
+        notes.append(f"in no table, for it depends on more than positions and directions: {', '.join(labels)}")
+    for sentence in (*notes, *extent_sentences(extent, "over the travel"), *beyond):
         print(f"note: {sentence}")
     for sentence in refusals:
         print(f"{named(args.out)}: not written: {sentence}")

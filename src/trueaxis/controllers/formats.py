@@ -3,12 +3,11 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from trueaxis.controllers import heidenhain, linuxcnc, siemens
 from trueaxis.controllers.axis_tables import AxisTable, axis_tables, nodes
-from trueaxis.controllers.isg_csv import control_model, csv_text, reversed_axes
+from trueaxis.controllers.isg_csv import DIRECTIONS, control_model, csv_text, motion_errors, reversed_axes
 from trueaxis.controllers.remaining import Remaining, TakenOff, remaining, taken_by_tables
+from trueaxis.effects.placement import context_of
 from trueaxis.runtime.curves import FloatArray, TableCurve
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR
@@ -36,14 +35,11 @@ class TableFormat:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Export:
-    """What is written: name -> text (the one name "" for a file), sentences on it, what remains with it, and the
-    largest value of a table, mm or deg (0 where the format has no such values).
-    """
+    """What is written: name -> text (the one name "" for a file), sentences on it, and what remains with it."""
 
     files: Mapping[str, str]
     notes: tuple[str, ...]
     remaining: Remaining
-    largest: float = 0.0
 
 
 def own_pairs(axes: Sequence[str]) -> list[tuple[str, str]]:
@@ -84,6 +80,7 @@ TABLE_FORMATS: Mapping[str, TableFormat] = {
         most_points=linuxcnc.MOST_POINTS, both_directions=True,
     ),
 }  # fmt: skip
+UNTABLED = {"v", "d", "t", "T"}  # what effects may depend on that a table has no room for: see effects/variables.py
 FORMATS = (ISG, *TABLE_FORMATS)
 
 
@@ -126,18 +123,27 @@ def export_tables(
         if table.of == table.by and table.reversal and not chosen.both_directions
     ]
     heads = (f"machine {model.name}; values: actual minus commanded; zero at home", *notes)
-    values = [np.abs([*table.forward, *table.backward]).max() for table in tables if table.of in LINEAR]
-    return Export(
-        files=chosen.write(tables, heads, both), notes=tuple(notes), remaining=left, largest=float(max(values)),
-    )  # fmt: skip
+    return Export(files=chosen.write(tables, heads, both), notes=tuple(notes), remaining=left)
+
+
+def untabled_effects(model: MachineModel) -> tuple[str, ...]:
+    """Labels of effects of the error values on more than positions and directions: no table holds them."""
+    return tuple(
+        values.effect.label
+        for values in model.effect_values
+        if model.kinds[values.effect.kind].place == "component"
+        and UNTABLED & {name.removesuffix("_b") for name in context_of(model.kinds[values.effect.kind])}
+    )
 
 
 def _isg(model: MachineModel, tool: FloatArray, step: float | None, positions: FloatArray) -> Export:
     control = control_model(model, tool[:, 0], step)
-    notes = (
+    notes: tuple[str, ...] = (
         f"chain {''.join(control.chain)}, workpiece_axes 0: all axes are written as seen from the workpiece",
         "the file holds every error component and, within them, the location errors; not the difference of directions",
     )
+    if any(values.effect.axis is not None for values in model.effect_values):
+        notes += ("effects of a second axis are in it as they are where that axis is at home",)
     heads = (f"machine {model.name}; mm and rad by mm and deg; actual minus ideal", *notes)
     left = remaining(model, tool, positions, _taken_by_model(model, tool, step))
     return Export(files={"": csv_text(control, heads)}, notes=notes, remaining=left)
@@ -148,12 +154,9 @@ def _taken_by_model(model: MachineModel, tool: FloatArray, step: float | None) -
     curves = {}
     for axis in model.axes:
         at = nodes(model.travel[axis], step)
-        everywhere = np.zeros((len(model.axes), at.size))
-        everywhere[model.axes.index(axis)] = at
-        errors = model.component_errors(everywhere)
-        for row, name in enumerate(model.components):
-            if name[2] == axis:
-                curves[name] = TableCurve(positions=tuple(at.tolist()), values=tuple(errors[row].tolist()))
+        for direction, values in zip(DIRECTIONS, motion_errors(model, axis, at), strict=True):
+            if (name := f"E{direction}{axis}") in model.components:
+                curves[name] = TableCurve(positions=tuple(at.tolist()), values=tuple(values.tolist()))
     parameters = dict(zip(model.parameters, model.parameter_values.tolist(), strict=True))
     known = model.with_values(replace(model.errors, motion_errors=curves, parameters=parameters, effects=()))
 

@@ -3,7 +3,8 @@
 The control's chain begins at the workpiece and carries every axis towards the tool. The components that are written
 are those of this chain, so that workpiece_axes stays 0, and no location errors are needed:
 
-- A location error L acts before the motion T(q). Expressed behind it, it is a motion error T(q)^-1 L T(q).
+- A location error L acts before the motion T(q). Expressed behind it, it is a motion error T(q)^-1 L T(q). That of a
+  body that no axis moves is a constant error of the axis before it in the chain.
 - An axis on the workpiece side moves the tool, seen from the workpiece, by the inverse of its joint: with E behind the
   motion T the inverse is T^-1 (1 - T E T^-1).
 - Errors act on points in coordinates whose origin is that of the machine with every axis at 0; a body's frame stands
@@ -13,7 +14,7 @@ All of it to first order in the errors, as the control's model is.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -53,22 +54,24 @@ class ControlModel:
 def control_model(model: MachineModel, tool: FloatArray, step: float | None) -> ControlModel:
     """The model as the control has it; tool: (3,), point in the tool frame, mm. Check `reversed_axes` before."""
     workpiece, tooled = _branch(model, model.machine.workpiece), _branch(model, model.machine.tool)
-    origins = {body.number: at for side in (workpiece, tooled) for body, at in side}
-    tables = {}
-    for side, inverse in ((workpiece, True), (tooled, False)):
-        for body, at in side:
-            if body.moves:
-                tables[body.moves] = _table(model, body, at, step, inverse)
-    chain = tuple(str(body.moves) for body, _ in reversed(workpiece) if body.moves)
-    chain += tuple(str(body.moves) for body, _ in tooled if body.moves)
-    centres = {
-        str(body.moves): at
-        for side in (workpiece, tooled)
-        for body, at in side
-        if body.moves and body.moves not in LINEAR
-    }
-    end = origins.get(model.machine.tool, np.zeros(3)) + tool
-    return ControlModel(chain=chain, tables=tuple(tables[axis] for axis in chain), centres=centres, tool=end)
+    tables: list[ComponentTable] = []
+    before = np.zeros(6)  # errors of fixed bodies before the first axis of the chain
+    for body, at, inverse in [(*one, True) for one in reversed(workpiece)] + [(*one, False) for one in tooled]:
+        located = _location_errors(model, body, at)
+        if body.moves:
+            tables.append(_table(model, body, at, step, inverse, before))
+            before = np.zeros(6)
+        elif tables:
+            last = tables[-1]
+            fixed = (-located if inverse else located)[:, np.newaxis]
+            tables[-1] = replace(last, errors=last.errors + fixed)
+        else:
+            before += -located if inverse else located
+    rotary = [(str(body.moves), at) for body, at in (*workpiece, *tooled) if body.moves and body.moves not in LINEAR]
+    end = tooled[-1][1] if tooled else np.zeros(3)
+    return ControlModel(
+        chain=tuple(table.axis for table in tables), tables=tuple(tables), centres=dict(rotary), tool=end + tool
+    )
 
 
 def reversed_axes(model: MachineModel) -> tuple[str, ...]:
@@ -124,20 +127,28 @@ def _branch(model: MachineModel, number: int) -> list[tuple[Body, FloatArray]]:
     return found
 
 
-def _table(model: MachineModel, body: Body, at: FloatArray, step: float | None, inverse: bool) -> ComponentTable:
+def _table(
+    model: MachineModel, body: Body, at: FloatArray, step: float | None, inverse: bool, before: FloatArray
+) -> ComponentTable:
+    """The errors behind the motion of an axis in the chain. before: (6,), errors that act before its motion as well."""
     axis = str(body.moves)
     positions = nodes(model.travel[axis], step)
-    own = _motion_errors(model, axis, positions)
+    own = motion_errors(model, axis, positions)
     own[:3] -= np.cross(own[3:].T, at).T  # about the common origin
     joint = _motions(body, positions, at)
     own += _expressed(_location_errors(model, body, at)[:, np.newaxis], joint, behind=True)
     if inverse:
         own = -_expressed(own, joint, behind=False)
+    # behind the motion of the chain, which on the workpiece side is the inverse of the joint
+    own += _expressed(before[:, np.newaxis], joint, behind=not inverse)
     return ComponentTable(axis=axis, positions=positions, errors=own)
 
 
-def _motion_errors(model: MachineModel, axis: str, positions: FloatArray) -> FloatArray:
-    """(6, n): the error components of an axis in its body's frame, mean of both directions of approach."""
+def motion_errors(model: MachineModel, axis: str, positions: FloatArray) -> FloatArray:
+    """(6, n): the error components of an axis in its body's frame, mean of both directions of approach, mm and rad.
+
+    positions: (n,), mm or deg; the other axes are at home.
+    """
     row = model.axes.index(axis)
     everywhere = np.repeat(home_of(model), positions.size, axis=1)
     everywhere[row] = positions
