@@ -31,6 +31,7 @@ COMMANDS: Mapping[str, str] = {
     "fit": "fit m.toml --errors tables.json --out {out}/f.json --picture {out}/f.png",
     "compensate": "compensate m.toml --errors e.json part.nc --out {out}/c.nc --report {out}/c.json",
     "diagnose": "diagnose m.toml --errors e.json --data regular --out {out}/d --noise-um 0.3",
+    "init": "init {out}/new.toml --structure FXYZ --travel X=0:1 Y=0:1 Z=0:1",
     "import": "import x.rtl --machine m.toml --out {out}/imported --map target.point=0,0,0 at.Y=0 at.Z=0",
     "export": "export m.toml --errors e.json --format siemens-enc --out {out}/enc.ini",
     "evaluate": "evaluate test.csv --out {out}/t.json --picture {out}/t.png",
@@ -57,7 +58,7 @@ def prepare(folder: Path) -> None:
 
 def words_of(words: Sequence[str]) -> list[str]:
     """With the kernels of the repository where the command takes some."""
-    without = words[0] in ("derive", "fit", "evaluate", "demo")
+    without = words[0] in ("init", "derive", "fit", "evaluate", "demo")
     return list(words) if without else [*words, "--kernels", str(KERNELS)]
 
 

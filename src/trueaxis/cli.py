@@ -17,6 +17,7 @@ from trueaxis.stopping import Stopped
 from trueaxis.told import NOT_DELIVERED, StandardStreams
 
 COMMANDS = (
+    "init",
     "derive",
     "predict",
     "simulate",
