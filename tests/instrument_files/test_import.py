@@ -101,7 +101,7 @@ def test_setup_says_what_it_assumes_and_what_is_known(tmp_path: Path) -> None:
     assert comments["target"] == "assumed: by default and given by the user"
     assert comments["home"] == "assumed: by default and given by the user"
     assert comments["id"] == comments["machine"] == ""
-    assert "# assumed: at.Y given by the user" in lines
+    assert "# assumed: at.Y = 40, given by the user" in lines
     assert not any("compensation" in line for line in lines)
 
 
@@ -190,6 +190,9 @@ def test_a_table_with_axis_columns_and_runs(tmp_path: Path) -> None:
     words = ["--map", "column.reading=Abweichung", "unit.reading=um", "direction=1,1,0", "b:direction=0,0,1"]
     data = imported(tmp_path / "data", tmp_path / "both.csv", *words, "target.point=0,0,0", "b:target=tool")
     assert [run.id for run in data.setup.runs] == ["a", "b"]
+    setup = (tmp_path / "data" / "setup.toml").read_text()
+    assert setup.count("# assumed: column.reading = Abweichung, given by the user\n") == 2
+    assert setup.count("# assumed: unit.reading = um, given by the user\n") == 2
     assert data.setup.runs[0].direction == pytest.approx((0.5**0.5, 0.5**0.5, 0.0))
     np.testing.assert_allclose(data.readings.reading, [0, 1.25e-3, 0, -3e-3])
     assert data.readings.time is not None

@@ -80,7 +80,7 @@ def run(args: argparse.Namespace) -> int:
         readings: readings_bytes(ready, machine.axes),
     })  # fmt: skip
     for item in ready:
-        assumed = sorted({key for key in item.assumed if key != "id"})
+        assumed = sorted({key for key in item.assumed.sources if key != "id"})
         print(f"{shown(item.run.id)}: {item.reading.size} readings of {shown(Path(item.source.file).name)}")
         if assumed:
             print(f"  not in the file: {', '.join(assumed)}")

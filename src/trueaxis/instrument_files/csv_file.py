@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -58,7 +59,8 @@ def read_csv(path: Path, keys: UserKeys, *, ballbar: bool = False) -> tuple[Inst
     for name in dict.fromkeys(ids):
         rows = np.array([row for row, of in enumerate(ids) if of == name])
         values = {key: column[rows] for key, column in numbers.items()}
-        runs.append(_run(str(path), name, values, None if directions is None else directions[rows], ballbar))
+        one = _run(str(path), name, values, None if directions is None else directions[rows], ballbar)
+        runs.append(replace(one, assumed=(*one.assumed, *of_file.sentences())))
     return tuple(runs)
 
 

@@ -1,12 +1,13 @@
 """Runs of instrument files as the texts of a data folder: setup.toml, with what was assumed, and readings.csv."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from trueaxis.instrument_files.data_run import DataRun
 from trueaxis.instrument_files.instrument_run import FloatArray, InstrumentRun
+from trueaxis.instrument_files.user_keys import RunKeys
 from trueaxis.measure.approach import approach_directions
 from trueaxis.measure.reading_model import home_positions
 from trueaxis.measure.readings import Readings, dump_readings
@@ -92,16 +93,16 @@ def _column(runs: Sequence[DataRun], of: Callable[[InstrumentRun], FloatArray | 
     )
 
 
-def _assumptions(assumed: Mapping[str, str]) -> tuple[dict[str, str], list[str]]:
+def _assumptions(assumed: RunKeys) -> tuple[dict[str, str], list[str]]:
     """Comments behind keys of setup.toml, and sentences on what has no key there."""
     behind: dict[str, set[str]] = {}
     above = []
-    for key, why in assumed.items():
+    for key in assumed.sources:
         within = "home" if key.startswith("home.") else _WITHIN.get(key, key)
         if within in ("instrument", "direction", "frame", "target", "reference", "home", "length"):
-            behind.setdefault(within, set()).add(why)
+            behind.setdefault(within, set()).add(assumed.why(key))
         elif within != "id":
-            above.append(f"{key} {why}")
+            above.append(f"{key} = {assumed.values[key]}, {assumed.why(key)}")
     return {key: f"assumed: {' and '.join(sorted(why))}" for key, why in behind.items()}, above
 
 

@@ -1,7 +1,7 @@
 """From a run of an instrument file, and what the user says beside it, to a run of a data folder."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import cast
 
@@ -29,7 +29,7 @@ class DataRun:
     """A run and its readings as a data folder has them.
 
     positions: (n_axes, n), mm or deg; directions: (n_axes, n), 0 where they follow from the order; reading: (n,), mm.
-    assumed: key of setup.toml -> why it has its value though the file does not say it; remarks: on the readings.
+    assumed: what the file does not say, by key, with its value and why it has it; remarks: on the readings.
     """
 
     run: Run
@@ -37,7 +37,7 @@ class DataRun:
     positions: FloatArray
     directions: DirectionArray | None
     reading: FloatArray
-    assumed: Mapping[str, str]
+    assumed: RunKeys
     remarks: tuple[str, ...]
 
 
@@ -93,7 +93,7 @@ def _along(
         directions[machine.axes.index(mover)] = source.directions
     return DataRun(
         run=run, source=source, positions=positions, directions=directions, reading=reading,
-        assumed=_assumed(own), remarks=(*source.assumed, *remark),
+        assumed=own, remarks=(*source.assumed, *remark),
     )  # fmt: skip
 
 
@@ -138,7 +138,7 @@ def _ball_bar(
         remarks += (f"angles count from {first}+ to {second}+ in commanded positions",)
     return DataRun(
         run=run, source=source, positions=positions, directions=None, reading=reading,
-        assumed=_assumed(own), remarks=remarks,
+        assumed=own, remarks=remarks,
     )  # fmt: skip
 
 
@@ -223,12 +223,6 @@ def _home(
         said = f"the mean of the {readings.size} readings at home, {off * 1e3:.6g} um, was taken off every reading"
         return home, source.reading - off, (said,)
     return home, None if zero is None else source.reading, ()
-
-
-def _assumed(own: RunKeys) -> dict[str, str]:
-    """Why keys have their values: those that the user gave, and those that are by default."""
-    why = {"user": "given by the user", "default": "by default", "file": ""}
-    return {key: why[source] for key, source in own.sources.items() if why[source]}
 
 
 def _check(found: DataRun, machine: Machine, own: RunKeys) -> None:

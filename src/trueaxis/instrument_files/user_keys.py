@@ -10,7 +10,7 @@ from trueaxis.faults import Fault
 from trueaxis.instrument_files.numbers import decimal
 from trueaxis.plain_text import shown
 
-Source = Literal["file", "user", "default"]
+Source = Literal["user", "default"]
 LONGEST_SHOWN = 60  # characters of a value in a message
 
 
@@ -60,13 +60,14 @@ class UserKeys:
 class RunKeys:
     """The keys of one run. A reader returns None for what is missing or wrong, which is noted.
 
-    sources: where the value of each key came from, for what is written of it.
+    sources: where the value of each key came from, values: the value as text, for what is written of it.
     """
 
     keys: UserKeys
     file: str
     run: str
     sources: dict[str, Source] = field(default_factory=dict)
+    values: dict[str, str] = field(default_factory=dict)
 
     def said(self, key: str) -> str | None:
         """What the user said of a key, None where nothing."""
@@ -75,7 +76,8 @@ class RunKeys:
             if name in self.keys.given:
                 self.keys.used |= {f"{self.run}:{key}", f"{stem}:{key}", key}
                 self.sources[key] = "user"
-                return self.keys.given[name].strip()
+                self.values[key] = self.keys.given[name].strip()
+                return self.values[key]
         return None
 
     def text(
@@ -84,7 +86,7 @@ class RunKeys:
         """A text, one of a few where `among` lists them; a question where there is no default."""
         value = self.said(key)
         if value is None:
-            self._missing(key, meaning, right, default is not None)
+            self._missing(key, meaning, right, default)
             return default
         if not value or (among and value not in among):
             self.wrong(key, value, f"one of {' '.join(among)}" if among else right)
@@ -95,7 +97,7 @@ class RunKeys:
         """A finite number; a question where there is no default."""
         value = self.said(key)
         if value is None:
-            self._missing(key, meaning, right, default is not None)
+            self._missing(key, meaning, right, None if default is None else f"{default:.12g}")
             return default
         number = decimal(value)
         if number is None:
@@ -108,7 +110,7 @@ class RunKeys:
         """Three finite numbers with commas between them; a question where there is no default."""
         value = self.said(key)
         if value is None:
-            self._missing(key, meaning, right, default is not None)
+            self._missing(key, meaning, right, None if default is None else ",".join(f"{v:.12g}" for v in default))
             return default
         numbers = [decimal(part.strip()) for part in value.split(",")]
         x, y, z = numbers if len(numbers) == 3 else (None, None, None)
@@ -122,8 +124,17 @@ class RunKeys:
         problem = f'"{shown(value, LONGEST_SHOWN)}" of --map is not right'
         self.keys.faults.append(Fault(self.file, f"run {self.run}, {key}", problem, right))
 
-    def _missing(self, key: str, meaning: str, right: str, has_default: bool) -> None:
-        if has_default:
+    def why(self, key: str) -> str:
+        """Why a key has its value though no file says it."""
+        return "given by the user" if self.sources[key] == "user" else "by default"
+
+    def sentences(self) -> tuple[str, ...]:
+        """One for each key: its value, and why it has it."""
+        return tuple(f"{key} = {self.values[key]}, {self.why(key)}" for key in self.sources)
+
+    def _missing(self, key: str, meaning: str, right: str, default: str | None) -> None:
+        if default is not None:
             self.sources[key] = "default"
+            self.values[key] = default
         else:
             self.keys.questions.append(Question(self.file, self.run, key, meaning, right))
