@@ -241,6 +241,24 @@ def test_a_ball_bar_lies_where_its_circle_does(tmp_path: Path) -> None:
     np.testing.assert_allclose(read_data(tmp_path / "again", DMU).readings.reading, 0.0, atol=1e-9)
 
 
+def test_what_was_simulated_and_written_as_a_ball_bar_comes_back(tmp_path: Path) -> None:
+    (tmp_path / "circle.csv").write_text(BAR)
+    words = ["--map", "length=150", "plane=ZX", "at.X=270", "at.Y=350", "at.Z=250", "target.point=0,0,-20"]
+    imported(tmp_path / "plan", tmp_path / "circle.csv", *words)
+    options = ["--errors", ERRORS, "--data", tmp_path / "plan", "--out", tmp_path / "known", "--kernels", KERNELS]
+    assert main(list(map(str, ["simulate", DMU60P, *options, "--replace"]))) == 0
+    known = read_data(tmp_path / "known", DMU).readings
+    z, x = known.positions[2] - 250.0, known.positions[0] - 270.0
+    angles = np.degrees(np.unwrap(np.arctan2(x, z)))  # from Z to X
+    rows = [f"{angle:.10f}\t{value * 1e3:.7f}\t1000" for angle, value in zip(angles, known.reading, strict=True)]
+    (tmp_path / "circle.csv").write_text("\n".join(["theta [deg]\terror [um]\tfeed", *rows]))
+    again = imported(tmp_path / "again", tmp_path / "circle.csv", *words)
+    assert again.setup.runs == read_data(tmp_path / "known", DMU).setup.runs
+    np.testing.assert_allclose(again.readings.positions, known.positions, atol=1e-8)
+    np.testing.assert_allclose(again.readings.reading, known.reading, atol=1e-10)
+    assert np.abs(known.reading).max() > 1e-3
+
+
 def test_a_ball_bar_with_its_whole_length(tmp_path: Path) -> None:
     rows = ["X;Y;Radius [mm]", "420;350;150.0021", "270;500;149.9979", "120;350;150"]
     (tmp_path / "circle.csv").write_text("\n".join(rows))
