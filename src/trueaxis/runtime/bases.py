@@ -15,19 +15,20 @@ UNMEASURED_DEGREE = 3  # a curve that no reading holds may have any shape: low o
 
 @dataclass(frozen=True)
 class LegendreBasis:
-    """Legendre polynomials on [low, high], each less its value at position 0: b_k(0) = 0, k = 1 .. degree.
+    """Legendre polynomials on [low, high], each less its value at home: b_k(home) = 0, k = 1 .. degree.
 
-    The first is the position divided by half the range. low, high: mm or deg.
+    The first is the position from home divided by half the range. low, high, home: mm or deg.
     """
 
     low: float
     high: float
     degree: int
+    home: float = 0.0
 
     def __call__(self, positions: FloatArray) -> FloatArray:
         """(degree, n): the basis functions at positions (n,)."""
         values = legendre.legvander(self._scaled(positions), self.degree)
-        return np.ascontiguousarray((values - _at_zero(self))[:, 1:].T)
+        return np.ascontiguousarray((values - _at_home(self))[:, 1:].T)
 
     @property
     def count(self) -> int:
@@ -103,8 +104,8 @@ def axis_basis(travel: tuple[float, float], degree: int) -> LegendreBasis:
 
 
 @lru_cache(maxsize=64)
-def _at_zero(basis: LegendreBasis) -> FloatArray:
-    return np.asarray(legendre.legvander(basis._scaled(np.zeros(1)), basis.degree))
+def _at_home(basis: LegendreBasis) -> FloatArray:
+    return np.asarray(legendre.legvander(basis._scaled(np.array([basis.home])), basis.degree))
 
 
 @lru_cache(maxsize=64)
