@@ -14,6 +14,7 @@ from trueaxis.controllers import heidenhain, linuxcnc, siemens
 from trueaxis.controllers.axis_tables import AxisTable, axis_tables, nodes, round_step
 from trueaxis.controllers.formats import TABLE_FORMATS, all_pairs, export_tables, untabled_effects
 from trueaxis.controllers.remaining import remaining, taken_by_tables
+from trueaxis.reporting.control_tables import export_sentences
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues
@@ -140,6 +141,19 @@ def test_sag_values_have_the_names_of_the_manual() -> None:
         assert line in lines
 
 
+def test_errors_as_in_a_manual_of_the_maker(tmp_path: Path) -> None:
+    """Technical Manual TNC 406/306 (3/97), 1.6: Y = F(Z), the error curve as it is entered, every 16.384 mm."""
+    published = {0: ("-990", "0"), 1: ("-973.616", "-0.06"), 2: ("-957.232", "-0.09"), 5: ("-908.08", "-0.12"),
+                 6: ("-891.696", "-0.12"), 7: ("-875.312", "-0.1"), 8: ("-858.928", "-0.09")}  # fmt: skip
+    curve = np.array([0.0, -0.06, -0.09, -0.1, -0.11, -0.12, -0.12, -0.1, -0.09])
+    positions = np.array([-990.0 + 16.384 * number for number in range(9)])
+    table = AxisTable(of="Y", by="Z", positions=positions, forward=curve, backward=curve)
+    rows = heidenhain.com_files([table], reversed_too=False)["zaxis.com"].splitlines()
+    assert rows[1].split() == ["NR", "AXISPOS", "Y"]
+    for number, (position, value) in published.items():
+        assert rows[2 + number].split() == [str(number), position, value]
+
+
 def test_directions_go_where_the_format_has_room_for_them(tmp_path: Path) -> None:
     at = np.array([0.0, 100.0])
     own = AxisTable(of="X", by="X", positions=at, forward=np.array([0.0, 0.010]), backward=np.array([-0.004, 0.006]))
@@ -210,7 +224,9 @@ def test_lost_motion_is_in_the_tables_of_both_directions(tmp_path: Path) -> None
     exports = {name: export_tables(name, model, ORIGIN, None, grid(model)) for name in ("linuxcnc-comp", "siemens-enc")}
     assert exports["linuxcnc-comp"].remaining.after < 1e-6
     assert exports["siemens-enc"].remaining.after == pytest.approx(0.003, rel=1e-3)  # half of the lost motion
-    assert "mean reversal error of X: 6 um, which the table cannot hold" in exports["siemens-enc"].notes
+    sentence = "mean reversal error of X: 6 um, which the table cannot hold"
+    assert sentence in export_sentences("siemens-enc", model, exports["siemens-enc"])
+    assert sentence not in export_sentences("linuxcnc-comp", model, exports["linuxcnc-comp"])
 
 
 def test_effects_that_no_table_holds_are_named() -> None:

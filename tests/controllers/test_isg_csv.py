@@ -6,7 +6,7 @@ import pytest
 from tests.controllers import control_files
 from tests.controllers.machines import FIVE, FIXED, FIXED_ON_TABLE, GANTRY, TABLE, FloatArray, random_model
 from trueaxis.controllers.formats import export_tables, problem_of
-from trueaxis.controllers.isg_csv import control_model, csv_text, reversed_axes
+from trueaxis.controllers.isg_csv import ComponentTable, ControlModel, control_model, csv_text, reversed_axes
 
 TOOL = np.array([[3.0], [-2.0], [-60.0]])
 BOTH = TABLE.replace("[axis.X]", "[axis.X]\nsense = -1")
@@ -87,6 +87,20 @@ def test_axes_that_count_the_other_way_are_refused() -> None:
     model = random_model(TABLE, 0)
     assert reversed_axes(model) == ("X",)
     assert "positive commands of X move the tool in the negative direction" in problem_of("isg-csv", model, None)
+
+
+def test_the_published_components_of_an_axis() -> None:
+    """The example of `ISG CSV format`, `Component errors of the X axis`."""
+    published = """X      EXX    EYX    EZX    EAX    EBX    ECX
+0.0    0.02   0.01   0.07   0.00   0.0042 0.003
+10.0   0.00   -0.1   0.01   0.00   0.0011 0.002"""
+    head, *rows = [line.split() for line in published.splitlines()]
+    values = np.array([[float(cell) for cell in row] for row in rows])
+    table = ComponentTable(axis="X", positions=values[:, 0], errors=values[:, 1:].T)
+    text = csv_text(ControlModel(chain=("X",), tables=(table,), centres={}, tool=np.zeros(3)))
+    ours = [line.split() for line in text.split("#\n")[1].splitlines()]
+    assert ours[0] == head
+    assert [[float(cell) for cell in row] for row in ours[1:]] == values.tolist()
 
 
 def test_the_file_is_laid_out_as_published() -> None:

@@ -10,10 +10,11 @@ from trueaxis.commands.arguments import positive, size
 from trueaxis.commands.misfit import check_fit, misfit_option
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.compensate.reliance import PRIOR_SIZES
-from trueaxis.controllers.formats import FORMATS, Export, export_tables, problem_of, untabled_effects
+from trueaxis.controllers.formats import FORMATS, Export, export_tables, problem_of
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
+from trueaxis.reporting.control_tables import export_sentences, head_lines
 from trueaxis.reporting.reliance import above_sentence, extent_sentences, range_sentences
 from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.extent import UncertaintyExtent, uncertainty_extent, volume_grid
@@ -84,7 +85,8 @@ def run(args: argparse.Namespace) -> int:
         raise InputError([Fault(str(args.machine), f"--format {args.format}", problem)])
     tool = np.array(args.tool_point)[:, np.newaxis]
     positions = volume_grid(model, covariance)
-    export = export_tables(args.format, model, tool, args.step, positions)
+    comments = head_lines(args.format, model)
+    export = export_tables(args.format, model, tool, args.step, positions, comments)
     contents = _contents(args.out, export)
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors}
     inputs["the covariance of --errors"] = covariance_file(args.errors, model.errors)
@@ -96,9 +98,7 @@ def run(args: argparse.Namespace) -> int:
     refusals = _refusals(args, model, tool, positions, extent)
     if not refusals:
         write_files(contents)
-    notes = list(export.notes)
-    if labels := untabled_effects(model):
-        notes.append(f"in no table, for it depends on more than positions and directions: {', '.join(labels)}")
+    notes = export_sentences(args.format, model, export)
     for sentence in (*notes, *extent_sentences(extent, "over the travel"), *beyond):
         print(f"note: {sentence}")
     for sentence in refusals:

@@ -1,4 +1,4 @@
-"""Every format by its name: which tables it has, how they are written, and what they leave of the model."""
+"""Every format by its name: which tables it has and how they are written."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -19,15 +19,13 @@ ISG = "isg-csv"
 class TableFormat:
     """A format of tables of single axes.
 
-    pairs: (of, by) that it has, from the axes of a machine; write: name -> text, one name "" for a file of its own;
-    most_points: of a table, None where the control is set up for as many as there are; both_directions: whether it
-    tells them apart; holds, lacks: what of the model, in words; digits: of a value, mm or deg.
+    pairs: (of, by) that it has, from the axes of a machine; write: name -> text, one name "" for a single file, from
+    tables, comments and whether the directions differ; digits: of a value, mm or deg; most_points: of a table, None
+    where the control is set up for as many as there are; both_directions: whether it tells them apart.
     """
 
     pairs: Callable[[Sequence[str]], Sequence[tuple[str, str]]]
     write: Callable[[Sequence[AxisTable], Sequence[str], bool], Mapping[str, str]]
-    holds: str
-    lacks: str
     digits: int
     most_points: int | None = None
     both_directions: bool = False
@@ -35,11 +33,15 @@ class TableFormat:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Export:
-    """What is written: name -> text (the one name "" for a file), sentences on it, and what remains with it."""
+    """What is written: name -> text (the one name "" for a file), and what remains of the deviations with it.
+
+    tables: those of single axes, as written; chain: axes from the workpiece to the tool where the file is a model.
+    """
 
     files: Mapping[str, str]
-    notes: tuple[str, ...]
     remaining: Remaining
+    tables: tuple[AxisTable, ...] = ()
+    chain: tuple[str, ...] = ()
 
 
 def own_pairs(axes: Sequence[str]) -> list[tuple[str, str]]:
@@ -57,29 +59,32 @@ def all_pairs(axes: Sequence[str]) -> list[tuple[str, str]]:
     return [*own_pairs(axes), *cross_pairs(axes)]
 
 
-OWN = "errors of each axis along itself"
-CROSS = "of each linear axis across the others (straightness, squareness)"
 TABLE_FORMATS: Mapping[str, TableFormat] = {
     "siemens-enc": TableFormat(
-        pairs=own_pairs, write=lambda tables, notes, _: {"": siemens.encoder_text(tables, notes)},
-        digits=siemens.DIGITS, holds=OWN,
-        lacks="errors across the axes (siemens-cec), and those that change with the other axes",
+        pairs=own_pairs,
+        write=lambda tables, comments, _: {"": siemens.encoder_text(tables, comments)},
+        digits=siemens.DIGITS,
     ),
     "siemens-cec": TableFormat(
-        pairs=cross_pairs, write=lambda tables, notes, _: {"": siemens.sag_text(tables, notes)}, digits=siemens.DIGITS,
-        holds=f"errors {CROSS}", lacks="errors along the axes (siemens-enc), and those that change with two axes",
+        pairs=cross_pairs,
+        write=lambda tables, comments, _: {"": siemens.sag_text(tables, comments)},
+        digits=siemens.DIGITS,
     ),
     "heidenhain-com": TableFormat(
-        pairs=all_pairs, write=lambda tables, _, both: heidenhain.com_files(tables, both), digits=heidenhain.DIGITS,
-        holds=f"{OWN} and {CROSS}", lacks="errors that change with two axes (rotations on a lever)",
-        most_points=heidenhain.MOST_POINTS, both_directions=True,
+        pairs=all_pairs,
+        write=lambda tables, _, differ: heidenhain.com_files(tables, differ),
+        digits=heidenhain.DIGITS,
+        most_points=heidenhain.MOST_POINTS,
+        both_directions=True,
     ),
     "linuxcnc-comp": TableFormat(
-        pairs=own_pairs, write=lambda tables, _, __: linuxcnc.comp_files(tables), digits=linuxcnc.DIGITS,
-        holds=OWN, lacks="errors across the axes, and those that change with the other axes",
-        most_points=linuxcnc.MOST_POINTS, both_directions=True,
+        pairs=own_pairs,
+        write=lambda tables, _, __: linuxcnc.comp_files(tables),
+        digits=linuxcnc.DIGITS,
+        most_points=linuxcnc.MOST_POINTS,
+        both_directions=True,
     ),
-}  # fmt: skip
+}
 UNTABLED = {"v", "d", "t", "T"}  # what effects may depend on that a table has no room for: see effects/variables.py
 FORMATS = (ISG, *TABLE_FORMATS)
 
@@ -105,25 +110,26 @@ def problem_of(name: str, model: MachineModel, step: float | None) -> str:
 
 
 def export_tables(
-    name: str, model: MachineModel, tool: FloatArray, step: float | None, positions: FloatArray
+    name: str,
+    model: MachineModel,
+    tool: FloatArray,
+    step: float | None,
+    positions: FloatArray,
+    comments: Sequence[str] = (),
 ) -> Export:
-    """Make the files of a format. tool: (3, 1), mm; positions: (n_axes, n), where it is judged what remains."""
+    """Make the files of a format. tool: (3, 1), mm; positions: (n_axes, n), where it is judged what remains; comments:
+    lines for the head of the file, where the format has room for them.
+    """
     if name == ISG:
-        return _isg(model, tool, step, positions)
+        control = control_model(model, tool[:, 0], step)
+        left = remaining(model, tool, positions, _taken_by_model(model, tool, step))
+        return Export(files={"": csv_text(control, comments)}, remaining=left, chain=control.chain)
     chosen = TABLE_FORMATS[name]
     made = axis_tables(model, tool, chosen.pairs(model.axes), step)
     tables = tuple(table.rounded(chosen.digits) for table in made)
     left = remaining(model, tool, positions, taken_by_tables(model, tables, both_directions=chosen.both_directions))
-    both = chosen.both_directions and any((table.forward != table.backward).any() for table in tables)
-    notes = [f"the tables hold {chosen.holds}; they do not hold {chosen.lacks}"]
-    notes += [
-        f"mean reversal error of {table.of}: {table.reversal * 1e3:.3g} "
-        f"{'um' if table.of in LINEAR else 'mdeg'}, which the table cannot hold"
-        for table in tables
-        if table.of == table.by and table.reversal and not chosen.both_directions
-    ]
-    heads = (f"machine {model.name}; values: actual minus commanded; zero at home", *notes)
-    return Export(files=chosen.write(tables, heads, both), notes=tuple(notes), remaining=left)
+    differ = chosen.both_directions and any((table.forward != table.backward).any() for table in tables)
+    return Export(files=chosen.write(tables, comments, differ), remaining=left, tables=tables)
 
 
 def untabled_effects(model: MachineModel) -> tuple[str, ...]:
@@ -134,19 +140,6 @@ def untabled_effects(model: MachineModel) -> tuple[str, ...]:
         if model.kinds[values.effect.kind].place == "component"
         and UNTABLED & {name.removesuffix("_b") for name in context_of(model.kinds[values.effect.kind])}
     )
-
-
-def _isg(model: MachineModel, tool: FloatArray, step: float | None, positions: FloatArray) -> Export:
-    control = control_model(model, tool[:, 0], step)
-    notes: tuple[str, ...] = (
-        f"chain {''.join(control.chain)}, workpiece_axes 0: all axes are written as seen from the workpiece",
-        "the file holds every error component and, within them, the location errors; not the difference of directions",
-    )
-    if any(values.effect.axis is not None for values in model.effect_values):
-        notes += ("effects of a second axis are in it as they are where that axis is at home",)
-    heads = (f"machine {model.name}; mm and rad by mm and deg; actual minus ideal", *notes)
-    left = remaining(model, tool, positions, _taken_by_model(model, tool, step))
-    return Export(files={"": csv_text(control, heads)}, notes=notes, remaining=left)
 
 
 def _taken_by_model(model: MachineModel, tool: FloatArray, step: float | None) -> TakenOff:
