@@ -236,3 +236,23 @@ def test_effects_that_no_table_holds_are_named() -> None:
     values = tuple(EffectValues(effect, {}) for effect in effects)
     model = model_of(text, ErrorValues("gantry", effects=values))
     assert untabled_effects(model) == (effects[1].label,)
+
+
+@pytest.mark.parametrize("name", TABLE_FORMATS)
+@pytest.mark.parametrize("text", [GANTRY, TABLE], ids=["gantry", "moving table"])
+def test_what_is_said_to_remain_is_what_a_control_with_these_files_leaves(tmp_path: Path, name: str, text: str) -> None:
+    model = random_model(text, 11)
+    tables = written(name, model, tmp_path)
+    positions = grid(model)
+    said = export_tables(name, model, ORIGIN, None, positions).remaining
+    home = np.array([[min(max(0.0, low), high)] for low, high in (model.travel[axis] for axis in model.axes)])
+
+    def off(at: FloatArray, *, corrected: bool) -> FloatArray:
+        places = dict(zip(model.axes, at, strict=True))
+        sent = at - np.array([rebuilt(tables, places, axis) for axis in model.axes]) * corrected
+        return model.ideal(sent, ORIGIN) + model.deviation(sent, ORIGIN) - model.ideal(at, ORIGIN)
+
+    for corrected, rms in ((False, said.before), (True, said.after)):
+        left = off(positions, corrected=corrected) - off(home, corrected=corrected)
+        assert rms == pytest.approx(np.sqrt((left**2).sum(axis=0).mean()), rel=1e-9)
+    assert said.after < said.before

@@ -156,6 +156,29 @@ def test_a_faulty_rtl_file_is_refused(
     assert f"{tmp_path / 'x.rtl'}: " in told
 
 
+@pytest.mark.parametrize(
+    "change",
+    [
+        ("::", ":: "),
+        ("\r\n", "\n"),
+        ("DEVIATIONS::", "Deviations::"),
+        ("HEADER::", "Header::"),
+        ("Run-count:1", "Run-count : 1"),
+        ("Targets :\r\n", "Targets: "),
+        ("-2.250000", "-2,250000"),
+        ("-2.250000", "-2.25E+00"),
+        ("   1   3      ", "1\t3\t"),
+    ],
+)
+def test_an_rtl_file_of_another_writer(tmp_path: Path, change: tuple[str, str]) -> None:
+    text = rtl(LONG_AXIS, SHAPE[np.newaxis], axis="X")
+    assert change[0] in text
+    (tmp_path / "x.rtl").write_bytes(text.replace(*change).encode())
+    data = imported(tmp_path / "data", tmp_path / "x.rtl", "--map", "target.point=0,0,0", "at.Y=0", "at.Z=0")
+    np.testing.assert_allclose(data.readings.positions[0], LONG_AXIS)
+    np.testing.assert_allclose(data.readings.reading, SHAPE * 1e-3)
+
+
 def test_headers_in_chinese_are_read(tmp_path: Path) -> None:
     text = rtl(LONG_AXIS, SHAPE[np.newaxis], axis="X", machine="机床")
     (tmp_path / "x.rtl").write_bytes(text.encode("gbk"))

@@ -29,7 +29,7 @@ MOST_FAULTS = 20  # of one kind: a file of another kind is wrong in every line
 LONGEST_SHOWN = 40  # characters of the file in a message
 UM = 1e-3  # mm
 
-_SECTION = re.compile(r"([A-Z][A-Z0-9 -]*)::")
+_SECTION = re.compile(r"([A-Z][A-Z0-9 -]*)::", re.IGNORECASE)
 _KEY = re.compile(r"([A-Za-z][\w -]*?)\s*:(.*)")
 _AXIS = re.compile(r"([XYZABC])(?:[ -]?axis)?", re.IGNORECASE)
 _REPORT = {"machine": "machine", "serial no": "serial", "date": "date", "by": "operator", "location": "location",
@@ -72,7 +72,7 @@ def read_rtl(path: Path) -> InstrumentRun:
 
 def is_rtl(data: bytes) -> bool:
     """Whether the bytes begin as such a file does."""
-    return data.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"HEADER::")
+    return data.removeprefix(b"\xef\xbb\xbf").lstrip()[:8].upper() == b"HEADER::"
 
 
 def decoded(data: bytes) -> str:
@@ -92,7 +92,7 @@ def _content(text: str, faults: Faults) -> _Content:
         if not line:
             continue
         if header := _SECTION.fullmatch(line):
-            section, key = header[1].strip(), ""
+            section, key = header[1].strip().upper(), ""
             content.sections.add(section)
         elif pair := _KEY.fullmatch(line):
             key = pair[1].lower()
