@@ -51,6 +51,12 @@ def test_what_is_there_is_not_written_over(tmp_path: Path, name: str, capsys: py
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {name: "by hand"}
 
 
+def test_the_same_again_is_no_fault(tmp_path: Path) -> None:
+    for _ in range(2):
+        assert init(tmp_path / "mill.toml", "[w b X t]", "--travel", "X=0:600") == 0
+    assert init(tmp_path / "mill.toml", "[w b X t]", "--travel", "X=0:601") == 2
+
+
 def test_every_fault_at_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert init(tmp_path / "3.toml", FIVE, "--travel", "X=0:1", "X=0:2", "A=0:1") == 2
     told = capsys.readouterr().err

@@ -49,7 +49,7 @@ def add_parser(subparsers: "Subparsers") -> None:
 def run(args: argparse.Namespace) -> int:
     """Write both files; raises InputError with every fault."""
     errors = args.spec.with_name(f"{args.spec.stem}_errors.json")
-    found = _faults_of_names(args.spec, errors)
+    found = _faults_of_name(args.spec)
     order = AxisOrder((), ())
     try:
         order = parse_structure(args.structure)
@@ -65,23 +65,28 @@ def run(args: argparse.Namespace) -> int:
     values = dump_errors(
         ErrorValues(machine.name), components=machine.components, parameters=machine.parameters, effects=()
     )
-    write_files({args.spec: text, errors: values})
+    contents = {args.spec: text, errors: values}
+    if found := [fault for path, content in contents.items() for fault in _faults_of_place(path, content)]:
+        raise InputError(found)
+    write_files(contents)
     print(f"{machine.name}: axes {' '.join(machine.axes)}, {len(machine.components)} error components, location errors")
     print(f"  {' '.join(machine.location_errors) or 'none'}")
     print(f"written: {named(args.spec)}, {named(errors)}; next: trueaxis derive {named(args.spec)}")
     return 0
 
 
-def _faults_of_names(spec: Path, errors: Path) -> list[Fault]:
-    found = [
-        Fault(str(path), "", "is there already", "another name, or remove it")
-        for path in (spec, errors)
-        if path.exists()
-    ]
-    if spec.suffix != ".toml" or not re.fullmatch(STEM, spec.stem):
-        right = "a letter, then letters, digits, _ and -, 100 at most, and .toml"
-        found.append(Fault(str(spec), "", "is no name of a spec: the machine is named like its file", right))
-    return found
+def _faults_of_name(spec: Path) -> list[Fault]:
+    if spec.suffix == ".toml" and re.fullmatch(STEM, spec.stem):
+        return []
+    right = "a letter, then letters, digits, _ and -, 100 at most, and .toml"
+    return [Fault(str(spec), "", "is no name of a spec: the machine is named like its file", right)]
+
+
+def _faults_of_place(path: Path, content: str) -> list[Fault]:
+    """What is there already is the user's own work, unless it is the same."""
+    if not path.exists() or (path.is_file() and path.read_bytes() == content.encode()):
+        return []
+    return [Fault(str(path), "", "is there already, and is something else", "another name, or remove it")]
 
 
 def _faults_of_axes(order: AxisOrder, travels: Sequence[str], senses: Sequence[str]) -> list[Fault]:
