@@ -3,8 +3,8 @@
 import numpy as np
 from scipy.stats import norm
 
+from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise import Noise, Whitening
-from trueaxis.identify.machine import IntArray
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 
