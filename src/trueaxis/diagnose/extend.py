@@ -12,9 +12,9 @@ import numpy as np
 from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.observations import Observations, observations
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
-from trueaxis.identify.observations import Observations, observations
 from trueaxis.identify.words import enumerated
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings

@@ -2,32 +2,38 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 
 from trueaxis.estimation.evidence import averaged, best_sizes, posterior_at
+from trueaxis.estimation.gauge import levelling
 from trueaxis.estimation.instruments import own_kinds
 from trueaxis.estimation.jacobian import RunRows
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.noise_of_residuals import first_noise, noise_of_draws
+from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.outliers import spoilt
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import reduced
 from trueaxis.estimation.residuals import first_order, residuals_of
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.identify.observations import Observations
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
+
+T = TypeVar("T")
 
 LEAST_ROUNDS, MOST_ROUNDS = 5, 30  # in which noise, outliers and sizes are estimated
 SETTLED = 0.03  # relative change of the noise: far below what readings tell of it
 MOST_STEPS = 20
 STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
 LEAST_STEP = 1e-12  # of the size of an unknown: rounding
+# A step may raise the squares where other sizes were found; led away by what is not linear, it raises them by far.
+WORSE, LEAST_SHARE = 4.0, 1e-3
 DRAWS, SEED = 8, 20  # of the posterior, from which the noise is taken
 
 
@@ -39,8 +45,9 @@ class Estimate:
     prior standard deviations, at their estimated sizes; factors: class of sizes -> the estimated size over the
     expected one. noise: of each instrument; scales: of each run with readings, by index, its noise over that of its
     instrument; outliers: (n_readings,), left out; residual: (n_readings,), mm; freedom: degrees of freedom that are
-    left; rounds, steps: how often noise and sizes, then the unknowns alone were estimated; last_step: the largest last
-    step in standard uncertainties; converged: whether the last step was none.
+    left; rounds, steps: how often noise and sizes, then the unknowns alone were estimated; last_step,
+    last_change: the largest last step in standard uncertainties, and by how much it changed a residual, mm; converged:
+    whether it was none.
     """
 
     layout: Layout
@@ -57,7 +64,22 @@ class Estimate:
     rounds: int
     steps: int
     last_step: float
+    last_change: float
     converged: bool
+
+    def levelled(self) -> "Estimate":
+        """By the convention for straightness and squareness; what the instruments' unknowns are stays."""
+        change = levelling(self.layout)
+        prior = np.linalg.norm(change * self.scale, axis=1)
+        unknowns = change @ self.unknowns
+        given = replace(self.values, parameters=_others(self.values.parameters, self.layout.locations))
+        given = replace(given, motion_errors=_others(self.values.motion_errors, self.layout.components))
+        values = self.layout.values(unknowns, given)
+        return replace(self, values=values, unknowns=unknowns, spread=change @ self.spread, scale=prior)
+
+
+def _others(values: Mapping[str, T], names: tuple[str, ...]) -> dict[str, T]:
+    return {name: value for name, value in values.items() if name not in names}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,16 +135,17 @@ def estimate(
         steps += 1
         found = reduced(layout, *_whitened(layout, state))
         posterior = posterior_at(sizes, found, x)
-        before = state.unknowns / layout.sizes
+        before, residual = state.unknowns / layout.sizes, state.residual
         state = _moved(layout, state, posterior, given)
+        change = max(float(np.max(np.abs(a - b), initial=0.0)) for a, b in zip(state.residual, residual, strict=True))
         u = np.maximum(np.linalg.norm(posterior.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs(state.unknowns / layout.sizes - before) / u, initial=0.0))
         converged = last < STILL
     posterior = averaged(sizes, found, x)
     state = _moved(layout, state, posterior, given)
-    residual, outliers = np.zeros(observed.reading.size), np.zeros(observed.reading.size, dtype=bool)
+    left, outliers = np.zeros(observed.reading.size), np.zeros(observed.reading.size, dtype=bool)
     for one, rest in zip(state.runs, state.residual, strict=True):
-        residual[one.at], outliers[one.at] = rest, ~one.good
+        left[one.at], outliers[one.at] = rest, ~one.good
     return Estimate(
         layout=layout,
         values=layout.values(state.unknowns, given),
@@ -133,11 +156,12 @@ def estimate(
         noise=state.noise,
         scales={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},
         outliers=outliers,
-        residual=residual,
+        residual=left,
         freedom=float((~outliers).sum()) - posterior.told,
         rounds=rounds,
         steps=steps,
         last_step=last,
+        last_change=change,
         converged=converged,
     )
 
@@ -170,9 +194,24 @@ def _whitened(layout: Layout, state: _State) -> tuple[list[RunRows], list[Whiten
 
 
 def _moved(layout: Layout, state: _State, posterior: Posterior, given: ErrorValues) -> _State:
-    unknowns, own = posterior.mean * layout.sizes, [one.mean for one in posterior.own]
-    residual = residuals_of(layout, state.runs, unknowns, own, given)
-    return replace(state, unknowns=unknowns, own=own, residual=residual)
+    """After the step to the posterior mean, or a part of it where the exact model is far worse off after it."""
+    squares = _squares(state, state.residual)
+    share = 1.0
+    while True:
+        unknowns = state.unknowns + share * (posterior.mean * layout.sizes - state.unknowns)
+        own = [now + share * (one.mean - now) for now, one in zip(state.own, posterior.own, strict=True)]
+        residual = residuals_of(layout, state.runs, unknowns, own, given)
+        if _squares(state, residual) <= WORSE * squares or share < LEAST_SHARE:
+            return replace(state, unknowns=unknowns, own=own, residual=residual)
+        share *= 0.5
+
+
+def _squares(state: _State, residual: list[FloatArray]) -> float:
+    """Of residuals in units of the noise; a reading more counts for rounding."""
+    parts = zip(state.runs, residual, state.scales.tolist(), strict=True)
+    return 1.0 + sum(
+        float(np.sum((rest[one.good] / (scale * state.noise[one.instrument].sigma)) ** 2)) for one, rest, scale in parts
+    )
 
 
 def _noise(

@@ -20,6 +20,7 @@ from trueaxis.measure.machine import FloatArray
 
 MOST_STEPS = 60
 GRADIENT = 1e-2  # of the logarithm of the likelihood per standard deviation of a size: far below what a size matters
+FARTHEST = 3.0  # standard deviations of a size from what was expected: beyond, the data are not of such a machine
 PAIRS, SEED = 8, 21  # of sizes over which the posterior is averaged
 
 
@@ -47,7 +48,7 @@ def best_sizes(sizes: Sizes, reduced: Reduced, start: FloatArray) -> tuple[Float
         start,
         jac=True,
         method="L-BFGS-B",
-        bounds=[(-6.0, 6.0)] * sizes.spread.size,
+        bounds=[(-FARTHEST, FARTHEST)] * sizes.spread.size,
         options={"maxiter": MOST_STEPS, "gtol": GRADIENT},
     )
     best = np.asarray(found.x)
@@ -161,7 +162,9 @@ def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
     draws = np.random.default_rng(SEED).standard_normal((PAIRS, x.size))
     steps = solve_triangular(root, draws.T, lower=True, trans="T").T
     each = [
-        _evidence(sizes, reduced, batches, np.clip(x + sign * step, -6.0, 6.0))[2] for step in steps for sign in (1, -1)
+        _evidence(sizes, reduced, batches, np.clip(x + sign * step, -FARTHEST, FARTHEST))[2]
+        for step in steps
+        for sign in (1, -1)
     ]
     mean = np.mean([one.mean for one in each], axis=0)
     share = 1.0 / np.sqrt(len(each))

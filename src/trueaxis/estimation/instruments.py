@@ -14,12 +14,13 @@ Every unknown belongs to a class, whose size is estimated about the one given he
 scale was calibrated, is then found out.
 """
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.identify.global_fit.instruments import (
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.set_up import (
     along_line,
     ball_columns,
     ball_of,
@@ -27,14 +28,13 @@ from trueaxis.identify.global_fit.instruments import (
     is_straightness,
     relative_motion,
 )
-from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_context import along
 from trueaxis.measure.reading_model import home_positions, sensed_directions
 from trueaxis.measure.setup import Run
 
 # mm, rad or 1: one standard deviation of each class, before the data have their say
-OWN_SIZES = {
+OWN_SIZES: Mapping[str, float] = {
     "laser zero": 3e-3,
     "laser drift": 1e-3,
     "straightness zero": 0.1,
@@ -46,7 +46,7 @@ OWN_SIZES = {
     "ballbar drift": 1e-3,
     "ballbar centre of a run": 2e-3,
 }
-SHARED_SIZES = {
+SHARED_SIZES: Mapping[str, float] = {
     "ballbar centre": 50e-3,
     "ballbar length": 20e-3,
     "laser scale": 1e-6,
@@ -54,6 +54,10 @@ SHARED_SIZES = {
     "probe sphere": 50e-3,
     "probe origin": 50e-3,
 }
+# By what a class may be larger or smaller, one standard deviation. Set-ups differ by orders of magnitude, and many runs
+# tell; a laser is calibrated and aligned as its makers say, and one value tells nothing of a size.
+SET_UP_FACTOR, CALIBRATED_FACTOR = 10.0, 2.0
+CALIBRATED = ("laser scale", "laser cosine")
 
 
 @dataclass(frozen=True, slots=True)

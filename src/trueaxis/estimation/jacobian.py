@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.instruments import own_columns, shared_column
 from trueaxis.estimation.layout import Layout
-from trueaxis.identify.first_order import sensed, sensed_at_home
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions
 from trueaxis.measure.setup import Run

@@ -7,8 +7,8 @@ import numpy as np
 
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.instruments import SHARED_SIZES, SharedUnknown, shared_unknowns, straight_runs
-from trueaxis.identify.machine import IntArray
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.bases import LegendreBasis, travel_basis
 from trueaxis.runtime.curves import LegendreCurve

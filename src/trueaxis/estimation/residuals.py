@@ -9,7 +9,7 @@ from trueaxis.estimation.instruments import own_columns, shared_column
 from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.identify.global_fit.instruments import ball_of
+from trueaxis.estimation.set_up import ball_of
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import expected_reading
 from trueaxis.measure.setup import PointOn, Run

@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.estimation.jacobian import RunRows
-from trueaxis.identify.machine import IntArray
-from trueaxis.identify.observations import Observations
-from trueaxis.identify.repeats import places
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import places
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 

@@ -9,15 +9,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.estimation.curve_prior import FALLING_FACTOR, SHAPE, WAVES_FACTOR, CurvePrior
-from trueaxis.estimation.instruments import OWN_SIZES, SHARED_SIZES
+from trueaxis.estimation.instruments import CALIBRATED, CALIBRATED_FACTOR, OWN_SIZES, SET_UP_FACTOR, SHARED_SIZES
 from trueaxis.estimation.layout import Layout
+from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.posterior import Posterior
-from trueaxis.identify.machine import IntArray
 from trueaxis.measure.machine import FloatArray
 
 CLASS_FACTOR = 4.0  # by which a size may be other than expected, one standard deviation
 COMPONENT_FACTOR = 1.6  # by which the sizes of components of one class differ
-INSTRUMENT_FACTOR = 10.0  # set-ups differ by orders of magnitude, and many runs tell
 
 
 class Sizes:
@@ -29,13 +28,11 @@ class Sizes:
         own = list(dict.fromkeys(kind for of_run in kinds for kind in of_run))
         self.names = (*classes, *(f"of {name}" for name in layout.components), *own, *SHAPE)
         self._own_at = {kind: len(classes) + len(layout.components) + place for place, kind in enumerate(own)}
-        instrument = [
-            *(kind in SHARED_SIZES for kind in classes),
-            *([False] * len(layout.components)),
-            *([True] * len(own)),
+        factors = [
+            *(_factor(kind) if kind in SHARED_SIZES else CLASS_FACTOR for kind in classes),
+            *([COMPONENT_FACTOR] * len(layout.components)),
+            *map(_factor, own),
         ]
-        factors = np.where(instrument, INSTRUMENT_FACTOR, CLASS_FACTOR)
-        factors[len(classes) : len(classes) + len(layout.components)] = COMPONENT_FACTOR
         self.spread = np.log([*factors, WAVES_FACTOR, FALLING_FACTOR])
         degrees = [basis.degree for basis in layout.bases]
         one_each = layout.count - sum(degrees)
@@ -93,3 +90,7 @@ class Sizes:
             found[self._own_at[kind]] += value
         found[-len(SHAPE) :] = slope @ expected
         return found * self.spread
+
+
+def _factor(kind: str) -> float:
+    return CALIBRATED_FACTOR if kind in CALIBRATED else SET_UP_FACTOR
