@@ -15,7 +15,7 @@ from trueaxis.runtime.model import load_model
 MACHINE = ROOT / "machines" / "gantry_mill.toml"
 POINT = np.array([[0.0], [0.0], [-100.0]])
 MIDDLE = {"X": 1500.0, "Y": 750.0, "Z": -300.0}
-NOISE_UM = 0.3
+NOISE_UM = 0.3  # of a reading
 
 
 def run(*words: object) -> None:
@@ -49,7 +49,7 @@ def test_a_table_from_laser_files_takes_the_errors_off(tmp_path: Path) -> None:
         (tmp_path / f"{axis}.rtl").write_bytes(rtl(targets.tolist(), passes, axis=axis).encode())
     files = [tmp_path / f"{axis}.rtl" for axis in "XYZ"]
     run("import", *files, "--machine", MACHINE, "--out", tmp_path / "data", "--map", *keys)
-    options = ["--data", tmp_path / "data", "--noise-um", NOISE_UM, "--degree", "3", "--method", "global"]
+    options = ["--data", tmp_path / "data", "--method", "global"]
     run("identify", MACHINE, *options, "--out", tmp_path / "e.json", "--kernels", KERNELS)
     words = ["--format", "siemens-enc", "--out", tmp_path / "enc.ini", "--tool-point", "0,0,-100"]
     run("export", MACHINE, "--errors", tmp_path / "e.json", *words, "--kernels", KERNELS)
