@@ -3,6 +3,8 @@
 import io
 import re
 import sys
+import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +17,7 @@ from tests.machines import DMU60P, machine_at
 from tests.real_data import linear_axis_data
 from trueaxis.cli import main
 from trueaxis.measure.data import MeasuredData, read_data
-from trueaxis.measure.setup import PointOn, Run
+from trueaxis.measure.setup import Device, PointOn, Run
 from trueaxis.measure.setup_writer import run_table
 
 DMU = machine_at(DMU60P)
@@ -332,6 +334,8 @@ def test_odd_names_of_runs_read_back(tmp_path: Path) -> None:
     assert data.setup.runs[0].id == 'a "b" \\ c'
     run = Run("é\u202e", "probe", PointOn("tool"), PointOn("bed"), "bed", {"X": 0.1}, (0.0, 0.0, 1.0))
     assert "\u202e" not in run_table(run)
+    table = tomllib.loads(run_table(replace(run, device=Device(id="XL"), session="monday")))["run"][0]
+    assert (table["device"], table["session"]) == ("XL", "monday")
 
 
 @pytest.mark.skipif(not linear_axis_data.FILE.exists(), reason="the measured files are not here")

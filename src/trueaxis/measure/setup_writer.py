@@ -8,8 +8,15 @@ from trueaxis.plain_text import escaped
 
 
 def run_table(run: Run, comments: Mapping[str, str] | None = None) -> str:
-    """A [[run]] table that reads back as the run; comments: key -> what stands behind its line."""
+    """A [[run]] table that reads back as the run; its device is named alone.
+
+    comments: key -> what stands behind its line.
+    """
     lines = {"id": toml_text(run.id), "instrument": toml_text(run.instrument)}
+    if run.device is not None:
+        lines["device"] = toml_text(run.device.id)
+    if run.session:
+        lines["session"] = toml_text(run.session)
     if run.length is not None:
         lines["length"] = repr(run.length)
     if run.direction is not None:
