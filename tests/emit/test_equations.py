@@ -151,5 +151,5 @@ def test_a_machine_of_one_linear_axis_has_no_squareness() -> None:
 
 
 def test_rotary_functions_read_unambiguously() -> None:
-    assert r"\cos(c) dx" in page("five_axis")
+    assert r"\cos(c) d_x" in page("five_axis")
     assert "92.3" in page("five_axis")

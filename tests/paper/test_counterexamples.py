@@ -115,7 +115,7 @@ def test_angle_from_y_in_yz_misses_by_millimetres() -> None:
 
 
 def test_letters_of_an_offset_are_its_direction_and_its_axis() -> None:
-    """E27: each P_uv of Eq. (39) sums an angle of axis v that turns v towards u; the text has two symbols of Table 3."""
+    """E27: each P_uv of Eq. (39) sums an angle of axis v that turns v towards u."""
     for part in PRINTED[39].parts:
         assert isinstance(part, Formula)
         direction, axis = str(part.lhs).removeprefix("P_")

@@ -1,4 +1,4 @@
-"""A branch multiplied out body by body, as a pair: the error-free product, and the first-order motion of what stands on it.
+"""A branch multiplied out body by body, as a pair: the error-free product, and the first-order motion on top of it.
 
 To first order [SBk] = (1 + N_k) [SBk]^0, where N_k is the 4x4 matrix of a small rotation Theta_k about the origin of
 the bed frame and a displacement D_k. An error factor (delta, epsilon) that is met behind the error-free product (R, p)
@@ -19,8 +19,8 @@ Columns = Mapping[str, Vector]
 class BranchStep:
     """What one joint adds to its branch.
 
-    ideal: [SBk]^0, 4x4, mm. rotation, displacement: for each error of the joint, by its name, the vector by which a unit
-    of it changes Theta (rad per mm or rad) and D (mm per mm or rad), bed frame.
+    ideal: [SBk]^0, 4x4, mm. rotation, displacement: for each error of the joint, by its name, the vector by which a
+    unit of it changes Theta (rad per mm or rad) and D (mm per mm or rad), bed frame.
     """
 
     joint: Joint

@@ -166,7 +166,9 @@ def _turned(back: sp.Matrix, latex: Latex) -> Iterator[Row]:
     moved = sp.symbols("_D_x _D_y _D_z", real=True)
     at = sp.symbols("_P_x _P_y _P_z", real=True)
     vector = sp.Matrix(moved) + sp.Matrix(theta).cross(sp.Matrix(at))
-    names = {f"_{letter}_{a}": f"{text}_{a}" for letter, text in (("Theta", r"\Theta"), ("D", "D"), ("P", "P")) for a in AXES}
+    names = {
+        f"_{letter}_{a}": f"{text}_{a}" for letter, text in (("Theta", r"\Theta"), ("D", "D"), ("P", "P")) for a in AXES
+    }
     own = latex.with_names(names)
     for i, row in enumerate(AXES):
         yield broken(f"d_{row}", own.terms((back * vector)[i]))

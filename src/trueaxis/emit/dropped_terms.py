@@ -26,7 +26,8 @@ _EXACT, _FIRST = "tool_in_workpiece_deviation", "tool_in_workpiece_deviation_fir
 @dataclass(frozen=True)
 class DroppedTerms:
     """Micrometres, over all drawn signs and the corners and the middle of the travels: rms of the deviation to first
-    order, rms and largest length of what it lacks."""
+    order, rms and largest length of what it lacks.
+    """
 
     deviation: float
     rms: float
@@ -44,7 +45,10 @@ def dropped_terms(machine: Machine, routines: tuple[Routine, ...]) -> DroppedTer
     for _ in range(DRAWS):
         errors = [drawn.choice((-1, 1)) * prior.of_component(name) for name in machine.components]
         parameters = [DIMENSION] * len(machine.dimensions)
-        parameters += [drawn.choice((-1, 1)) * prior.of_location(name, machine.parameter_unit(name)) for name in machine.location_errors]
+        parameters += [
+            drawn.choice((-1, 1)) * prior.of_location(name, machine.parameter_unit(name))
+            for name in machine.location_errors
+        ]
         arguments = (positions, np.array(errors)[:, None], np.array(parameters), np.zeros((3, 1)))
         exact.append(getattr(module, _EXACT)(*arguments))
         first.append(getattr(module, _FIRST)(*arguments))

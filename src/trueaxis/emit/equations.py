@@ -84,7 +84,7 @@ def _sensitivities(machine: Machine, latex: Latex) -> list[tuple[str, ...]]:
 def _correction(model: DerivedModel, latex: Latex) -> list[Row]:
     body = next((routine.body for routine in model.routines if routine.name == "correction"), ())
     moves = {f"move_{axis.lower()}": rf"\Delta {axis.lower()}" for axis in model.machine.axes}
-    own = latex.with_names(moves)
+    own = latex.with_names(moves | {f"d{axis}": f"d_{axis}" for axis in "xyz"})
     return [broken(own.symbol(target.name), own.terms(value)) for target, value in body]
 
 

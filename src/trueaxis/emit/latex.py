@@ -1,8 +1,8 @@
 """Expressions as LaTeX that GitHub renders, with the paper's symbols."""
 
 import re
-from copy import copy
 from collections.abc import Iterable, Iterator, Mapping
+from copy import copy
 
 import sympy as sp
 

@@ -37,8 +37,8 @@ class System:
 class Pattern:
     """A motion of Sects. 3.2 to 3.5: axes that move, number of its motion equation, of its readings and systems.
 
-    projected: number of the projections of its linkage line, with the directions of sine and cosine. general: number of the
-    readings of any point i; special: number and readings of the points measured.
+    projected: number of the projections of its linkage line, with the directions of sine and cosine. general: number
+    of the readings of any point i; special: number and readings of the points measured.
     """
 
     axes: str

@@ -106,7 +106,10 @@ def paper_part(model: DerivedModel) -> PaperPart:
         for system in pattern.systems:
             parts[pattern.section] += _system_blocks(model, pattern, system, latex)
     titles = {"3.2": "Single axes"} | {p.section: p.title for p in PATTERNS if len(p.axes) > 1}
-    sections = tuple(Section(number, titles[number], tuple(sorted(blocks, key=lambda block: block.number))) for number, blocks in parts.items())
+    sections = tuple(
+        Section(number, titles[number], tuple(sorted(blocks, key=lambda block: block.number)))
+        for number, blocks in parts.items()
+    )
     patterns = tuple(pattern.axes for pattern in (*PATTERNS[:3], PATTERNS[4], PATTERNS[3], PATTERNS[5]))
     return PaperPart(
         Table1(("X", "Y", "Z"), tuple(_table_1(machine))),
@@ -126,7 +129,12 @@ def _table_1(machine: Machine) -> Iterator[tuple[str, ...]]:
         yield name, *("" if o else f"${texts[c].latex}$ [`{c}`](#{c})" for c, o in zip(cells, own, strict=True))
     for pair in ("xy", "xz", "yz"):
         parameter = f"eps_{pair}"
-        yield f"{pair.upper()} perpendicularity error", f"${texts[parameter].latex}$ [`{parameter}`](#{parameter})", "", ""
+        yield (
+            f"{pair.upper()} perpendicularity error",
+            f"${texts[parameter].latex}$ [`{parameter}`](#{parameter})",
+            "",
+            "",
+        )
 
 
 def _table_3(patterns: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
@@ -186,8 +194,8 @@ def _reading_blocks(machine: Machine, pattern: Pattern, latex: Latex) -> Iterato
             f"L_{{i{cosine}h}} &= L_{{ih}}\\,\\cos\\theta - \\delta_{{ih}}\\,\\sin\\theta",
         )
         text = (
-            f"The displacement $L_{{ih}}$ along the linkage line and the straightness $\\delta_{{ih}}$ across it, $\\theta$ measured "
-            f"from the {cosine.upper()} axis:"
+            "The displacement $L_{ih}$ along the linkage line and the straightness $\\delta_{ih}$ across it, $\\theta$ "
+            f"measured from the {cosine.upper()} axis:"
         )
         yield Block(number, "projections of the line", text, rows=rows)
     if pattern.general:
@@ -214,7 +222,9 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
     known = [{n: c for n, c in f.columns.items() if n not in system.unknowns} for f in forms]
     warning = _rank_warning(model, system)
     if not system.rows:
-        left = r"\begin{bmatrix}" + r"\\".join(_reduced(r, f, latex) for r, f in zip(system.readings, forms, strict=True))
+        left = r"\begin{bmatrix}" + r"\\".join(
+            _reduced(r, f, latex) for r, f in zip(system.readings, forms, strict=True)
+        )
         left += r"\end{bmatrix}"
         text = f"The rows of Eq. ({pattern.motion}) that are read at the three points of Table 4:"
         maths = f"{left} = {latex(matrix)} {unknowns}"
@@ -228,7 +238,8 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
         names = [f"b_{{{k + 1}}}" for k in range(len(forms))]
         stack = r"\begin{bmatrix}" + r"\\".join(names) + r"\end{bmatrix}"
         rows = tuple(
-            broken(name, _known_terms(r, f, k, latex)) for name, r, f, k in zip(names, system.readings, forms, known, strict=True)
+            broken(name, _known_terms(r, f, k, latex))
+            for name, r, f, k in zip(names, system.readings, forms, known, strict=True)
         )
         yield Block(system.number, "system", text, f"{latex(matrix)} {unknowns} = {stack}", rows)
     rows = tuple(_closed_forms(system, forms, latex))
@@ -245,7 +256,7 @@ def _known_terms(reading: Reading, found: Form, known: dict[str, sp.Expr], latex
 
 
 def _closed_forms(system: System, forms: list[Form], latex: Latex) -> Iterator[Row]:
-    """Unknowns solved for pair by pair: a rotation from the difference of two readings, a displacement from the first."""
+    """Unknowns pair by pair: a rotation from the difference of two readings, a displacement from the first."""
     free = list(system.unknowns)
     while free:
         displacement = free.pop(0)
@@ -300,7 +311,7 @@ def _rank_warning(model: DerivedModel, system: System) -> str:
     for each in found.systems:
         if set(each.unknowns) == set(system.unknowns) and each.rank < len(each.unknowns):
             return (
-                f"**At these points the rank is {each.rank}, less than the {len(each.unknowns)} unknowns: this system has "
-                f"no single solution** ([E33]({ERRATA_PAGE}#e33))."
+                f"**At these points the rank is {each.rank}, less than the {len(each.unknowns)} unknowns: this system "
+                f"has no single solution** ([E33]({ERRATA_PAGE}#e33))."
             )
     return ""

@@ -92,7 +92,8 @@ def system_text(
         dict(machine.references).get(system_name(index), ""),
         system_name(index) if system.inverse is not None else "",
         tuple(
-            ReadingText(latex(reading), run, _sensed(runs[run])) for reading, run in zip(readings, system.runs, strict=True)
+            ReadingText(latex(reading), run, _sensed(runs[run]))
+            for reading, run in zip(readings, system.runs, strict=True)
         ),
         tuple(
             (f"({', '.join(latex(s) for s in triple)})", on, f"({', '.join(f'{c:g}' for c in at)})")
@@ -117,7 +118,8 @@ def _sensed(run: RunPattern) -> str:
     axis = [f"{'+' if part > 0 else '-'}{letter}" for part, letter in zip(run.direction, "XYZ", strict=True) if part]
     along = axis[0] if len(axis) == 1 else f"({', '.join(f'{part:g}' for part in run.direction)})"
     ends = [end[0] for end in (run.target, run.reference) if end[0] != run.frame]
-    return f"{' against '.join(ends)} along {along} of the {run.frame}, while {' and '.join(run.moves)} move{'s' if len(run.moves) == 1 else ''}"
+    verb = "moves" if len(run.moves) == 1 else "move"
+    return f"{' against '.join(ends)} along {along} of the {run.frame}, while {' and '.join(run.moves)} {verb}"
 
 
 def _solution(system: IdentificationSystem, names: list[str], latex: Latex) -> Iterator[Row]:
