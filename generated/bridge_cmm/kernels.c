@@ -1,9 +1,11 @@
 /* Generated from machines/bridge_cmm.toml, do not edit; regenerate with: trueaxis derive machines/bridge_cmm.toml
+ * SPDX-License-Identifier: MIT
  * Kernels of Bridge coordinate measuring machine: geometric error model in C17.
  * Spec: sha256 316443eb7e27d6b078d5a40b3776dd9c4bae13a4f2e33b47e425a6d867458069
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
- * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
+ * Arrays must not overlap. Lengths mm, angles rad.
+ * Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
  */
 #include "kernels.h"
 
@@ -17,9 +19,6 @@
 #else
 #define POINTS_ARE_INDEPENDENT
 #endif
-
-/* Points whose cosines and sines are computed ahead of their arithmetic. */
-enum { BLOCK = 512 };
 
 int bridge_cmm_kernel_abi(void)
 {
@@ -47,10 +46,10 @@ static double step(double value)
  */
 void bridge_cmm_tool_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -83,11 +82,11 @@ void bridge_cmm_tool_in_workpiece_ideal(
  */
 void bridge_cmm_tool_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -163,11 +162,11 @@ void bridge_cmm_tool_in_workpiece_deviation(
  */
 void bridge_cmm_tool_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -235,10 +234,10 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order(
  */
 void bridge_cmm_tool_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -336,10 +335,10 @@ void bridge_cmm_tool_in_workpiece_sensitivity(
  */
 void bridge_cmm_tool_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -372,11 +371,11 @@ void bridge_cmm_tool_in_bed_ideal(
  */
 void bridge_cmm_tool_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -452,11 +451,11 @@ void bridge_cmm_tool_in_bed_deviation(
  */
 void bridge_cmm_tool_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -524,10 +523,10 @@ void bridge_cmm_tool_in_bed_deviation_first_order(
  */
 void bridge_cmm_tool_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -625,10 +624,10 @@ void bridge_cmm_tool_in_bed_sensitivity(
  */
 void bridge_cmm_workpiece_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     (void)positions;
     (void)parameters;
@@ -656,11 +655,11 @@ void bridge_cmm_workpiece_in_bed_ideal(
  */
 void bridge_cmm_workpiece_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     (void)errors;
@@ -687,11 +686,11 @@ void bridge_cmm_workpiece_in_bed_deviation(
  */
 void bridge_cmm_workpiece_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     (void)errors;
@@ -717,10 +716,10 @@ void bridge_cmm_workpiece_in_bed_deviation_first_order(
  */
 void bridge_cmm_workpiece_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)positions;
     (void)parameters;
@@ -804,10 +803,10 @@ void bridge_cmm_workpiece_in_bed_sensitivity(
  */
 void bridge_cmm_bed_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     (void)positions;
     (void)parameters;
@@ -835,11 +834,11 @@ void bridge_cmm_bed_in_workpiece_ideal(
  */
 void bridge_cmm_bed_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     (void)errors;
@@ -866,11 +865,11 @@ void bridge_cmm_bed_in_workpiece_deviation(
  */
 void bridge_cmm_bed_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     (void)errors;
@@ -896,10 +895,10 @@ void bridge_cmm_bed_in_workpiece_deviation_first_order(
  */
 void bridge_cmm_bed_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)positions;
     (void)parameters;
@@ -985,11 +984,11 @@ void bridge_cmm_bed_in_workpiece_sensitivity(
  */
 void bridge_cmm_tool_in_workpiece_position(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -1070,11 +1069,11 @@ void bridge_cmm_tool_in_workpiece_position(
  */
 void bridge_cmm_tool_in_workpiece_position_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -1140,19 +1139,19 @@ void bridge_cmm_tool_in_workpiece_position_first_order(
  * Deviation of the tool point under polynomial error curves, exact.
  * Source: Eqs. (1)-(4), (44). Operations: 301 per point, 3 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
- *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
+ * in curves: 126 values, mm/mm^k, rad/mm^k; coefficients of the powers 1 to 7 of the axis position, per component
+ *     error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
  * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
 void bridge_cmm_tool_in_workpiece_deviation_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -1347,19 +1346,19 @@ void bridge_cmm_tool_in_workpiece_deviation_curves(
  * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
  * Source: Eqs. (1)-(4), (44). Operations: 206 per point, 267 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
- *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
+ * in curves: 126 values, mm/mm^k, rad/mm^k; coefficients of the powers 1 to 7 of the axis position, per component
+ *     error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
  * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
 void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -1621,13 +1620,13 @@ void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
  */
 void bridge_cmm_ballbar_error(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    const double *restrict ball,
-    const double *restrict length,
-    double *restrict error)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    const double *TRUEAXIS_RESTRICT ball,
+    const double *TRUEAXIS_RESTRICT length,
+    double *TRUEAXIS_RESTRICT error)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -1720,9 +1719,9 @@ void bridge_cmm_ballbar_error(
  */
 void bridge_cmm_correction(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict deviation,
-    double *restrict moves)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT deviation,
+    double *TRUEAXIS_RESTRICT moves)
 {
     (void)positions;
     /* per point */
@@ -1749,11 +1748,11 @@ void bridge_cmm_correction(
  */
 void bridge_cmm_motion_X(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -1794,11 +1793,11 @@ void bridge_cmm_motion_X(
  */
 void bridge_cmm_motion_Y(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -1838,11 +1837,11 @@ void bridge_cmm_motion_Y(
  */
 void bridge_cmm_motion_Z(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -1884,11 +1883,11 @@ void bridge_cmm_motion_Z(
  */
 void bridge_cmm_motion_XY(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -1939,11 +1938,11 @@ void bridge_cmm_motion_XY(
  */
 void bridge_cmm_motion_XZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -1996,11 +1995,11 @@ void bridge_cmm_motion_XZ(
  */
 void bridge_cmm_motion_YZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Px = parameters[0];
@@ -2052,9 +2051,9 @@ void bridge_cmm_motion_YZ(
  */
 void bridge_cmm_effect_backlash(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double width = parameters[0];
@@ -2081,9 +2080,9 @@ void bridge_cmm_effect_backlash(
  */
 void bridge_cmm_effect_backlash_slope(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double change = parameters[0];
@@ -2111,9 +2110,9 @@ void bridge_cmm_effect_backlash_slope(
  */
 void bridge_cmm_effect_cyclic(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -2144,9 +2143,9 @@ void bridge_cmm_effect_cyclic(
  */
 void bridge_cmm_effect_thermal_expansion(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -2171,9 +2170,9 @@ void bridge_cmm_effect_thermal_expansion(
  */
 void bridge_cmm_effect_thermal_offset(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -2198,9 +2197,9 @@ void bridge_cmm_effect_thermal_offset(
  */
 void bridge_cmm_effect_warm_up(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -2226,9 +2225,9 @@ void bridge_cmm_effect_warm_up(
  */
 void bridge_cmm_effect_drift(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double rate = parameters[0];
@@ -2253,9 +2252,9 @@ void bridge_cmm_effect_drift(
  */
 void bridge_cmm_effect_servo_lag(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double tau = parameters[0];
@@ -2281,9 +2280,9 @@ void bridge_cmm_effect_servo_lag(
  */
 void bridge_cmm_effect_reversal_spike(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double height = parameters[0];
@@ -2313,9 +2312,9 @@ void bridge_cmm_effect_reversal_spike(
  */
 void bridge_cmm_effect_cross_axis(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -2339,9 +2338,9 @@ void bridge_cmm_effect_cross_axis(
  */
 void bridge_cmm_effect_laser_cosine(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double angle = parameters[0];
@@ -2364,9 +2363,9 @@ void bridge_cmm_effect_laser_cosine(
  */
 void bridge_cmm_effect_laser_scale(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -2388,9 +2387,9 @@ void bridge_cmm_effect_laser_scale(
  */
 void bridge_cmm_effect_laser_step(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double jump = parameters[0];
@@ -2414,9 +2413,9 @@ void bridge_cmm_effect_laser_step(
  */
 void bridge_cmm_effect_ballbar_length(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     (void)context;
     /* once per call */
@@ -2439,9 +2438,9 @@ void bridge_cmm_effect_ballbar_length(
  */
 void bridge_cmm_effect_ballbar_lobes(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];

@@ -1,8 +1,11 @@
 # Generated from machines/bridge_cmm.toml, do not edit; regenerate with: trueaxis derive machines/bridge_cmm.toml
+# SPDX-License-Identifier: MIT
 """Kernels of Bridge coordinate measuring machine: geometric error model in NumPy.
 
 Arrays are float64 with the quantity first and the point last: positions (n_axes, n), errors (n_components, n),
-deviation (3, n). An array that is the same at all points may have n = 1. Lengths mm, angles rad, rotary axes deg.
+deviation (3, n). An array that is the same at all points may have n = 1. Lengths mm, angles rad. An array of another shape is a ValueError that names it.
+
+Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
 """
 
 import numpy as np
@@ -15,59 +18,18 @@ META = {'machine': 'bridge_cmm',
  'axes': ['X', 'Y', 'Z'],
  'position_units': ['mm', 'mm', 'mm'],
  'travel': {'X': [0.0, 900.0], 'Y': [0.0, 1200.0], 'Z': [-700.0, 0.0]},
- 'components': ['EXX',
-                'EYX',
-                'EZX',
-                'EAX',
-                'EBX',
-                'ECX',
-                'EXY',
-                'EYY',
-                'EZY',
-                'EAY',
-                'EBY',
-                'ECY',
-                'EXZ',
-                'EYZ',
-                'EZZ',
-                'EAZ',
-                'EBZ',
-                'ECZ'],
- 'component_units': ['mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad'],
- 'component_descriptions': ['positioning error of X',
-                            'straightness error of X in Y',
-                            'straightness error of X in Z',
-                            'roll error of X',
-                            'angular error of X about Y (pitch or yaw)',
-                            'angular error of X about Z (pitch or yaw)',
-                            'straightness error of Y in X',
-                            'positioning error of Y',
-                            'straightness error of Y in Z',
-                            'angular error of Y about X (pitch or yaw)',
-                            'roll error of Y',
-                            'angular error of Y about Z (pitch or yaw)',
-                            'straightness error of Z in X',
-                            'straightness error of Z in Y',
-                            'positioning error of Z',
-                            'angular error of Z about X (pitch or yaw)',
-                            'angular error of Z about Y (pitch or yaw)',
+ 'components': ['EXX', 'EYX', 'EZX', 'EAX', 'EBX', 'ECX', 'EXY', 'EYY', 'EZY', 'EAY', 'EBY', 'ECY', 'EXZ', 'EYZ',
+                'EZZ', 'EAZ', 'EBZ', 'ECZ'],
+ 'component_units': ['mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'mm',
+                     'rad', 'rad', 'rad'],
+ 'component_descriptions': ['positioning error of X', 'straightness error of X in Y', 'straightness error of X in Z',
+                            'roll error of X', 'angular error of X about Y (pitch or yaw)',
+                            'angular error of X about Z (pitch or yaw)', 'straightness error of Y in X',
+                            'positioning error of Y', 'straightness error of Y in Z',
+                            'angular error of Y about X (pitch or yaw)', 'roll error of Y',
+                            'angular error of Y about Z (pitch or yaw)', 'straightness error of Z in X',
+                            'straightness error of Z in Y', 'positioning error of Z',
+                            'angular error of Z about X (pitch or yaw)', 'angular error of Z about Y (pitch or yaw)',
                             'roll error of Z'],
  'parameters': ['q_Px', 'q_Py', 'q_Pz', 'EC0X', 'EA0Z', 'EB0Z'],
  'parameter_units': ['mm', 'mm', 'mm', 'rad', 'rad', 'rad'],
@@ -465,7 +427,7 @@ META = {'machine': 'bridge_cmm',
                                                                 {'name': 'curves',
                                                                  'shape': [18, 7],
                                                                  'per_point': False,
-                                                                 'unit': 'mm/mm^k, rad/mm^k (deg^k for rotary axes)'},
+                                                                 'unit': 'mm/mm^k, rad/mm^k'},
                                                                 {'name': 'parameters',
                                                                  'shape': [6],
                                                                  'per_point': False,
@@ -487,8 +449,7 @@ META = {'machine': 'bridge_cmm',
                                                                             {'name': 'curves',
                                                                              'shape': [18, 7],
                                                                              'per_point': False,
-                                                                             'unit': 'mm/mm^k, rad/mm^k (deg^k for '
-                                                                                     'rotary axes)'},
+                                                                             'unit': 'mm/mm^k, rad/mm^k'},
                                                                             {'name': 'parameters',
                                                                              'shape': [6],
                                                                              'per_point': False,
@@ -687,10 +648,28 @@ META = {'machine': 'bridge_cmm',
 BLOCK = 8192
 
 
-def _points(*arrays):
-    """The arrays broadcast to one number of points, and that number."""
-    n = np.broadcast_shapes(*(np.shape(array)[-1:] for array in arrays))[0]
-    return n, *(np.broadcast_to(array, (*np.shape(array)[:-1], n)) for array in arrays)
+def _points(**arrays):
+    """The arrays, each given as (array, rows), broadcast to one number of points, and that number."""
+    checked = {}
+    for name, (array, rows) in arrays.items():
+        array = np.asarray(array, dtype=np.float64)
+        if array.shape[:-1] != (rows,):
+            raise ValueError(f"{name} has the shape {array.shape}, not ({rows}, n)")
+        checked[name] = array
+    counts = {name: array.shape[1] for name, array in checked.items()}
+    n = next((count for count in counts.values() if count != 1), 1)
+    for name, count in counts.items():
+        if count not in (1, n):
+            raise ValueError(f"{name} has {count} points, not {n} or 1: the points of the arrays are {counts}")
+    return n, *(np.broadcast_to(array, (len(array), n)) for array in checked.values())
+
+
+def _constant(name, array, shape):
+    """An array that is the same at all points, of its shape."""
+    array = np.asarray(array, dtype=np.float64)
+    if array.shape != shape:
+        raise ValueError(f"{name} has the shape {array.shape}, not {shape}")
+    return array
 
 
 def _polynomial(s, *coefficients):
@@ -709,13 +688,18 @@ def tool_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): tool point in the workpiece frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     ideal = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -743,14 +727,20 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -821,14 +811,20 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -892,13 +888,18 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EB0Z, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     sensitivity = np.zeros((63, n))
     # constants
     q_Px = float(parameters[0])
@@ -955,13 +956,18 @@ def tool_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): tool point in the bed frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     ideal = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -989,14 +995,20 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -1067,14 +1079,20 @@ def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -1138,13 +1156,18 @@ def tool_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EB0Z, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     sensitivity = np.zeros((63, n))
     # constants
     q_Px = float(parameters[0])
@@ -1201,13 +1224,18 @@ def workpiece_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): workpiece point in the bed frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     ideal = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1228,14 +1256,20 @@ def workpiece_in_bed_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1250,14 +1284,20 @@ def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1272,13 +1312,18 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EB0Z, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     sensitivity = np.zeros((63, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1293,13 +1338,18 @@ def bed_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): bed point in the workpiece frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     ideal = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1320,14 +1370,20 @@ def bed_in_workpiece_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): bed point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1342,14 +1398,20 @@ def bed_in_workpiece_deviation_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): bed point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1364,13 +1426,18 @@ def bed_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EB0Z, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     sensitivity = np.zeros((63, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1385,14 +1452,20 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         position (3, n): actual position P_T^W of the tool point in the workpiece frame [mm]
+            rows: px py pz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     position = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -1468,14 +1541,20 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         position (3, n): actual position P_T^W of the tool point in the workpiece frame [mm]
+            rows: px py pz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     position = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -1544,14 +1623,22 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
-        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
+            rows: x y z
+        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k]
+            rows: EXX_1 EXX_2 .. ECZ_7, last index fastest
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3,): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions = _points(positions)
+    n, positions = _points(positions=(positions, 3))
+    curves = _constant("curves", curves, (18, 7))
+    parameters = _constant("parameters", parameters, (6,))
+    point = _constant("point", point, (3,))
     deviation = np.zeros((3, n))
     # constants
     EXX_1 = float(curves[0, 0])
@@ -1750,14 +1837,22 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
-        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
+            rows: x y z
+        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k]
+            rows: EXX_1 EXX_2 .. ECZ_7, last index fastest
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3,): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions = _points(positions)
+    n, positions = _points(positions=(positions, 3))
+    curves = _constant("curves", curves, (18, 7))
+    parameters = _constant("parameters", parameters, (6,))
+    point = _constant("point", point, (3,))
     deviation = np.zeros((3, n))
     # constants
     EXX_1 = float(curves[0, 0])
@@ -2013,16 +2108,24 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
         ball (3, n): point in the workpiece frame [mm]
+            rows: bx by bz
         length (1, n): ideal length of the ball bar [mm]
+            rows: length
 
     Returns:
         error (4, n): positioning error E, then its components E_x, E_y, E_z [mm]
+            rows: e ex ey ez
     """
-    n, positions, errors, point, ball, length = _points(positions, errors, point, ball, length)
+    n, positions, errors, point, ball, length = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3), ball=(ball, 3), length=(length, 1))
+    parameters = _constant("parameters", parameters, (6,))
     error = np.zeros((4, n))
     # constants
     q_Px = float(parameters[0])
@@ -2112,12 +2215,15 @@ def correction(positions, deviation):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         deviation (3, n): displacement of the tool point in the workpiece frame [mm]
+            rows: dx dy dz
 
     Returns:
         moves (3, n): moves of X Y Z [mm]
+            rows: move_x move_y move_z
     """
-    n, positions, deviation = _points(positions, deviation)
+    n, positions, deviation = _points(positions=(positions, 3), deviation=(deviation, 3))
     moves = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -2138,14 +2244,20 @@ def motion_X(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2181,14 +2293,20 @@ def motion_Y(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2223,14 +2341,20 @@ def motion_Z(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2267,14 +2391,20 @@ def motion_XY(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2320,14 +2450,20 @@ def motion_XZ(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2375,14 +2511,20 @@ def motion_YZ(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2429,12 +2571,16 @@ def effect_backlash(context, parameters):
 
     Arguments (float64):
         context (1, n): direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1]
+            rows: direction
         parameters (1,): width: lost motion: jump between the two directions of approach (u: unit of the component, axis: of its axis) [u]
+            rows: width
 
     Returns:
         term (2, n): the term in u, then its derivative by width [u]
+            rows: term term_by_width
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     width = float(parameters[0])
@@ -2454,12 +2600,16 @@ def effect_backlash_slope(context, parameters):
 
     Arguments (float64):
         context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1, 1]
+            rows: s direction
         parameters (1,): change: change of half the lost motion from one end of the travel to the other (u: unit of the component, axis: of its axis) [u]
+            rows: change
 
     Returns:
         term (2, n): the term in u, then its derivative by change [u]
+            rows: term term_by_change
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     change = float(parameters[0])
@@ -2480,12 +2630,16 @@ def effect_cyclic(context, parameters):
 
     Arguments (float64):
         context (1, n): q: commanded position of the axis (u: unit of the component, axis: of its axis) [axis]
+            rows: q
         parameters (3,): amplitude: amplitude; phase: phase at position 0; pitch: period (u: unit of the component, axis: of its axis) [u, rad, axis]
+            rows: amplitude phase pitch
 
     Returns:
         term (4, n): the term in u, then its derivative by amplitude, phase, pitch [u]
+            rows: term term_by_amplitude term_by_phase term_by_pitch
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (3,))
     term = np.zeros((4, n))
     # constants
     amplitude = float(parameters[0])
@@ -2512,12 +2666,16 @@ def effect_thermal_expansion(context, parameters):
 
     Arguments (float64):
         context (2, n): q: commanded position of the axis; T: temperature less 20 degC (u: unit of the component, axis: of its axis) [axis, K]
+            rows: q T
         parameters (1,): coefficient: expansion per kelvin (u: unit of the component, axis: of its axis) [u/axis/K]
+            rows: coefficient
 
     Returns:
         term (2, n): the term in u, then its derivative by coefficient [u]
+            rows: term term_by_coefficient
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     coefficient = float(parameters[0])
@@ -2538,12 +2696,16 @@ def effect_thermal_offset(context, parameters):
 
     Arguments (float64):
         context (1, n): T: temperature less 20 degC (u: unit of the component, axis: of its axis) [K]
+            rows: T
         parameters (1,): coefficient: displacement or rotation per kelvin (u: unit of the component, axis: of its axis) [u/K]
+            rows: coefficient
 
     Returns:
         term (2, n): the term in u, then its derivative by coefficient [u]
+            rows: term term_by_coefficient
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     coefficient = float(parameters[0])
@@ -2563,12 +2725,16 @@ def effect_warm_up(context, parameters):
 
     Arguments (float64):
         context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; t: time of the reading (u: unit of the component, axis: of its axis) [1, s]
+            rows: s t
         parameters (2,): amplitude: growth still to come at time 0, at the upper end of the travel; tau: time constant (u: unit of the component, axis: of its axis) [u, s]
+            rows: amplitude tau
 
     Returns:
         term (3, n): the term in u, then its derivative by amplitude, tau [u]
+            rows: term term_by_amplitude term_by_tau
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     amplitude = float(parameters[0])
@@ -2591,12 +2757,16 @@ def effect_drift(context, parameters):
 
     Arguments (float64):
         context (1, n): t: time of the reading (u: unit of the component, axis: of its axis) [s]
+            rows: t
         parameters (1,): rate: change per second (u: unit of the component, axis: of its axis) [u/s]
+            rows: rate
 
     Returns:
         term (2, n): the term in u, then its derivative by rate [u]
+            rows: term term_by_rate
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     rate = float(parameters[0])
@@ -2616,12 +2786,16 @@ def effect_servo_lag(context, parameters):
 
     Arguments (float64):
         context (1, n): v: its velocity while the reading is taken, 0 where it stands (u: unit of the component, axis: of its axis) [axis/s]
+            rows: v
         parameters (1,): tau: time by which the axis follows behind its command, beyond that of the others (u: unit of the component, axis: of its axis) [s]
+            rows: tau
 
     Returns:
         term (2, n): the term in u, then its derivative by tau [u]
+            rows: term term_by_tau
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     tau = float(parameters[0])
@@ -2641,12 +2815,16 @@ def effect_reversal_spike(context, parameters):
 
     Arguments (float64):
         context (2, n): direction: direction by which the axis came: +1, -1, 0 before it has moved; d: distance since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, axis]
+            rows: direction d
         parameters (2,): height: height right after the reversal; decay: way over which it dies away (u: unit of the component, axis: of its axis) [u, axis]
+            rows: height decay
 
     Returns:
         term (3, n): the term in u, then its derivative by height, decay [u]
+            rows: term term_by_height term_by_decay
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     height = float(parameters[0])
@@ -2669,12 +2847,16 @@ def effect_cross_axis(context, parameters):
 
     Arguments (float64):
         context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; s_b: share of its travel, 0 at the lower end and 1 at the upper (the other axis) (u: unit of the component, axis: of its axis) [1, 1]
+            rows: s s_b
         parameters (1,): k: value at the far ends of both travels (u: unit of the component, axis: of its axis) [u]
+            rows: k
 
     Returns:
         term (2, n): the term in u, then its derivative by k [u]
+            rows: term term_by_k
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     k = float(parameters[0])
@@ -2695,12 +2877,16 @@ def effect_laser_cosine(context, parameters):
 
     Arguments (float64):
         context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+            rows: along
         parameters (1,): angle: angle between beam and motion [rad]
+            rows: angle
 
     Returns:
         term (2, n): the term in mm, then its derivative by angle [mm]
+            rows: term term_by_angle
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     angle = float(parameters[0])
@@ -2720,12 +2906,16 @@ def effect_laser_scale(context, parameters):
 
     Arguments (float64):
         context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+            rows: along
         parameters (1,): k: relative error of all laser distances [1]
+            rows: k
 
     Returns:
         term (2, n): the term in mm, then its derivative by k [mm]
+            rows: term term_by_k
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     k = float(parameters[0])
@@ -2745,12 +2935,16 @@ def effect_laser_step(context, parameters):
 
     Arguments (float64):
         context (1, n): t: time of the reading [s]
+            rows: t
         parameters (2,): jump: height of the jump; t_0: moment of the jump [mm, s]
+            rows: jump t_0
 
     Returns:
         term (3, n): the term in mm, then its derivative by jump, t_0 [mm]
+            rows: term term_by_jump term_by_t_0
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     jump = float(parameters[0])
@@ -2771,12 +2965,16 @@ def effect_ballbar_length(context, parameters):
 
     Arguments (float64):
         context (1, n): theta: polar angle of a ball bar in the plane of its circle [rad]
+            rows: theta
         parameters (1,): length: actual minus nominal length of the bar [mm]
+            rows: length
 
     Returns:
         term (2, n): the term in mm, then its derivative by length [mm]
+            rows: term term_by_length
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     length = float(parameters[0])
@@ -2795,12 +2993,16 @@ def effect_ballbar_lobes(context, parameters):
 
     Arguments (float64):
         context (1, n): theta: polar angle of a ball bar in the plane of its circle [rad]
+            rows: theta
         parameters (2,): amplitude: amplitude; phase: phase at polar angle 0 [mm, rad]
+            rows: amplitude phase
 
     Returns:
         term (3, n): the term in mm, then its derivative by amplitude, phase [mm]
+            rows: term term_by_amplitude term_by_phase
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     amplitude = float(parameters[0])

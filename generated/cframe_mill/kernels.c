@@ -1,9 +1,11 @@
 /* Generated from machines/cframe_mill.toml, do not edit; regenerate with: trueaxis derive machines/cframe_mill.toml
+ * SPDX-License-Identifier: MIT
  * Kernels of C-frame mill: geometric error model in C17.
  * Spec: sha256 e0bab1439083d465e60d898b33f648fd88b066b0d41217ad88014752dc9315ad
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
- * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
+ * Arrays must not overlap. Lengths mm, angles rad.
+ * Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
  */
 #include "kernels.h"
 
@@ -17,9 +19,6 @@
 #else
 #define POINTS_ARE_INDEPENDENT
 #endif
-
-/* Points whose cosines and sines are computed ahead of their arithmetic. */
-enum { BLOCK = 512 };
 
 int cframe_mill_kernel_abi(void)
 {
@@ -47,10 +46,10 @@ static double step(double value)
  */
 void cframe_mill_tool_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     (void)parameters;
     /* per point */
@@ -80,11 +79,11 @@ void cframe_mill_tool_in_workpiece_ideal(
  */
 void cframe_mill_tool_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -175,11 +174,11 @@ void cframe_mill_tool_in_workpiece_deviation(
  */
 void cframe_mill_tool_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -243,10 +242,10 @@ void cframe_mill_tool_in_workpiece_deviation_first_order(
  */
 void cframe_mill_tool_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)parameters;
     /* per point */
@@ -340,10 +339,10 @@ void cframe_mill_tool_in_workpiece_sensitivity(
  */
 void cframe_mill_tool_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     (void)parameters;
     /* per point */
@@ -371,11 +370,11 @@ void cframe_mill_tool_in_bed_ideal(
  */
 void cframe_mill_tool_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EA0Z = parameters[1];
@@ -416,11 +415,11 @@ void cframe_mill_tool_in_bed_deviation(
  */
 void cframe_mill_tool_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EA0Z = parameters[1];
@@ -459,10 +458,10 @@ void cframe_mill_tool_in_bed_deviation_first_order(
  */
 void cframe_mill_tool_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)parameters;
     /* per point */
@@ -550,10 +549,10 @@ void cframe_mill_tool_in_bed_sensitivity(
  */
 void cframe_mill_workpiece_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     (void)parameters;
     /* per point */
@@ -582,11 +581,11 @@ void cframe_mill_workpiece_in_bed_ideal(
  */
 void cframe_mill_workpiece_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -636,11 +635,11 @@ void cframe_mill_workpiece_in_bed_deviation(
  */
 void cframe_mill_workpiece_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -686,10 +685,10 @@ void cframe_mill_workpiece_in_bed_deviation_first_order(
  */
 void cframe_mill_workpiece_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)parameters;
     /* per point */
@@ -778,10 +777,10 @@ void cframe_mill_workpiece_in_bed_sensitivity(
  */
 void cframe_mill_bed_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     (void)parameters;
     /* per point */
@@ -810,11 +809,11 @@ void cframe_mill_bed_in_workpiece_ideal(
  */
 void cframe_mill_bed_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -885,11 +884,11 @@ void cframe_mill_bed_in_workpiece_deviation(
  */
 void cframe_mill_bed_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -937,10 +936,10 @@ void cframe_mill_bed_in_workpiece_deviation_first_order(
  */
 void cframe_mill_bed_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)parameters;
     /* per point */
@@ -1034,11 +1033,11 @@ void cframe_mill_bed_in_workpiece_sensitivity(
  */
 void cframe_mill_tool_in_workpiece_position(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -1132,11 +1131,11 @@ void cframe_mill_tool_in_workpiece_position(
  */
 void cframe_mill_tool_in_workpiece_position_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -1196,19 +1195,19 @@ void cframe_mill_tool_in_workpiece_position_first_order(
  * Deviation of the tool point under polynomial error curves, exact.
  * Source: Eqs. (1)-(4), (44). Operations: 369 per point, 3 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
- *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
+ * in curves: 126 values, mm/mm^k, rad/mm^k; coefficients of the powers 1 to 7 of the axis position, per component
+ *     error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
  * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
 void cframe_mill_tool_in_workpiece_deviation_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -1417,19 +1416,19 @@ void cframe_mill_tool_in_workpiece_deviation_curves(
  * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
  * Source: Eqs. (1)-(4), (44). Operations: 225 per point, 262 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
- *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
+ * in curves: 126 values, mm/mm^k, rad/mm^k; coefficients of the powers 1 to 7 of the axis position, per component
+ *     error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
  * in parameters: 3 values, mm, rad; home positions and location errors (EC0X EA0Z EB0Z)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
  * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
  */
 void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -1692,13 +1691,13 @@ void cframe_mill_tool_in_workpiece_deviation_first_order_curves(
  */
 void cframe_mill_ballbar_error(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    const double *restrict ball,
-    const double *restrict length,
-    double *restrict error)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    const double *TRUEAXIS_RESTRICT ball,
+    const double *TRUEAXIS_RESTRICT length,
+    double *TRUEAXIS_RESTRICT error)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -1804,9 +1803,9 @@ void cframe_mill_ballbar_error(
  */
 void cframe_mill_correction(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict deviation,
-    double *restrict moves)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT deviation,
+    double *TRUEAXIS_RESTRICT moves)
 {
     (void)positions;
     /* per point */
@@ -1833,11 +1832,11 @@ void cframe_mill_correction(
  */
 void cframe_mill_motion_X(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -1872,11 +1871,11 @@ void cframe_mill_motion_X(
  */
 void cframe_mill_motion_Y(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     (void)parameters;
     /* per point */
@@ -1910,11 +1909,11 @@ void cframe_mill_motion_Y(
  */
 void cframe_mill_motion_Z(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double EA0Z = parameters[1];
@@ -1950,11 +1949,11 @@ void cframe_mill_motion_Z(
  */
 void cframe_mill_motion_XY(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -1999,12 +1998,12 @@ void cframe_mill_motion_XY(
  */
 void cframe_mill_motion_XZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double EC0X = parameters[0];
@@ -2053,12 +2052,12 @@ void cframe_mill_motion_XZ(
  */
 void cframe_mill_motion_YZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double EA0Z = parameters[1];
@@ -2104,9 +2103,9 @@ void cframe_mill_motion_YZ(
  */
 void cframe_mill_effect_backlash(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double width = parameters[0];
@@ -2133,9 +2132,9 @@ void cframe_mill_effect_backlash(
  */
 void cframe_mill_effect_backlash_slope(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double change = parameters[0];
@@ -2163,9 +2162,9 @@ void cframe_mill_effect_backlash_slope(
  */
 void cframe_mill_effect_cyclic(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -2196,9 +2195,9 @@ void cframe_mill_effect_cyclic(
  */
 void cframe_mill_effect_thermal_expansion(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -2223,9 +2222,9 @@ void cframe_mill_effect_thermal_expansion(
  */
 void cframe_mill_effect_thermal_offset(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -2250,9 +2249,9 @@ void cframe_mill_effect_thermal_offset(
  */
 void cframe_mill_effect_warm_up(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -2278,9 +2277,9 @@ void cframe_mill_effect_warm_up(
  */
 void cframe_mill_effect_drift(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double rate = parameters[0];
@@ -2305,9 +2304,9 @@ void cframe_mill_effect_drift(
  */
 void cframe_mill_effect_servo_lag(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double tau = parameters[0];
@@ -2333,9 +2332,9 @@ void cframe_mill_effect_servo_lag(
  */
 void cframe_mill_effect_reversal_spike(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double height = parameters[0];
@@ -2365,9 +2364,9 @@ void cframe_mill_effect_reversal_spike(
  */
 void cframe_mill_effect_cross_axis(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -2391,9 +2390,9 @@ void cframe_mill_effect_cross_axis(
  */
 void cframe_mill_effect_laser_cosine(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double angle = parameters[0];
@@ -2416,9 +2415,9 @@ void cframe_mill_effect_laser_cosine(
  */
 void cframe_mill_effect_laser_scale(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -2440,9 +2439,9 @@ void cframe_mill_effect_laser_scale(
  */
 void cframe_mill_effect_laser_step(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double jump = parameters[0];
@@ -2466,9 +2465,9 @@ void cframe_mill_effect_laser_step(
  */
 void cframe_mill_effect_ballbar_length(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     (void)context;
     /* once per call */
@@ -2491,9 +2490,9 @@ void cframe_mill_effect_ballbar_length(
  */
 void cframe_mill_effect_ballbar_lobes(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];

@@ -1,8 +1,11 @@
 # Generated from machines/dmu60p.toml, do not edit; regenerate with: trueaxis derive machines/dmu60p.toml
+# SPDX-License-Identifier: MIT
 """Kernels of DECKEL MAHO DMU60P, translational axes: geometric error model in NumPy.
 
 Arrays are float64 with the quantity first and the point last: positions (n_axes, n), errors (n_components, n),
-deviation (3, n). An array that is the same at all points may have n = 1. Lengths mm, angles rad, rotary axes deg.
+deviation (3, n). An array that is the same at all points may have n = 1. Lengths mm, angles rad. An array of another shape is a ValueError that names it.
+
+Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
 """
 
 import numpy as np
@@ -15,59 +18,18 @@ META = {'machine': 'dmu60p',
  'axes': ['X', 'Y', 'Z'],
  'position_units': ['mm', 'mm', 'mm'],
  'travel': {'X': [0.0, 540.0], 'Y': [0.0, 700.0], 'Z': [0.0, 600.0]},
- 'components': ['EXX',
-                'EYX',
-                'EZX',
-                'EAX',
-                'EBX',
-                'ECX',
-                'EXY',
-                'EYY',
-                'EZY',
-                'EAY',
-                'EBY',
-                'ECY',
-                'EXZ',
-                'EYZ',
-                'EZZ',
-                'EAZ',
-                'EBZ',
-                'ECZ'],
- 'component_units': ['mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad'],
- 'component_descriptions': ['positioning error of X',
-                            'straightness error of X in Y',
-                            'straightness error of X in Z',
-                            'roll error of X',
-                            'angular error of X about Y (pitch or yaw)',
-                            'angular error of X about Z (pitch or yaw)',
-                            'straightness error of Y in X',
-                            'positioning error of Y',
-                            'straightness error of Y in Z',
-                            'angular error of Y about X (pitch or yaw)',
-                            'roll error of Y',
-                            'angular error of Y about Z (pitch or yaw)',
-                            'straightness error of Z in X',
-                            'straightness error of Z in Y',
-                            'positioning error of Z',
-                            'angular error of Z about X (pitch or yaw)',
-                            'angular error of Z about Y (pitch or yaw)',
+ 'components': ['EXX', 'EYX', 'EZX', 'EAX', 'EBX', 'ECX', 'EXY', 'EYY', 'EZY', 'EAY', 'EBY', 'ECY', 'EXZ', 'EYZ',
+                'EZZ', 'EAZ', 'EBZ', 'ECZ'],
+ 'component_units': ['mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'mm',
+                     'rad', 'rad', 'rad'],
+ 'component_descriptions': ['positioning error of X', 'straightness error of X in Y', 'straightness error of X in Z',
+                            'roll error of X', 'angular error of X about Y (pitch or yaw)',
+                            'angular error of X about Z (pitch or yaw)', 'straightness error of Y in X',
+                            'positioning error of Y', 'straightness error of Y in Z',
+                            'angular error of Y about X (pitch or yaw)', 'roll error of Y',
+                            'angular error of Y about Z (pitch or yaw)', 'straightness error of Z in X',
+                            'straightness error of Z in Y', 'positioning error of Z',
+                            'angular error of Z about X (pitch or yaw)', 'angular error of Z about Y (pitch or yaw)',
                             'roll error of Z'],
  'parameters': ['q_wx', 'q_wy', 'q_wz', 'q_Tx', 'q_Ty', 'q_Tz', 'eps_xy', 'eps_yz', 'eps_xz'],
  'parameter_units': ['mm', 'mm', 'mm', 'mm', 'mm', 'mm', 'rad', 'rad', 'rad'],
@@ -468,7 +430,7 @@ META = {'machine': 'dmu60p',
                                                                 {'name': 'curves',
                                                                  'shape': [18, 7],
                                                                  'per_point': False,
-                                                                 'unit': 'mm/mm^k, rad/mm^k (deg^k for rotary axes)'},
+                                                                 'unit': 'mm/mm^k, rad/mm^k'},
                                                                 {'name': 'parameters',
                                                                  'shape': [9],
                                                                  'per_point': False,
@@ -490,8 +452,7 @@ META = {'machine': 'dmu60p',
                                                                             {'name': 'curves',
                                                                              'shape': [18, 7],
                                                                              'per_point': False,
-                                                                             'unit': 'mm/mm^k, rad/mm^k (deg^k for '
-                                                                                     'rotary axes)'},
+                                                                             'unit': 'mm/mm^k, rad/mm^k'},
                                                                             {'name': 'parameters',
                                                                              'shape': [9],
                                                                              'per_point': False,
@@ -613,7 +574,7 @@ META = {'machine': 'dmu60p',
                                       {'name': 'parameters', 'shape': [9], 'per_point': False, 'unit': 'mm, rad'},
                                       {'name': 'points', 'shape': [4, 3], 'per_point': False, 'unit': 'mm'}],
                            'outputs': [{'name': 'unknowns', 'shape': [2], 'per_point': True, 'unit': 'mm, rad'}],
-                           'operations': 35,
+                           'operations': 34,
                            'operations_per_call': 2},
               'system_7': {'inputs': [{'name': 'readings', 'shape': [1], 'per_point': True, 'unit': 'mm'},
                                       {'name': 'positions', 'shape': [3], 'per_point': True, 'unit': 'mm'},
@@ -764,10 +725,28 @@ META = {'machine': 'dmu60p',
 BLOCK = 8192
 
 
-def _points(*arrays):
-    """The arrays broadcast to one number of points, and that number."""
-    n = np.broadcast_shapes(*(np.shape(array)[-1:] for array in arrays))[0]
-    return n, *(np.broadcast_to(array, (*np.shape(array)[:-1], n)) for array in arrays)
+def _points(**arrays):
+    """The arrays, each given as (array, rows), broadcast to one number of points, and that number."""
+    checked = {}
+    for name, (array, rows) in arrays.items():
+        array = np.asarray(array, dtype=np.float64)
+        if array.shape[:-1] != (rows,):
+            raise ValueError(f"{name} has the shape {array.shape}, not ({rows}, n)")
+        checked[name] = array
+    counts = {name: array.shape[1] for name, array in checked.items()}
+    n = next((count for count in counts.values() if count != 1), 1)
+    for name, count in counts.items():
+        if count not in (1, n):
+            raise ValueError(f"{name} has {count} points, not {n} or 1: the points of the arrays are {counts}")
+    return n, *(np.broadcast_to(array, (len(array), n)) for array in checked.values())
+
+
+def _constant(name, array, shape):
+    """An array that is the same at all points, of its shape."""
+    array = np.asarray(array, dtype=np.float64)
+    if array.shape != shape:
+        raise ValueError(f"{name} has the shape {array.shape}, not {shape}")
+    return array
 
 
 def _polynomial(s, *coefficients):
@@ -786,13 +765,18 @@ def tool_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): tool point in the workpiece frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     ideal = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -823,14 +807,20 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     deviation = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
@@ -909,14 +899,20 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     deviation = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
@@ -982,13 +978,18 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_eps_xz, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     sensitivity = np.zeros((63, n))
     # constants
     q_Tx = float(parameters[3])
@@ -1046,13 +1047,18 @@ def tool_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): tool point in the bed frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     ideal = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
@@ -1079,14 +1085,20 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     deviation = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
@@ -1145,14 +1157,20 @@ def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     deviation = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
@@ -1207,13 +1225,18 @@ def tool_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_eps_xz, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     sensitivity = np.zeros((63, n))
     # constants
     q_Tx = float(parameters[3])
@@ -1261,13 +1284,18 @@ def workpiece_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): workpiece point in the bed frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     ideal = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -1293,14 +1321,20 @@ def workpiece_in_bed_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     deviation = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -1334,14 +1368,20 @@ def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     deviation = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -1375,13 +1415,18 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_eps_xz, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     sensitivity = np.zeros((63, n))
     # constants
     q_wx = float(parameters[0])
@@ -1412,13 +1457,18 @@ def bed_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): bed point in the workpiece frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     ideal = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -1444,14 +1494,20 @@ def bed_in_workpiece_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): bed point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1488,14 +1544,20 @@ def bed_in_workpiece_deviation_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): bed point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1524,13 +1586,18 @@ def bed_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_eps_xz, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     sensitivity = np.zeros((63, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1558,14 +1625,20 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         position (3, n): actual position P_T^W of the tool point in the workpiece frame [mm]
+            rows: px py pz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     position = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -1653,14 +1726,20 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         position (3, n): actual position P_T^W of the tool point in the workpiece frame [mm]
+            rows: px py pz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     position = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -1735,14 +1814,22 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
-        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
+            rows: x y z
+        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k]
+            rows: EXX_1 EXX_2 .. ECZ_7, last index fastest
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3,): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions = _points(positions)
+    n, positions = _points(positions=(positions, 3))
+    curves = _constant("curves", curves, (18, 7))
+    parameters = _constant("parameters", parameters, (9,))
+    point = _constant("point", point, (3,))
     deviation = np.zeros((3, n))
     # constants
     EXX_1 = float(curves[0, 0])
@@ -1948,14 +2035,22 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
-        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
+            rows: x y z
+        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k]
+            rows: EXX_1 EXX_2 .. ECZ_7, last index fastest
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3,): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions = _points(positions)
+    n, positions = _points(positions=(positions, 3))
+    curves = _constant("curves", curves, (18, 7))
+    parameters = _constant("parameters", parameters, (9,))
+    point = _constant("point", point, (3,))
     deviation = np.zeros((3, n))
     # constants
     EXX_1 = float(curves[0, 0])
@@ -2217,16 +2312,24 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
         ball (3, n): point in the workpiece frame [mm]
+            rows: bx by bz
         length (1, n): ideal length of the ball bar [mm]
+            rows: length
 
     Returns:
         error (4, n): positioning error E, then its components E_x, E_y, E_z [mm]
+            rows: e ex ey ez
     """
-    n, positions, errors, point, ball, length = _points(positions, errors, point, ball, length)
+    n, positions, errors, point, ball, length = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3), ball=(ball, 3), length=(length, 1))
+    parameters = _constant("parameters", parameters, (9,))
     error = np.zeros((4, n))
     # constants
     q_wx = float(parameters[0])
@@ -2328,12 +2431,15 @@ def correction(positions, deviation):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         deviation (3, n): displacement of the tool point in the workpiece frame [mm]
+            rows: dx dy dz
 
     Returns:
         moves (3, n): moves of X Y Z [mm]
+            rows: move_x move_y move_z
     """
-    n, positions, deviation = _points(positions, deviation)
+    n, positions, deviation = _points(positions=(positions, 3), deviation=(deviation, 3))
     moves = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -2354,14 +2460,20 @@ def motion_X(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     displacement = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
@@ -2397,14 +2509,20 @@ def motion_Y(positions, errors, parameters, workpiece_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         workpiece_point (3, n): point in the workpiece frame [mm]
+            rows: rWx rWy rWz
 
     Returns:
         displacement (3, n): workpiece point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, workpiece_point = _points(positions, errors, workpiece_point)
+    n, positions, errors, workpiece_point = _points(positions=(positions, 3), errors=(errors, 18), workpiece_point=(workpiece_point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     displacement = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -2439,14 +2557,20 @@ def motion_Z(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     displacement = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
@@ -2483,15 +2607,22 @@ def motion_XY(positions, errors, parameters, workpiece_point, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         workpiece_point (3, n): point in the workpiece frame [mm]
+            rows: rWx rWy rWz
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): workpiece point minus tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, workpiece_point, tool_point = _points(positions, errors, workpiece_point, tool_point)
+    n, positions, errors, workpiece_point, tool_point = _points(positions=(positions, 3), errors=(errors, 18), workpiece_point=(workpiece_point, 3), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     displacement = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -2543,14 +2674,20 @@ def motion_XZ(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     displacement = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
@@ -2598,15 +2735,22 @@ def motion_YZ(positions, errors, parameters, workpiece_point, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         workpiece_point (3, n): point in the workpiece frame [mm]
+            rows: rWx rWy rWz
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): workpiece point minus tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, workpiece_point, tool_point = _points(positions, errors, workpiece_point, tool_point)
+    n, positions, errors, workpiece_point, tool_point = _points(positions=(positions, 3), errors=(errors, 18), workpiece_point=(workpiece_point, 3), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (9,))
     displacement = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -2659,15 +2803,23 @@ def system_1(readings, positions, errors, parameters, points):
 
     Arguments (float64):
         readings (3, n): readings of X-1, X-2, X-3 [mm]
+            rows: L1 L2 L3
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         points (3, 3): xyz of tool point 1, xyz of tool point 2, xyz of tool point 3 [mm]
+            rows: rT1x rT1y rT1z rT2x rT2y rT2z rT3x rT3y rT3z
 
     Returns:
         unknowns (3, n): EXX, EBX, ECX [mm, rad]
+            rows: found_EXX found_EBX found_ECX
     """
-    n, readings, positions, errors = _points(readings, positions, errors)
+    n, readings, positions, errors = _points(readings=(readings, 3), positions=(positions, 3), errors=(errors, 18))
+    parameters = _constant("parameters", parameters, (9,))
+    points = _constant("points", points, (3, 3))
     unknowns = np.zeros((3, n))
     # constants
     q_Ty = float(parameters[4])
@@ -2711,15 +2863,23 @@ def system_2(readings, positions, errors, parameters, points):
 
     Arguments (float64):
         readings (3, n): readings of Y-4, Y-5, Y-6 [mm]
+            rows: L1 L2 L3
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         points (3, 3): xyz of workpiece point 1, xyz of workpiece point 2, xyz of workpiece point 3 [mm]
+            rows: rW1x rW1y rW1z rW2x rW2y rW2z rW3x rW3y rW3z
 
     Returns:
         unknowns (3, n): EYY, EAY, ECY [mm, rad]
+            rows: found_EYY found_EAY found_ECY
     """
-    n, readings, positions, errors = _points(readings, positions, errors)
+    n, readings, positions, errors = _points(readings=(readings, 3), positions=(positions, 3), errors=(errors, 18))
+    parameters = _constant("parameters", parameters, (9,))
+    points = _constant("points", points, (3, 3))
     unknowns = np.zeros((3, n))
     # constants
     q_wx = float(parameters[0])
@@ -2763,36 +2923,44 @@ def system_3(readings, positions, errors, parameters, points):
 
     Arguments (float64):
         readings (3, n): readings of Z-7, Z-8, Z-9 [mm]
+            rows: L1 L2 L3
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         points (3, 3): xyz of tool point 1, xyz of tool point 2, xyz of tool point 3 [mm]
+            rows: rT4x rT4y rT4z rT5x rT5y rT5z rT6x rT6y rT6z
 
     Returns:
         unknowns (3, n): EZZ, EAZ, EBZ [mm, rad]
+            rows: found_EZZ found_EAZ found_EBZ
     """
-    n, readings, positions, errors = _points(readings, positions, errors)
+    n, readings, positions, errors = _points(readings=(readings, 3), positions=(positions, 3), errors=(errors, 18))
+    parameters = _constant("parameters", parameters, (9,))
+    points = _constant("points", points, (3, 3))
     unknowns = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
     q_Ty = float(parameters[4])
-    rT1x = float(points[0, 0])
-    rT1y = float(points[0, 1])
-    rT2x = float(points[1, 0])
-    rT2y = float(points[1, 1])
-    rT3x = float(points[2, 0])
-    rT3y = float(points[2, 1])
+    rT4x = float(points[0, 0])
+    rT4y = float(points[0, 1])
+    rT5x = float(points[1, 0])
+    rT5y = float(points[1, 1])
+    rT6x = float(points[2, 0])
+    rT6y = float(points[2, 1])
     # once per call
-    w0 = q_Tx*rT2y
-    w1 = rT2y*rT3x
-    w2 = q_Ty*rT2x
-    w3 = -q_Tx*rT3y + q_Ty*rT3x
-    w4 = rT1y*rT2x
-    w5 = -rT1x*rT3y + rT1y*rT3x
-    w6 = 1.0/(rT1x*rT2y + rT2x*rT3y - w1 - w4 + w5)
-    w8 = q_Tx*rT1y - q_Ty*rT1x
-    w11 = -rT3x
-    w12 = -rT3y
+    w0 = q_Tx*rT5y
+    w1 = rT5y*rT6x
+    w2 = q_Ty*rT5x
+    w3 = -q_Tx*rT6y + q_Ty*rT6x
+    w4 = rT4y*rT5x
+    w5 = -rT4x*rT6y + rT4y*rT6x
+    w6 = 1.0/(rT4x*rT5y + rT5x*rT6y - w1 - w4 + w5)
+    w8 = q_Tx*rT4y - q_Ty*rT4x
+    w11 = -rT6x
+    w12 = -rT6y
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2802,9 +2970,9 @@ def system_3(readings, positions, errors, parameters, points):
         w7 = L1*w6
         w9 = L2*w6
         w10 = L3*w6
-        unknowns[0, at] = w10*(rT1x*rT2y + w0 - w2 - w4 - w8) + w7*(rT2x*rT3y - w0 - w1 + w2 - w3) + w9*(w3 + w5 + w8)
-        unknowns[1, at] = w10*(-rT1x + rT2x) + w7*(-rT2x - w11) + w9*(rT1x + w11)
-        unknowns[2, at] = w10*(-rT1y + rT2y) + w7*(-rT2y - w12) + w9*(rT1y + w12)
+        unknowns[0, at] = w10*(rT4x*rT5y + w0 - w2 - w4 - w8) + w7*(rT5x*rT6y - w0 - w1 + w2 - w3) + w9*(w3 + w5 + w8)
+        unknowns[1, at] = w10*(-rT4x + rT5x) + w7*(-rT5x - w11) + w9*(rT4x + w11)
+        unknowns[2, at] = w10*(-rT4y + rT5y) + w7*(-rT5y - w12) + w9*(rT4y + w12)
     return unknowns
 
 
@@ -2815,30 +2983,38 @@ def system_4(readings, positions, errors, parameters, points):
 
     Arguments (float64):
         readings (2, n): readings of XZ-1x, XZ-2x [mm]
+            rows: L1 L2
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         points (2, 3): xyz of tool point 1, xyz of tool point 2 [mm]
+            rows: rT7x rT7y rT7z rT8x rT8y rT8z
 
     Returns:
         unknowns (2, n): EXZ, ECZ [mm, rad]
+            rows: found_EXZ found_ECZ
     """
-    n, readings, positions, errors = _points(readings, positions, errors)
+    n, readings, positions, errors = _points(readings=(readings, 2), positions=(positions, 3), errors=(errors, 18))
+    parameters = _constant("parameters", parameters, (9,))
+    points = _constant("points", points, (2, 3))
     unknowns = np.zeros((2, n))
     # constants
     q_Ty = float(parameters[4])
     q_Tz = float(parameters[5])
     eps_xz = float(parameters[8])
-    rT1y = float(points[0, 1])
-    rT1z = float(points[0, 2])
-    rT2y = float(points[1, 1])
-    rT2z = float(points[1, 2])
+    rT7y = float(points[0, 1])
+    rT7z = float(points[0, 2])
+    rT8y = float(points[1, 1])
+    rT8z = float(points[1, 2])
     # once per call
-    w0 = q_Ty + rT1y
-    w1 = 1.0/(rT1y - rT2y)
-    w2 = -q_Ty - rT2y
-    w3 = q_Tz + rT2z
-    w6 = q_Tz + rT1z
+    w0 = q_Ty + rT7y
+    w1 = 1.0/(rT7y - rT8y)
+    w2 = -q_Ty - rT8y
+    w3 = q_Tz + rT8z
+    w6 = q_Tz + rT7z
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2864,29 +3040,37 @@ def system_5(readings, positions, errors, parameters, points):
 
     Arguments (float64):
         readings (2, n): readings of XZ-1z, XZ-2z [mm]
+            rows: L1 L2
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         points (2, 3): xyz of tool point 1, xyz of tool point 2 [mm]
+            rows: rT7x rT7y rT7z rT8x rT8y rT8z
 
     Returns:
         unknowns (2, n): EZX, EAX [mm, rad]
+            rows: found_EZX found_EAX
     """
-    n, readings, positions, errors = _points(readings, positions, errors)
+    n, readings, positions, errors = _points(readings=(readings, 2), positions=(positions, 3), errors=(errors, 18))
+    parameters = _constant("parameters", parameters, (9,))
+    points = _constant("points", points, (2, 3))
     unknowns = np.zeros((2, n))
     # constants
     q_Tx = float(parameters[3])
     q_Ty = float(parameters[4])
-    rT1x = float(points[0, 0])
-    rT1y = float(points[0, 1])
-    rT2x = float(points[1, 0])
-    rT2y = float(points[1, 1])
+    rT7x = float(points[0, 0])
+    rT7y = float(points[0, 1])
+    rT8x = float(points[1, 0])
+    rT8y = float(points[1, 1])
     # once per call
-    w0 = q_Ty + rT2y
-    w1 = 1.0/(-rT1y + rT2y)
-    w2 = q_Ty + rT1y
-    w3 = -q_Tx - rT1x
-    w5 = -q_Tx - rT2x
+    w0 = q_Ty + rT8y
+    w1 = 1.0/(-rT7y + rT8y)
+    w2 = q_Ty + rT7y
+    w3 = -q_Tx - rT7x
+    w5 = -q_Tx - rT8x
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2906,35 +3090,43 @@ def system_5(readings, positions, errors, parameters, points):
 def system_6(readings, positions, errors, parameters, points):
     """EXY, EBY from the readings XY-1x, XY-2x.
 
-    Source: Sects. 3.2-3.5, closed form. Operations: 35 per point, 2 per call.
+    Source: Sects. 3.2-3.5, closed form. Operations: 34 per point, 2 per call.
 
     Arguments (float64):
         readings (2, n): readings of XY-1x, XY-2x [mm]
+            rows: L1 L2
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         points (4, 3): xyz of workpiece point 1, xyz of tool point 2, xyz of workpiece point 3, xyz of tool point 4 [mm]
+            rows: rW4x rW4y rW4z rT9x rT9y rT9z rW5x rW5y rW5z rT10x rT10y rT10z
 
     Returns:
         unknowns (2, n): EXY, EBY [mm, rad]
+            rows: found_EXY found_EBY
     """
-    n, readings, positions, errors = _points(readings, positions, errors)
+    n, readings, positions, errors = _points(readings=(readings, 2), positions=(positions, 3), errors=(errors, 18))
+    parameters = _constant("parameters", parameters, (9,))
+    points = _constant("points", points, (4, 3))
     unknowns = np.zeros((2, n))
     # constants
     q_wy = float(parameters[1])
     q_wz = float(parameters[2])
     q_Ty = float(parameters[4])
     q_Tz = float(parameters[5])
-    rW1y = float(points[0, 1])
-    rW1z = float(points[0, 2])
-    rT1y = float(points[1, 1])
-    rT1z = float(points[1, 2])
-    rW2y = float(points[2, 1])
-    rW2z = float(points[2, 2])
-    rT2y = float(points[3, 1])
-    rT2z = float(points[3, 2])
+    rW4y = float(points[0, 1])
+    rW4z = float(points[0, 2])
+    rT9y = float(points[1, 1])
+    rT9z = float(points[1, 2])
+    rW5y = float(points[2, 1])
+    rW5z = float(points[2, 2])
+    rT10y = float(points[3, 1])
+    rT10z = float(points[3, 2])
     # once per call
-    w0 = 1.0/(-rW1z + rW2z)
+    w0 = 1.0/(-rW4z + rW5z)
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2945,10 +3137,10 @@ def system_6(readings, positions, errors, parameters, points):
         ECY = errors[11, at]
         # per point
         w1 = -EXX
-        w2 = w0*(-EBX*(-q_Tz - rT1z) - ECX*(q_Ty + rT1y) - ECY*(-q_wy - rW1y) + L1 - w1)
-        w3 = -EBX*(-q_Tz - rT2z) - ECX*(q_Ty + rT2y) - ECY*(-q_wy - rW2y) + L2 - w1
-        unknowns[0, at] = w0*w3*(-q_wz - rW1z) + w2*(q_wz + rW2z)
-        unknowns[1, at] = w0*w3 - w2
+        w2 = w0*(-EBX*(-q_Tz - rT9z) - ECX*(q_Ty + rT9y) - ECY*(-q_wy - rW4y) + L1 - w1)
+        w3 = w0*(-EBX*(-q_Tz - rT10z) - ECX*(q_Ty + rT10y) - ECY*(-q_wy - rW5y) + L2 - w1)
+        unknowns[0, at] = w2*(q_wz + rW5z) + w3*(-q_wz - rW4z)
+        unknowns[1, at] = -w2 + w3
     return unknowns
 
 
@@ -2959,15 +3151,23 @@ def system_7(readings, positions, errors, parameters, points):
 
     Arguments (float64):
         readings (1, n): readings of XY-1y [mm]
+            rows: L1
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         points (2, 3): xyz of workpiece point 1, xyz of tool point 2 [mm]
+            rows: rW4x rW4y rW4z rT9x rT9y rT9z
 
     Returns:
         unknowns (1, n): EYX [mm, rad]
+            rows: found_EYX
     """
-    n, readings, positions, errors = _points(readings, positions, errors)
+    n, readings, positions, errors = _points(readings=(readings, 1), positions=(positions, 3), errors=(errors, 18))
+    parameters = _constant("parameters", parameters, (9,))
+    points = _constant("points", points, (2, 3))
     unknowns = np.zeros((1, n))
     # constants
     q_wx = float(parameters[0])
@@ -2975,10 +3175,10 @@ def system_7(readings, positions, errors, parameters, points):
     q_Tx = float(parameters[3])
     q_Tz = float(parameters[5])
     eps_xy = float(parameters[6])
-    rW1x = float(points[0, 0])
-    rW1z = float(points[0, 2])
-    rT1x = float(points[1, 0])
-    rT1z = float(points[1, 2])
+    rW4x = float(points[0, 0])
+    rW4z = float(points[0, 2])
+    rT9x = float(points[1, 0])
+    rT9z = float(points[1, 2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2989,7 +3189,7 @@ def system_7(readings, positions, errors, parameters, points):
         EAY = errors[9, at]
         ECY = errors[11, at]
         # per point
-        unknowns[0, at] = EAX*(q_Tz + rT1z) + EAY*(-q_wz - rW1z) + ECX*(-q_Tx - rT1x) + ECY*(q_wx + rW1x) + EYY - L1 - eps_xy*x
+        unknowns[0, at] = EAX*(q_Tz + rT9z) + EAY*(-q_wz - rW4z) + ECX*(-q_Tx - rT9x) + ECY*(q_wx + rW4x) + EYY - L1 - eps_xy*x
     return unknowns
 
 
@@ -3000,15 +3200,23 @@ def system_8(readings, positions, errors, parameters, points):
 
     Arguments (float64):
         readings (1, n): readings of YZ-1y [mm]
+            rows: L1
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         points (2, 3): xyz of workpiece point 1, xyz of tool point 2 [mm]
+            rows: rW6x rW6y rW6z rT11x rT11y rT11z
 
     Returns:
         unknowns (1, n): EYZ [mm, rad]
+            rows: found_EYZ
     """
-    n, readings, positions, errors = _points(readings, positions, errors)
+    n, readings, positions, errors = _points(readings=(readings, 1), positions=(positions, 3), errors=(errors, 18))
+    parameters = _constant("parameters", parameters, (9,))
+    points = _constant("points", points, (2, 3))
     unknowns = np.zeros((1, n))
     # constants
     q_wx = float(parameters[0])
@@ -3016,10 +3224,10 @@ def system_8(readings, positions, errors, parameters, points):
     q_Tx = float(parameters[3])
     q_Tz = float(parameters[5])
     eps_yz = float(parameters[7])
-    rW1x = float(points[0, 0])
-    rW1z = float(points[0, 2])
-    rT1x = float(points[1, 0])
-    rT1z = float(points[1, 2])
+    rW6x = float(points[0, 0])
+    rW6z = float(points[0, 2])
+    rT11x = float(points[1, 0])
+    rT11z = float(points[1, 2])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -3030,7 +3238,7 @@ def system_8(readings, positions, errors, parameters, points):
         EAZ = errors[15, at]
         ECZ = errors[17, at]
         # per point
-        unknowns[0, at] = EAY*(-q_wz - rW1z) + EAZ*(q_Tz + rT1z) + ECY*(q_wx + rW1x) + ECZ*(-q_Tx - rT1x) + EYY - L1 + eps_yz*z
+        unknowns[0, at] = EAY*(-q_wz - rW6z) + EAZ*(q_Tz + rT11z) + ECY*(q_wx + rW6x) + ECZ*(-q_Tx - rT11x) + EYY - L1 + eps_yz*z
     return unknowns
 
 
@@ -3041,25 +3249,33 @@ def system_9(readings, positions, errors, parameters, points):
 
     Arguments (float64):
         readings (1, n): readings of YZ-1z [mm]
+            rows: L1
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (9,): home positions and location errors [mm, rad]
+            rows: q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz eps_xz
         points (2, 3): xyz of workpiece point 1, xyz of tool point 2 [mm]
+            rows: rW6x rW6y rW6z rT11x rT11y rT11z
 
     Returns:
         unknowns (1, n): EZY [mm, rad]
+            rows: found_EZY
     """
-    n, readings, positions, errors = _points(readings, positions, errors)
+    n, readings, positions, errors = _points(readings=(readings, 1), positions=(positions, 3), errors=(errors, 18))
+    parameters = _constant("parameters", parameters, (9,))
+    points = _constant("points", points, (2, 3))
     unknowns = np.zeros((1, n))
     # constants
     q_wx = float(parameters[0])
     q_wy = float(parameters[1])
     q_Tx = float(parameters[3])
     q_Ty = float(parameters[4])
-    rW1x = float(points[0, 0])
-    rW1y = float(points[0, 1])
-    rT1x = float(points[1, 0])
-    rT1y = float(points[1, 1])
+    rW6x = float(points[0, 0])
+    rW6y = float(points[0, 1])
+    rT11x = float(points[1, 0])
+    rT11y = float(points[1, 1])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -3069,7 +3285,7 @@ def system_9(readings, positions, errors, parameters, points):
         EAZ = errors[15, at]
         EBZ = errors[16, at]
         # per point
-        unknowns[0, at] = -EAY*(q_wy + rW1y) - EAZ*(-q_Ty - rT1y) - EBY*(-q_wx - rW1x) - EBZ*(q_Tx + rT1x) + EZZ + L1
+        unknowns[0, at] = -EAY*(q_wy + rW6y) - EAZ*(-q_Ty - rT11y) - EBY*(-q_wx - rW6x) - EBZ*(q_Tx + rT11x) + EZZ + L1
     return unknowns
 
 
@@ -3080,12 +3296,16 @@ def effect_backlash(context, parameters):
 
     Arguments (float64):
         context (1, n): direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1]
+            rows: direction
         parameters (1,): width: lost motion: jump between the two directions of approach (u: unit of the component, axis: of its axis) [u]
+            rows: width
 
     Returns:
         term (2, n): the term in u, then its derivative by width [u]
+            rows: term term_by_width
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     width = float(parameters[0])
@@ -3105,12 +3325,16 @@ def effect_backlash_slope(context, parameters):
 
     Arguments (float64):
         context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1, 1]
+            rows: s direction
         parameters (1,): change: change of half the lost motion from one end of the travel to the other (u: unit of the component, axis: of its axis) [u]
+            rows: change
 
     Returns:
         term (2, n): the term in u, then its derivative by change [u]
+            rows: term term_by_change
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     change = float(parameters[0])
@@ -3131,12 +3355,16 @@ def effect_cyclic(context, parameters):
 
     Arguments (float64):
         context (1, n): q: commanded position of the axis (u: unit of the component, axis: of its axis) [axis]
+            rows: q
         parameters (3,): amplitude: amplitude; phase: phase at position 0; pitch: period (u: unit of the component, axis: of its axis) [u, rad, axis]
+            rows: amplitude phase pitch
 
     Returns:
         term (4, n): the term in u, then its derivative by amplitude, phase, pitch [u]
+            rows: term term_by_amplitude term_by_phase term_by_pitch
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (3,))
     term = np.zeros((4, n))
     # constants
     amplitude = float(parameters[0])
@@ -3163,12 +3391,16 @@ def effect_thermal_expansion(context, parameters):
 
     Arguments (float64):
         context (2, n): q: commanded position of the axis; T: temperature less 20 degC (u: unit of the component, axis: of its axis) [axis, K]
+            rows: q T
         parameters (1,): coefficient: expansion per kelvin (u: unit of the component, axis: of its axis) [u/axis/K]
+            rows: coefficient
 
     Returns:
         term (2, n): the term in u, then its derivative by coefficient [u]
+            rows: term term_by_coefficient
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     coefficient = float(parameters[0])
@@ -3189,12 +3421,16 @@ def effect_thermal_offset(context, parameters):
 
     Arguments (float64):
         context (1, n): T: temperature less 20 degC (u: unit of the component, axis: of its axis) [K]
+            rows: T
         parameters (1,): coefficient: displacement or rotation per kelvin (u: unit of the component, axis: of its axis) [u/K]
+            rows: coefficient
 
     Returns:
         term (2, n): the term in u, then its derivative by coefficient [u]
+            rows: term term_by_coefficient
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     coefficient = float(parameters[0])
@@ -3214,12 +3450,16 @@ def effect_warm_up(context, parameters):
 
     Arguments (float64):
         context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; t: time of the reading (u: unit of the component, axis: of its axis) [1, s]
+            rows: s t
         parameters (2,): amplitude: growth still to come at time 0, at the upper end of the travel; tau: time constant (u: unit of the component, axis: of its axis) [u, s]
+            rows: amplitude tau
 
     Returns:
         term (3, n): the term in u, then its derivative by amplitude, tau [u]
+            rows: term term_by_amplitude term_by_tau
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     amplitude = float(parameters[0])
@@ -3242,12 +3482,16 @@ def effect_drift(context, parameters):
 
     Arguments (float64):
         context (1, n): t: time of the reading (u: unit of the component, axis: of its axis) [s]
+            rows: t
         parameters (1,): rate: change per second (u: unit of the component, axis: of its axis) [u/s]
+            rows: rate
 
     Returns:
         term (2, n): the term in u, then its derivative by rate [u]
+            rows: term term_by_rate
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     rate = float(parameters[0])
@@ -3267,12 +3511,16 @@ def effect_servo_lag(context, parameters):
 
     Arguments (float64):
         context (1, n): v: its velocity while the reading is taken, 0 where it stands (u: unit of the component, axis: of its axis) [axis/s]
+            rows: v
         parameters (1,): tau: time by which the axis follows behind its command, beyond that of the others (u: unit of the component, axis: of its axis) [s]
+            rows: tau
 
     Returns:
         term (2, n): the term in u, then its derivative by tau [u]
+            rows: term term_by_tau
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     tau = float(parameters[0])
@@ -3292,12 +3540,16 @@ def effect_reversal_spike(context, parameters):
 
     Arguments (float64):
         context (2, n): direction: direction by which the axis came: +1, -1, 0 before it has moved; d: distance since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, axis]
+            rows: direction d
         parameters (2,): height: height right after the reversal; decay: way over which it dies away (u: unit of the component, axis: of its axis) [u, axis]
+            rows: height decay
 
     Returns:
         term (3, n): the term in u, then its derivative by height, decay [u]
+            rows: term term_by_height term_by_decay
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     height = float(parameters[0])
@@ -3320,12 +3572,16 @@ def effect_cross_axis(context, parameters):
 
     Arguments (float64):
         context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; s_b: share of its travel, 0 at the lower end and 1 at the upper (the other axis) (u: unit of the component, axis: of its axis) [1, 1]
+            rows: s s_b
         parameters (1,): k: value at the far ends of both travels (u: unit of the component, axis: of its axis) [u]
+            rows: k
 
     Returns:
         term (2, n): the term in u, then its derivative by k [u]
+            rows: term term_by_k
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     k = float(parameters[0])
@@ -3346,12 +3602,16 @@ def effect_laser_cosine(context, parameters):
 
     Arguments (float64):
         context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+            rows: along
         parameters (1,): angle: angle between beam and motion [rad]
+            rows: angle
 
     Returns:
         term (2, n): the term in mm, then its derivative by angle [mm]
+            rows: term term_by_angle
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     angle = float(parameters[0])
@@ -3371,12 +3631,16 @@ def effect_laser_scale(context, parameters):
 
     Arguments (float64):
         context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+            rows: along
         parameters (1,): k: relative error of all laser distances [1]
+            rows: k
 
     Returns:
         term (2, n): the term in mm, then its derivative by k [mm]
+            rows: term term_by_k
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     k = float(parameters[0])
@@ -3396,12 +3660,16 @@ def effect_laser_step(context, parameters):
 
     Arguments (float64):
         context (1, n): t: time of the reading [s]
+            rows: t
         parameters (2,): jump: height of the jump; t_0: moment of the jump [mm, s]
+            rows: jump t_0
 
     Returns:
         term (3, n): the term in mm, then its derivative by jump, t_0 [mm]
+            rows: term term_by_jump term_by_t_0
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     jump = float(parameters[0])
@@ -3422,12 +3690,16 @@ def effect_ballbar_length(context, parameters):
 
     Arguments (float64):
         context (1, n): theta: polar angle of a ball bar in the plane of its circle [rad]
+            rows: theta
         parameters (1,): length: actual minus nominal length of the bar [mm]
+            rows: length
 
     Returns:
         term (2, n): the term in mm, then its derivative by length [mm]
+            rows: term term_by_length
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     length = float(parameters[0])
@@ -3446,12 +3718,16 @@ def effect_ballbar_lobes(context, parameters):
 
     Arguments (float64):
         context (1, n): theta: polar angle of a ball bar in the plane of its circle [rad]
+            rows: theta
         parameters (2,): amplitude: amplitude; phase: phase at polar angle 0 [mm, rad]
+            rows: amplitude phase
 
     Returns:
         term (3, n): the term in mm, then its derivative by amplitude, phase [mm]
+            rows: term term_by_amplitude term_by_phase
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     amplitude = float(parameters[0])

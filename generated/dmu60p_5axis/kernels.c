@@ -1,9 +1,11 @@
 /* Generated from machines/dmu60p_5axis.toml, do not edit; regenerate with: trueaxis derive machines/dmu60p_5axis.toml
+ * SPDX-License-Identifier: MIT
  * Kernels of DECKEL MAHO DMU60P, all five axes: geometric error model in C17.
  * Spec: sha256 1b0a63b86ea881e06983b884ca7f951aa51e2ebb46ef2eaccf5755fd64d1985f
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
- * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
+ * Arrays must not overlap. Lengths mm, angles rad, positions of rotary axes deg.
+ * Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
  */
 #include "kernels.h"
 
@@ -48,10 +50,10 @@ static double step(double value)
  */
 void dmu60p_5axis_tool_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -126,11 +128,11 @@ void dmu60p_5axis_tool_in_workpiece_ideal(
  */
 void dmu60p_5axis_tool_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -316,11 +318,11 @@ void dmu60p_5axis_tool_in_workpiece_deviation(
  */
 void dmu60p_5axis_tool_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -471,10 +473,10 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order(
  */
 void dmu60p_5axis_tool_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -705,10 +707,10 @@ void dmu60p_5axis_tool_in_workpiece_sensitivity(
  */
 void dmu60p_5axis_tool_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Bx = parameters[6];
@@ -762,11 +764,11 @@ void dmu60p_5axis_tool_in_bed_ideal(
  */
 void dmu60p_5axis_tool_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Bx = parameters[6];
@@ -882,11 +884,11 @@ void dmu60p_5axis_tool_in_bed_deviation(
  */
 void dmu60p_5axis_tool_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Bx = parameters[6];
@@ -993,10 +995,10 @@ void dmu60p_5axis_tool_in_bed_deviation_first_order(
  */
 void dmu60p_5axis_tool_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Bx = parameters[6];
@@ -1180,10 +1182,10 @@ void dmu60p_5axis_tool_in_bed_sensitivity(
  */
 void dmu60p_5axis_workpiece_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -1233,11 +1235,11 @@ void dmu60p_5axis_workpiece_in_bed_ideal(
  */
 void dmu60p_5axis_workpiece_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -1322,11 +1324,11 @@ void dmu60p_5axis_workpiece_in_bed_deviation(
  */
 void dmu60p_5axis_workpiece_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -1406,10 +1408,10 @@ void dmu60p_5axis_workpiece_in_bed_deviation_first_order(
  */
 void dmu60p_5axis_workpiece_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -1584,10 +1586,10 @@ void dmu60p_5axis_workpiece_in_bed_sensitivity(
  */
 void dmu60p_5axis_bed_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -1637,11 +1639,11 @@ void dmu60p_5axis_bed_in_workpiece_ideal(
  */
 void dmu60p_5axis_bed_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -1743,11 +1745,11 @@ void dmu60p_5axis_bed_in_workpiece_deviation(
  */
 void dmu60p_5axis_bed_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -1823,10 +1825,10 @@ void dmu60p_5axis_bed_in_workpiece_deviation_first_order(
  */
 void dmu60p_5axis_bed_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -2007,11 +2009,11 @@ void dmu60p_5axis_bed_in_workpiece_sensitivity(
  */
 void dmu60p_5axis_tool_in_workpiece_position(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -2206,11 +2208,11 @@ void dmu60p_5axis_tool_in_workpiece_position(
  */
 void dmu60p_5axis_tool_in_workpiece_position_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -2367,9 +2369,9 @@ void dmu60p_5axis_tool_in_workpiece_position_first_order(
  */
 void dmu60p_5axis_tool_orientation_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict direction,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
@@ -2419,11 +2421,11 @@ void dmu60p_5axis_tool_orientation_ideal(
  */
 void dmu60p_5axis_tool_orientation_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EA0C = parameters[17];
@@ -2552,11 +2554,11 @@ void dmu60p_5axis_tool_orientation_deviation(
  */
 void dmu60p_5axis_tool_orientation_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EA0C = parameters[17];
@@ -2659,11 +2661,11 @@ void dmu60p_5axis_tool_orientation_deviation_first_order(
  */
 void dmu60p_5axis_tool_in_workpiece_deviation_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -3061,11 +3063,11 @@ void dmu60p_5axis_tool_in_workpiece_deviation_curves(
  */
 void dmu60p_5axis_tool_in_workpiece_deviation_first_order_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -3431,13 +3433,13 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order_curves(
  */
 void dmu60p_5axis_ballbar_error(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    const double *restrict ball,
-    const double *restrict length,
-    double *restrict error)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    const double *TRUEAXIS_RESTRICT ball,
+    const double *TRUEAXIS_RESTRICT length,
+    double *TRUEAXIS_RESTRICT error)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -3643,9 +3645,9 @@ void dmu60p_5axis_ballbar_error(
  */
 void dmu60p_5axis_correction(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict deviation,
-    double *restrict moves)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT deviation,
+    double *TRUEAXIS_RESTRICT moves)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
@@ -3687,11 +3689,11 @@ void dmu60p_5axis_correction(
  */
 void dmu60p_5axis_motion_X(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[6];
@@ -3739,11 +3741,11 @@ void dmu60p_5axis_motion_X(
  */
 void dmu60p_5axis_motion_Y(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -3787,11 +3789,11 @@ void dmu60p_5axis_motion_Y(
  */
 void dmu60p_5axis_motion_Z(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[6];
@@ -3840,11 +3842,11 @@ void dmu60p_5axis_motion_Z(
  */
 void dmu60p_5axis_motion_B(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Sx = parameters[9];
@@ -3916,11 +3918,11 @@ void dmu60p_5axis_motion_B(
  */
 void dmu60p_5axis_motion_C(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_wx = parameters[3];
@@ -3986,12 +3988,12 @@ void dmu60p_5axis_motion_C(
  */
 void dmu60p_5axis_motion_XY(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -4058,11 +4060,11 @@ void dmu60p_5axis_motion_XY(
  */
 void dmu60p_5axis_motion_XZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[6];
@@ -4124,12 +4126,12 @@ void dmu60p_5axis_motion_XZ(
  */
 void dmu60p_5axis_motion_YZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Cx = parameters[0];
@@ -4196,9 +4198,9 @@ void dmu60p_5axis_motion_YZ(
  */
 void dmu60p_5axis_effect_backlash(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double width = parameters[0];
@@ -4225,9 +4227,9 @@ void dmu60p_5axis_effect_backlash(
  */
 void dmu60p_5axis_effect_backlash_slope(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double change = parameters[0];
@@ -4255,9 +4257,9 @@ void dmu60p_5axis_effect_backlash_slope(
  */
 void dmu60p_5axis_effect_cyclic(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -4288,9 +4290,9 @@ void dmu60p_5axis_effect_cyclic(
  */
 void dmu60p_5axis_effect_thermal_expansion(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -4315,9 +4317,9 @@ void dmu60p_5axis_effect_thermal_expansion(
  */
 void dmu60p_5axis_effect_thermal_offset(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -4342,9 +4344,9 @@ void dmu60p_5axis_effect_thermal_offset(
  */
 void dmu60p_5axis_effect_warm_up(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -4370,9 +4372,9 @@ void dmu60p_5axis_effect_warm_up(
  */
 void dmu60p_5axis_effect_drift(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double rate = parameters[0];
@@ -4397,9 +4399,9 @@ void dmu60p_5axis_effect_drift(
  */
 void dmu60p_5axis_effect_servo_lag(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double tau = parameters[0];
@@ -4425,9 +4427,9 @@ void dmu60p_5axis_effect_servo_lag(
  */
 void dmu60p_5axis_effect_reversal_spike(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double height = parameters[0];
@@ -4457,9 +4459,9 @@ void dmu60p_5axis_effect_reversal_spike(
  */
 void dmu60p_5axis_effect_cross_axis(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -4483,9 +4485,9 @@ void dmu60p_5axis_effect_cross_axis(
  */
 void dmu60p_5axis_effect_laser_cosine(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double angle = parameters[0];
@@ -4508,9 +4510,9 @@ void dmu60p_5axis_effect_laser_cosine(
  */
 void dmu60p_5axis_effect_laser_scale(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -4532,9 +4534,9 @@ void dmu60p_5axis_effect_laser_scale(
  */
 void dmu60p_5axis_effect_laser_step(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double jump = parameters[0];
@@ -4558,9 +4560,9 @@ void dmu60p_5axis_effect_laser_step(
  */
 void dmu60p_5axis_effect_ballbar_length(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     (void)context;
     /* once per call */
@@ -4583,9 +4585,9 @@ void dmu60p_5axis_effect_ballbar_length(
  */
 void dmu60p_5axis_effect_ballbar_lobes(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];

@@ -1,9 +1,11 @@
 /* Generated from machines/headhead_mill.toml, do not edit; regenerate with: trueaxis derive machines/headhead_mill.toml
+ * SPDX-License-Identifier: MIT
  * Kernels of Five-axis gantry mill with a fork head: geometric error model in C17.
  * Spec: sha256 0ad0abbfc8d51366123f481bf464ef2a99342c0dbb5431fe1300b173adc7b15c
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
- * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
+ * Arrays must not overlap. Lengths mm, angles rad, positions of rotary axes deg.
+ * Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
  */
 #include "kernels.h"
 
@@ -48,10 +50,10 @@ static double step(double value)
  */
 void headhead_mill_tool_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -116,11 +118,11 @@ void headhead_mill_tool_in_workpiece_ideal(
  */
 void headhead_mill_tool_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -279,11 +281,11 @@ void headhead_mill_tool_in_workpiece_deviation(
  */
 void headhead_mill_tool_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -423,10 +425,10 @@ void headhead_mill_tool_in_workpiece_deviation_first_order(
  */
 void headhead_mill_tool_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -647,10 +649,10 @@ void headhead_mill_tool_in_workpiece_sensitivity(
  */
 void headhead_mill_tool_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -715,11 +717,11 @@ void headhead_mill_tool_in_bed_ideal(
  */
 void headhead_mill_tool_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -878,11 +880,11 @@ void headhead_mill_tool_in_bed_deviation(
  */
 void headhead_mill_tool_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -1022,10 +1024,10 @@ void headhead_mill_tool_in_bed_deviation_first_order(
  */
 void headhead_mill_tool_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -1246,10 +1248,10 @@ void headhead_mill_tool_in_bed_sensitivity(
  */
 void headhead_mill_workpiece_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     (void)positions;
     (void)parameters;
@@ -1278,11 +1280,11 @@ void headhead_mill_workpiece_in_bed_ideal(
  */
 void headhead_mill_workpiece_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     (void)errors;
@@ -1310,11 +1312,11 @@ void headhead_mill_workpiece_in_bed_deviation(
  */
 void headhead_mill_workpiece_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     (void)errors;
@@ -1341,10 +1343,10 @@ void headhead_mill_workpiece_in_bed_deviation_first_order(
  */
 void headhead_mill_workpiece_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)positions;
     (void)parameters;
@@ -1498,10 +1500,10 @@ void headhead_mill_workpiece_in_bed_sensitivity(
  */
 void headhead_mill_bed_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     (void)positions;
     (void)parameters;
@@ -1530,11 +1532,11 @@ void headhead_mill_bed_in_workpiece_ideal(
  */
 void headhead_mill_bed_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     (void)errors;
@@ -1562,11 +1564,11 @@ void headhead_mill_bed_in_workpiece_deviation(
  */
 void headhead_mill_bed_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     (void)errors;
@@ -1593,10 +1595,10 @@ void headhead_mill_bed_in_workpiece_deviation_first_order(
  */
 void headhead_mill_bed_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)positions;
     (void)parameters;
@@ -1752,11 +1754,11 @@ void headhead_mill_bed_in_workpiece_sensitivity(
  */
 void headhead_mill_tool_in_workpiece_position(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -1920,11 +1922,11 @@ void headhead_mill_tool_in_workpiece_position(
  */
 void headhead_mill_tool_in_workpiece_position_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -2066,9 +2068,9 @@ void headhead_mill_tool_in_workpiece_position_first_order(
  */
 void headhead_mill_tool_orientation_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict direction,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
@@ -2118,11 +2120,11 @@ void headhead_mill_tool_orientation_ideal(
  */
 void headhead_mill_tool_orientation_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0Y = parameters[6];
@@ -2240,11 +2242,11 @@ void headhead_mill_tool_orientation_deviation(
  */
 void headhead_mill_tool_orientation_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0Y = parameters[6];
@@ -2347,11 +2349,11 @@ void headhead_mill_tool_orientation_deviation_first_order(
  */
 void headhead_mill_tool_in_workpiece_deviation_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -2723,11 +2725,11 @@ void headhead_mill_tool_in_workpiece_deviation_curves(
  */
 void headhead_mill_tool_in_workpiece_deviation_first_order_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -3083,13 +3085,13 @@ void headhead_mill_tool_in_workpiece_deviation_first_order_curves(
  */
 void headhead_mill_ballbar_error(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    const double *restrict ball,
-    const double *restrict length,
-    double *restrict error)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    const double *TRUEAXIS_RESTRICT ball,
+    const double *TRUEAXIS_RESTRICT length,
+    double *TRUEAXIS_RESTRICT error)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -3264,9 +3266,9 @@ void headhead_mill_ballbar_error(
  */
 void headhead_mill_correction(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict deviation,
-    double *restrict moves)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT deviation,
+    double *TRUEAXIS_RESTRICT moves)
 {
     (void)positions;
     /* per point */
@@ -3294,11 +3296,11 @@ void headhead_mill_correction(
  */
 void headhead_mill_motion_X(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -3342,11 +3344,11 @@ void headhead_mill_motion_X(
  */
 void headhead_mill_motion_Y(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -3391,11 +3393,11 @@ void headhead_mill_motion_Y(
  */
 void headhead_mill_motion_Z(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -3441,11 +3443,11 @@ void headhead_mill_motion_Z(
  */
 void headhead_mill_motion_B(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -3521,11 +3523,11 @@ void headhead_mill_motion_B(
  */
 void headhead_mill_motion_C(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -3610,11 +3612,11 @@ void headhead_mill_motion_C(
  */
 void headhead_mill_motion_XY(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -3669,11 +3671,11 @@ void headhead_mill_motion_XY(
  */
 void headhead_mill_motion_XZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -3729,11 +3731,11 @@ void headhead_mill_motion_XZ(
  */
 void headhead_mill_motion_YZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Bx = parameters[0];
@@ -3789,9 +3791,9 @@ void headhead_mill_motion_YZ(
  */
 void headhead_mill_effect_backlash(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double width = parameters[0];
@@ -3818,9 +3820,9 @@ void headhead_mill_effect_backlash(
  */
 void headhead_mill_effect_backlash_slope(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double change = parameters[0];
@@ -3848,9 +3850,9 @@ void headhead_mill_effect_backlash_slope(
  */
 void headhead_mill_effect_cyclic(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -3881,9 +3883,9 @@ void headhead_mill_effect_cyclic(
  */
 void headhead_mill_effect_thermal_expansion(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -3908,9 +3910,9 @@ void headhead_mill_effect_thermal_expansion(
  */
 void headhead_mill_effect_thermal_offset(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -3935,9 +3937,9 @@ void headhead_mill_effect_thermal_offset(
  */
 void headhead_mill_effect_warm_up(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -3963,9 +3965,9 @@ void headhead_mill_effect_warm_up(
  */
 void headhead_mill_effect_drift(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double rate = parameters[0];
@@ -3990,9 +3992,9 @@ void headhead_mill_effect_drift(
  */
 void headhead_mill_effect_servo_lag(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double tau = parameters[0];
@@ -4018,9 +4020,9 @@ void headhead_mill_effect_servo_lag(
  */
 void headhead_mill_effect_reversal_spike(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double height = parameters[0];
@@ -4050,9 +4052,9 @@ void headhead_mill_effect_reversal_spike(
  */
 void headhead_mill_effect_cross_axis(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -4076,9 +4078,9 @@ void headhead_mill_effect_cross_axis(
  */
 void headhead_mill_effect_laser_cosine(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double angle = parameters[0];
@@ -4101,9 +4103,9 @@ void headhead_mill_effect_laser_cosine(
  */
 void headhead_mill_effect_laser_scale(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -4125,9 +4127,9 @@ void headhead_mill_effect_laser_scale(
  */
 void headhead_mill_effect_laser_step(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double jump = parameters[0];
@@ -4151,9 +4153,9 @@ void headhead_mill_effect_laser_step(
  */
 void headhead_mill_effect_ballbar_length(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     (void)context;
     /* once per call */
@@ -4176,9 +4178,9 @@ void headhead_mill_effect_ballbar_length(
  */
 void headhead_mill_effect_ballbar_lobes(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];

@@ -1,8 +1,12 @@
 # Generated from machines/headhead_mill.toml, do not edit; regenerate with: trueaxis derive machines/headhead_mill.toml
+# SPDX-License-Identifier: MIT
 """Kernels of Five-axis gantry mill with a fork head: geometric error model in NumPy.
 
 Arrays are float64 with the quantity first and the point last: positions (n_axes, n), errors (n_components, n),
-deviation (3, n). An array that is the same at all points may have n = 1. Lengths mm, angles rad, rotary axes deg.
+deviation (3, n). An array that is the same at all points may have n = 1. Lengths mm, angles rad, positions of
+rotary axes deg. An array of another shape is a ValueError that names it.
+
+Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
 """
 
 import numpy as np
@@ -19,136 +23,29 @@ META = {'machine': 'headhead_mill',
             'Z': [-1000.0, 1000.0],
             'B': [-120.0, 120.0],
             'C': [-360.0, 360.0]},
- 'components': ['EXX',
-                'EYX',
-                'EZX',
-                'EAX',
-                'EBX',
-                'ECX',
-                'EXY',
-                'EYY',
-                'EZY',
-                'EAY',
-                'EBY',
-                'ECY',
-                'EXZ',
-                'EYZ',
-                'EZZ',
-                'EAZ',
-                'EBZ',
-                'ECZ',
-                'EXB',
-                'EYB',
-                'EZB',
-                'EAB',
-                'EBB',
-                'ECB',
-                'EXC',
-                'EYC',
-                'EZC',
-                'EAC',
-                'EBC',
-                'ECC'],
- 'component_units': ['mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
+ 'components': ['EXX', 'EYX', 'EZX', 'EAX', 'EBX', 'ECX', 'EXY', 'EYY', 'EZY', 'EAY', 'EBY', 'ECY', 'EXZ', 'EYZ',
+                'EZZ', 'EAZ', 'EBZ', 'ECZ', 'EXB', 'EYB', 'EZB', 'EAB', 'EBB', 'ECB', 'EXC', 'EYC', 'EZC', 'EAC',
+                'EBC', 'ECC'],
+ 'component_units': ['mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'mm',
+                     'rad', 'rad', 'rad', 'mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'mm', 'rad', 'rad',
                      'rad'],
- 'component_descriptions': ['positioning error of X',
-                            'straightness error of X in Y',
-                            'straightness error of X in Z',
-                            'roll error of X',
-                            'angular error of X about Y (pitch or yaw)',
-                            'angular error of X about Z (pitch or yaw)',
-                            'straightness error of Y in X',
-                            'positioning error of Y',
-                            'straightness error of Y in Z',
-                            'angular error of Y about X (pitch or yaw)',
-                            'roll error of Y',
-                            'angular error of Y about Z (pitch or yaw)',
-                            'straightness error of Z in X',
-                            'straightness error of Z in Y',
-                            'positioning error of Z',
-                            'angular error of Z about X (pitch or yaw)',
-                            'angular error of Z about Y (pitch or yaw)',
-                            'roll error of Z',
-                            'error motion of B along X',
-                            'error motion of B along Y',
-                            'error motion of B along Z',
-                            'tilt error of B about A',
-                            'angular positioning error of B',
-                            'tilt error of B about C',
-                            'error motion of C along X',
-                            'error motion of C along Y',
-                            'error motion of C along Z',
-                            'tilt error of C about A',
-                            'tilt error of C about B',
+ 'component_descriptions': ['positioning error of X', 'straightness error of X in Y', 'straightness error of X in Z',
+                            'roll error of X', 'angular error of X about Y (pitch or yaw)',
+                            'angular error of X about Z (pitch or yaw)', 'straightness error of Y in X',
+                            'positioning error of Y', 'straightness error of Y in Z',
+                            'angular error of Y about X (pitch or yaw)', 'roll error of Y',
+                            'angular error of Y about Z (pitch or yaw)', 'straightness error of Z in X',
+                            'straightness error of Z in Y', 'positioning error of Z',
+                            'angular error of Z about X (pitch or yaw)', 'angular error of Z about Y (pitch or yaw)',
+                            'roll error of Z', 'error motion of B along X', 'error motion of B along Y',
+                            'error motion of B along Z', 'tilt error of B about A', 'angular positioning error of B',
+                            'tilt error of B about C', 'error motion of C along X', 'error motion of C along Y',
+                            'error motion of C along Z', 'tilt error of C about A', 'tilt error of C about B',
                             'angular positioning error of C'],
- 'parameters': ['q_Bx',
-                'q_By',
-                'q_Bz',
-                'q_Tx',
-                'q_Ty',
-                'q_Tz',
-                'EC0Y',
-                'EA0Z',
-                'EB0Z',
-                'EX0C',
-                'EY0C',
-                'EA0C',
-                'EB0C',
-                'EX0B',
-                'EZ0B',
-                'EA0B',
-                'EC0B',
-                'EX0T',
-                'EY0T',
-                'EZ0T'],
- 'parameter_units': ['mm',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm'],
+ 'parameters': ['q_Bx', 'q_By', 'q_Bz', 'q_Tx', 'q_Ty', 'q_Tz', 'EC0Y', 'EA0Z', 'EB0Z', 'EX0C', 'EY0C', 'EA0C',
+                'EB0C', 'EX0B', 'EZ0B', 'EA0B', 'EC0B', 'EX0T', 'EY0T', 'EZ0T'],
+ 'parameter_units': ['mm', 'mm', 'mm', 'mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'rad', 'rad', 'mm', 'mm',
+                     'rad', 'rad', 'mm', 'mm', 'mm'],
  'parameter_descriptions': ['home position along X, body 7 (B head) on body 6',
                             'home position along Y, body 7 (B head) on body 6',
                             'home position along Z, body 7 (B head) on body 6',
@@ -170,20 +67,8 @@ META = {'machine': 'headhead_mill',
                             'location error, displacement along Y, body 8 (tool) on body 7',
                             'location error, displacement along Z, body 8 (tool) on body 7'],
  'dimensions': ['q_Bx', 'q_By', 'q_Bz', 'q_Tx', 'q_Ty', 'q_Tz'],
- 'location_errors': ['EC0Y',
-                     'EA0Z',
-                     'EB0Z',
-                     'EX0C',
-                     'EY0C',
-                     'EA0C',
-                     'EB0C',
-                     'EX0B',
-                     'EZ0B',
-                     'EA0B',
-                     'EC0B',
-                     'EX0T',
-                     'EY0T',
-                     'EZ0T'],
+ 'location_errors': ['EC0Y', 'EA0Z', 'EB0Z', 'EX0C', 'EY0C', 'EA0C', 'EB0C', 'EX0B', 'EZ0B', 'EA0B', 'EC0B', 'EX0T',
+                     'EY0T', 'EZ0T'],
  'curve_degree': 7,
  'squareness': [{'axes': ['X', 'Y'], 'location_errors': {'EC0Y': -1.0}},
                 {'axes': ['X', 'Z'], 'location_errors': {'EB0Z': 1.0}},
@@ -894,10 +779,28 @@ META = {'machine': 'headhead_mill',
 BLOCK = 8192
 
 
-def _points(*arrays):
-    """The arrays broadcast to one number of points, and that number."""
-    n = np.broadcast_shapes(*(np.shape(array)[-1:] for array in arrays))[0]
-    return n, *(np.broadcast_to(array, (*np.shape(array)[:-1], n)) for array in arrays)
+def _points(**arrays):
+    """The arrays, each given as (array, rows), broadcast to one number of points, and that number."""
+    checked = {}
+    for name, (array, rows) in arrays.items():
+        array = np.asarray(array, dtype=np.float64)
+        if array.shape[:-1] != (rows,):
+            raise ValueError(f"{name} has the shape {array.shape}, not ({rows}, n)")
+        checked[name] = array
+    counts = {name: array.shape[1] for name, array in checked.items()}
+    n = next((count for count in counts.values() if count != 1), 1)
+    for name, count in counts.items():
+        if count not in (1, n):
+            raise ValueError(f"{name} has {count} points, not {n} or 1: the points of the arrays are {counts}")
+    return n, *(np.broadcast_to(array, (len(array), n)) for array in checked.values())
+
+
+def _constant(name, array, shape):
+    """An array that is the same at all points, of its shape."""
+    array = np.asarray(array, dtype=np.float64)
+    if array.shape != shape:
+        raise ValueError(f"{name} has the shape {array.shape}, not {shape}")
+    return array
 
 
 def _polynomial(s, *coefficients):
@@ -916,13 +819,19 @@ def tool_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): tool point in the workpiece frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 5), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     ideal = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -964,14 +873,22 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -1109,14 +1026,22 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -1236,13 +1161,19 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 44, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EZ0T, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 5), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     sensitivity = np.zeros((132, n))
     # constants
     q_Bx = float(parameters[0])
@@ -1375,13 +1306,19 @@ def tool_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): tool point in the bed frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 5), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     ideal = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -1423,14 +1360,22 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -1568,14 +1513,22 @@ def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -1695,13 +1648,19 @@ def tool_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 44, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EZ0T, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 5), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     sensitivity = np.zeros((132, n))
     # constants
     q_Bx = float(parameters[0])
@@ -1834,13 +1793,19 @@ def workpiece_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): workpiece point in the bed frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 5), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     ideal = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1861,14 +1826,22 @@ def workpiece_in_bed_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1883,14 +1856,22 @@ def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1905,13 +1886,19 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 44, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EZ0T, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 5), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     sensitivity = np.zeros((132, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1926,13 +1913,19 @@ def bed_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): bed point in the workpiece frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 5), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     ideal = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1953,14 +1946,22 @@ def bed_in_workpiece_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): bed point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1975,14 +1976,22 @@ def bed_in_workpiece_deviation_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): bed point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1997,13 +2006,19 @@ def bed_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 44, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EZ0T, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 5), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     sensitivity = np.zeros((132, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -2018,14 +2033,22 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         position (3, n): actual position P_T^W of the tool point in the workpiece frame [mm]
+            rows: px py pz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     position = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -2168,14 +2191,22 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         position (3, n): actual position P_T^W of the tool point in the workpiece frame [mm]
+            rows: px py pz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     position = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -2300,12 +2331,15 @@ def tool_orientation_ideal(positions, direction):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
+            rows: tx ty tz
 
     Returns:
         ideal (3, n): the vector in the workpiece frame, without errors [1]
+            rows: ix iy iz
     """
-    n, positions, direction = _points(positions, direction)
+    n, positions, direction = _points(positions=(positions, 5), direction=(direction, 3))
     ideal = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -2334,14 +2368,22 @@ def tool_orientation_deviation(positions, errors, parameters, direction):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
+            rows: tx ty tz
 
     Returns:
         deviation (3, n): the vector in the workpiece frame, actual minus ideal [1]
+            rows: dx dy dz
     """
-    n, positions, errors, direction = _points(positions, errors, direction)
+    n, positions, errors, direction = _points(positions=(positions, 5), errors=(errors, 30), direction=(direction, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     # constants
     EC0Y = float(parameters[6])
@@ -2438,14 +2480,22 @@ def tool_orientation_deviation_first_order(positions, errors, parameters, direct
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         direction (3, n): unit vector in the tool frame, (0, 0, 1) for the tool axis [1]
+            rows: tx ty tz
 
     Returns:
         deviation (3, n): the vector in the workpiece frame, actual minus ideal [1]
+            rows: dx dy dz
     """
-    n, positions, errors, direction = _points(positions, errors, direction)
+    n, positions, errors, direction = _points(positions=(positions, 5), errors=(errors, 30), direction=(direction, 3))
+    parameters = _constant("parameters", parameters, (20,))
     deviation = np.zeros((3, n))
     # constants
     EC0Y = float(parameters[6])
@@ -2527,14 +2577,23 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         curves (30, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
+            rows: EXX_1 EXX_2 .. ECC_7, last index fastest
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3,): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions = _points(positions)
+    n, positions = _points(positions=(positions, 5))
+    curves = _constant("curves", curves, (30, 7))
+    parameters = _constant("parameters", parameters, (20,))
+    point = _constant("point", point, (3,))
     deviation = np.zeros((3, n))
     # constants
     EXX_1 = float(curves[0, 0])
@@ -2884,14 +2943,23 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         curves (30, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
+            rows: EXX_1 EXX_2 .. ECC_7, last index fastest
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3,): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions = _points(positions)
+    n, positions = _points(positions=(positions, 5))
+    curves = _constant("curves", curves, (30, 7))
+    parameters = _constant("parameters", parameters, (20,))
+    point = _constant("point", point, (3,))
     deviation = np.zeros((3, n))
     # constants
     EXX_1 = float(curves[0, 0])
@@ -3223,16 +3291,26 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
         ball (3, n): point in the workpiece frame [mm]
+            rows: bx by bz
         length (1, n): ideal length of the ball bar [mm]
+            rows: length
 
     Returns:
         error (4, n): positioning error E, then its components E_x, E_y, E_z [mm]
+            rows: e ex ey ez
     """
-    n, positions, errors, point, ball, length = _points(positions, errors, point, ball, length)
+    n, positions, errors, point, ball, length = _points(positions=(positions, 5), errors=(errors, 30), point=(point, 3), ball=(ball, 3), length=(length, 1))
+    parameters = _constant("parameters", parameters, (20,))
     error = np.zeros((4, n))
     # constants
     q_Bx = float(parameters[0])
@@ -3389,12 +3467,15 @@ def correction(positions, deviation):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         deviation (3, n): displacement of the tool point in the workpiece frame [mm]
+            rows: dx dy dz
 
     Returns:
         moves (3, n): moves of X Y Z [mm]
+            rows: move_x move_y move_z
     """
-    n, positions, deviation = _points(positions, deviation)
+    n, positions, deviation = _points(positions=(positions, 5), deviation=(deviation, 3))
     moves = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -3415,14 +3496,22 @@ def motion_X(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 5), errors=(errors, 30), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     displacement = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -3460,14 +3549,22 @@ def motion_Y(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 5), errors=(errors, 30), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     displacement = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -3506,14 +3603,22 @@ def motion_Z(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 5), errors=(errors, 30), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     displacement = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -3553,14 +3658,22 @@ def motion_B(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 5), errors=(errors, 30), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     displacement = np.zeros((3, n))
     # constants
     q_Tx = float(parameters[3])
@@ -3616,14 +3729,22 @@ def motion_C(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 5), errors=(errors, 30), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     displacement = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -3688,14 +3809,22 @@ def motion_XY(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 5), errors=(errors, 30), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     displacement = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -3744,14 +3873,22 @@ def motion_XZ(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 5), errors=(errors, 30), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     displacement = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -3801,14 +3938,22 @@ def motion_YZ(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (5, n): commanded positions of X Y Z B C [mm, rotary axes deg]
+            rows: x y z b c
         errors (30, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ EXB EYB EZB EAB EBB
+                ECB EXC EYC EZC EAC EBC ECC
         parameters (20,): home positions and location errors [mm, rad]
+            rows: q_Bx q_By q_Bz q_Tx q_Ty q_Tz EC0Y EA0Z EB0Z EX0C EY0C EA0C EB0C EX0B EZ0B EA0B EC0B EX0T EY0T
+                EZ0T
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 5), errors=(errors, 30), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (20,))
     displacement = np.zeros((3, n))
     # constants
     q_Bx = float(parameters[0])
@@ -3859,12 +4004,16 @@ def effect_backlash(context, parameters):
 
     Arguments (float64):
         context (1, n): direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1]
+            rows: direction
         parameters (1,): width: lost motion: jump between the two directions of approach (u: unit of the component, axis: of its axis) [u]
+            rows: width
 
     Returns:
         term (2, n): the term in u, then its derivative by width [u]
+            rows: term term_by_width
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     width = float(parameters[0])
@@ -3884,12 +4033,16 @@ def effect_backlash_slope(context, parameters):
 
     Arguments (float64):
         context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1, 1]
+            rows: s direction
         parameters (1,): change: change of half the lost motion from one end of the travel to the other (u: unit of the component, axis: of its axis) [u]
+            rows: change
 
     Returns:
         term (2, n): the term in u, then its derivative by change [u]
+            rows: term term_by_change
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     change = float(parameters[0])
@@ -3910,12 +4063,16 @@ def effect_cyclic(context, parameters):
 
     Arguments (float64):
         context (1, n): q: commanded position of the axis (u: unit of the component, axis: of its axis) [axis]
+            rows: q
         parameters (3,): amplitude: amplitude; phase: phase at position 0; pitch: period (u: unit of the component, axis: of its axis) [u, rad, axis]
+            rows: amplitude phase pitch
 
     Returns:
         term (4, n): the term in u, then its derivative by amplitude, phase, pitch [u]
+            rows: term term_by_amplitude term_by_phase term_by_pitch
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (3,))
     term = np.zeros((4, n))
     # constants
     amplitude = float(parameters[0])
@@ -3942,12 +4099,16 @@ def effect_thermal_expansion(context, parameters):
 
     Arguments (float64):
         context (2, n): q: commanded position of the axis; T: temperature less 20 degC (u: unit of the component, axis: of its axis) [axis, K]
+            rows: q T
         parameters (1,): coefficient: expansion per kelvin (u: unit of the component, axis: of its axis) [u/axis/K]
+            rows: coefficient
 
     Returns:
         term (2, n): the term in u, then its derivative by coefficient [u]
+            rows: term term_by_coefficient
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     coefficient = float(parameters[0])
@@ -3968,12 +4129,16 @@ def effect_thermal_offset(context, parameters):
 
     Arguments (float64):
         context (1, n): T: temperature less 20 degC (u: unit of the component, axis: of its axis) [K]
+            rows: T
         parameters (1,): coefficient: displacement or rotation per kelvin (u: unit of the component, axis: of its axis) [u/K]
+            rows: coefficient
 
     Returns:
         term (2, n): the term in u, then its derivative by coefficient [u]
+            rows: term term_by_coefficient
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     coefficient = float(parameters[0])
@@ -3993,12 +4158,16 @@ def effect_warm_up(context, parameters):
 
     Arguments (float64):
         context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; t: time of the reading (u: unit of the component, axis: of its axis) [1, s]
+            rows: s t
         parameters (2,): amplitude: growth still to come at time 0, at the upper end of the travel; tau: time constant (u: unit of the component, axis: of its axis) [u, s]
+            rows: amplitude tau
 
     Returns:
         term (3, n): the term in u, then its derivative by amplitude, tau [u]
+            rows: term term_by_amplitude term_by_tau
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     amplitude = float(parameters[0])
@@ -4021,12 +4190,16 @@ def effect_drift(context, parameters):
 
     Arguments (float64):
         context (1, n): t: time of the reading (u: unit of the component, axis: of its axis) [s]
+            rows: t
         parameters (1,): rate: change per second (u: unit of the component, axis: of its axis) [u/s]
+            rows: rate
 
     Returns:
         term (2, n): the term in u, then its derivative by rate [u]
+            rows: term term_by_rate
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     rate = float(parameters[0])
@@ -4046,12 +4219,16 @@ def effect_servo_lag(context, parameters):
 
     Arguments (float64):
         context (1, n): v: its velocity while the reading is taken, 0 where it stands (u: unit of the component, axis: of its axis) [axis/s]
+            rows: v
         parameters (1,): tau: time by which the axis follows behind its command, beyond that of the others (u: unit of the component, axis: of its axis) [s]
+            rows: tau
 
     Returns:
         term (2, n): the term in u, then its derivative by tau [u]
+            rows: term term_by_tau
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     tau = float(parameters[0])
@@ -4071,12 +4248,16 @@ def effect_reversal_spike(context, parameters):
 
     Arguments (float64):
         context (2, n): direction: direction by which the axis came: +1, -1, 0 before it has moved; d: distance since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, axis]
+            rows: direction d
         parameters (2,): height: height right after the reversal; decay: way over which it dies away (u: unit of the component, axis: of its axis) [u, axis]
+            rows: height decay
 
     Returns:
         term (3, n): the term in u, then its derivative by height, decay [u]
+            rows: term term_by_height term_by_decay
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     height = float(parameters[0])
@@ -4099,12 +4280,16 @@ def effect_cross_axis(context, parameters):
 
     Arguments (float64):
         context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; s_b: share of its travel, 0 at the lower end and 1 at the upper (the other axis) (u: unit of the component, axis: of its axis) [1, 1]
+            rows: s s_b
         parameters (1,): k: value at the far ends of both travels (u: unit of the component, axis: of its axis) [u]
+            rows: k
 
     Returns:
         term (2, n): the term in u, then its derivative by k [u]
+            rows: term term_by_k
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     k = float(parameters[0])
@@ -4125,12 +4310,16 @@ def effect_laser_cosine(context, parameters):
 
     Arguments (float64):
         context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+            rows: along
         parameters (1,): angle: angle between beam and motion [rad]
+            rows: angle
 
     Returns:
         term (2, n): the term in mm, then its derivative by angle [mm]
+            rows: term term_by_angle
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     angle = float(parameters[0])
@@ -4150,12 +4339,16 @@ def effect_laser_scale(context, parameters):
 
     Arguments (float64):
         context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+            rows: along
         parameters (1,): k: relative error of all laser distances [1]
+            rows: k
 
     Returns:
         term (2, n): the term in mm, then its derivative by k [mm]
+            rows: term term_by_k
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     k = float(parameters[0])
@@ -4175,12 +4368,16 @@ def effect_laser_step(context, parameters):
 
     Arguments (float64):
         context (1, n): t: time of the reading [s]
+            rows: t
         parameters (2,): jump: height of the jump; t_0: moment of the jump [mm, s]
+            rows: jump t_0
 
     Returns:
         term (3, n): the term in mm, then its derivative by jump, t_0 [mm]
+            rows: term term_by_jump term_by_t_0
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     jump = float(parameters[0])
@@ -4201,12 +4398,16 @@ def effect_ballbar_length(context, parameters):
 
     Arguments (float64):
         context (1, n): theta: polar angle of a ball bar in the plane of its circle [rad]
+            rows: theta
         parameters (1,): length: actual minus nominal length of the bar [mm]
+            rows: length
 
     Returns:
         term (2, n): the term in mm, then its derivative by length [mm]
+            rows: term term_by_length
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
     term = np.zeros((2, n))
     # constants
     length = float(parameters[0])
@@ -4225,12 +4426,16 @@ def effect_ballbar_lobes(context, parameters):
 
     Arguments (float64):
         context (1, n): theta: polar angle of a ball bar in the plane of its circle [rad]
+            rows: theta
         parameters (2,): amplitude: amplitude; phase: phase at polar angle 0 [mm, rad]
+            rows: amplitude phase
 
     Returns:
         term (3, n): the term in mm, then its derivative by amplitude, phase [mm]
+            rows: term term_by_amplitude term_by_phase
     """
-    n, context = _points(context)
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (2,))
     term = np.zeros((3, n))
     # constants
     amplitude = float(parameters[0])

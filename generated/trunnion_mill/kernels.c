@@ -1,9 +1,11 @@
 /* Generated from machines/trunnion_mill.toml, do not edit; regenerate with: trueaxis derive machines/trunnion_mill.toml
+ * SPDX-License-Identifier: MIT
  * Kernels of Five-axis mill with a trunnion table: geometric error model in C17.
  * Spec: sha256 fff68e3a25ed33ff02fbf9ab6e0875735d9de644fc7b3d9d269b461961e2d9f2
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
- * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
+ * Arrays must not overlap. Lengths mm, angles rad, positions of rotary axes deg.
+ * Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
  */
 #include "kernels.h"
 
@@ -48,10 +50,10 @@ static double step(double value)
  */
 void trunnion_mill_tool_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -123,11 +125,11 @@ void trunnion_mill_tool_in_workpiece_ideal(
  */
 void trunnion_mill_tool_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -327,11 +329,11 @@ void trunnion_mill_tool_in_workpiece_deviation(
  */
 void trunnion_mill_tool_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -476,10 +478,10 @@ void trunnion_mill_tool_in_workpiece_deviation_first_order(
  */
 void trunnion_mill_tool_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -725,10 +727,10 @@ void trunnion_mill_tool_in_workpiece_sensitivity(
  */
 void trunnion_mill_tool_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -761,11 +763,11 @@ void trunnion_mill_tool_in_bed_ideal(
  */
 void trunnion_mill_tool_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -825,11 +827,11 @@ void trunnion_mill_tool_in_bed_deviation(
  */
 void trunnion_mill_tool_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -884,10 +886,10 @@ void trunnion_mill_tool_in_bed_deviation_first_order(
  */
 void trunnion_mill_tool_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -1044,10 +1046,10 @@ void trunnion_mill_tool_in_bed_sensitivity(
  */
 void trunnion_mill_workpiece_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1113,11 +1115,11 @@ void trunnion_mill_workpiece_in_bed_ideal(
  */
 void trunnion_mill_workpiece_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1244,11 +1246,11 @@ void trunnion_mill_workpiece_in_bed_deviation(
  */
 void trunnion_mill_workpiece_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1366,10 +1368,10 @@ void trunnion_mill_workpiece_in_bed_deviation_first_order(
  */
 void trunnion_mill_workpiece_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1574,10 +1576,10 @@ void trunnion_mill_workpiece_in_bed_sensitivity(
  */
 void trunnion_mill_bed_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1641,11 +1643,11 @@ void trunnion_mill_bed_in_workpiece_ideal(
  */
 void trunnion_mill_bed_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1805,11 +1807,11 @@ void trunnion_mill_bed_in_workpiece_deviation(
  */
 void trunnion_mill_bed_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1921,10 +1923,10 @@ void trunnion_mill_bed_in_workpiece_deviation_first_order(
  */
 void trunnion_mill_bed_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -2147,11 +2149,11 @@ void trunnion_mill_bed_in_workpiece_sensitivity(
  */
 void trunnion_mill_tool_in_workpiece_position(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -2360,11 +2362,11 @@ void trunnion_mill_tool_in_workpiece_position(
  */
 void trunnion_mill_tool_in_workpiece_position_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -2515,9 +2517,9 @@ void trunnion_mill_tool_in_workpiece_position_first_order(
  */
 void trunnion_mill_tool_orientation_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict direction,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
@@ -2567,11 +2569,11 @@ void trunnion_mill_tool_orientation_ideal(
  */
 void trunnion_mill_tool_orientation_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0Y = parameters[12];
@@ -2715,11 +2717,11 @@ void trunnion_mill_tool_orientation_deviation(
  */
 void trunnion_mill_tool_orientation_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0Y = parameters[12];
@@ -2822,11 +2824,11 @@ void trunnion_mill_tool_orientation_deviation_first_order(
  */
 void trunnion_mill_tool_in_workpiece_deviation_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -3238,11 +3240,11 @@ void trunnion_mill_tool_in_workpiece_deviation_curves(
  */
 void trunnion_mill_tool_in_workpiece_deviation_first_order_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -3602,13 +3604,13 @@ void trunnion_mill_tool_in_workpiece_deviation_first_order_curves(
  */
 void trunnion_mill_ballbar_error(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    const double *restrict ball,
-    const double *restrict length,
-    double *restrict error)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    const double *TRUEAXIS_RESTRICT ball,
+    const double *TRUEAXIS_RESTRICT length,
+    double *TRUEAXIS_RESTRICT error)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -3829,9 +3831,9 @@ void trunnion_mill_ballbar_error(
  */
 void trunnion_mill_correction(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict deviation,
-    double *restrict moves)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT deviation,
+    double *TRUEAXIS_RESTRICT moves)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
@@ -3882,11 +3884,11 @@ void trunnion_mill_correction(
  */
 void trunnion_mill_motion_X(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -3927,11 +3929,11 @@ void trunnion_mill_motion_X(
  */
 void trunnion_mill_motion_Y(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -3979,11 +3981,11 @@ void trunnion_mill_motion_Y(
  */
 void trunnion_mill_motion_Z(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -4026,11 +4028,11 @@ void trunnion_mill_motion_Z(
  */
 void trunnion_mill_motion_A(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Cx = parameters[3];
@@ -4112,11 +4114,11 @@ void trunnion_mill_motion_A(
  */
 void trunnion_mill_motion_C(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_wx = parameters[6];
@@ -4187,12 +4189,12 @@ void trunnion_mill_motion_C(
  */
 void trunnion_mill_motion_XY(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -4256,11 +4258,11 @@ void trunnion_mill_motion_XY(
  */
 void trunnion_mill_motion_XZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -4315,12 +4317,12 @@ void trunnion_mill_motion_XZ(
  */
 void trunnion_mill_motion_YZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -4385,9 +4387,9 @@ void trunnion_mill_motion_YZ(
  */
 void trunnion_mill_effect_backlash(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double width = parameters[0];
@@ -4414,9 +4416,9 @@ void trunnion_mill_effect_backlash(
  */
 void trunnion_mill_effect_backlash_slope(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double change = parameters[0];
@@ -4444,9 +4446,9 @@ void trunnion_mill_effect_backlash_slope(
  */
 void trunnion_mill_effect_cyclic(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -4477,9 +4479,9 @@ void trunnion_mill_effect_cyclic(
  */
 void trunnion_mill_effect_thermal_expansion(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -4504,9 +4506,9 @@ void trunnion_mill_effect_thermal_expansion(
  */
 void trunnion_mill_effect_thermal_offset(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double coefficient = parameters[0];
@@ -4531,9 +4533,9 @@ void trunnion_mill_effect_thermal_offset(
  */
 void trunnion_mill_effect_warm_up(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];
@@ -4559,9 +4561,9 @@ void trunnion_mill_effect_warm_up(
  */
 void trunnion_mill_effect_drift(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double rate = parameters[0];
@@ -4586,9 +4588,9 @@ void trunnion_mill_effect_drift(
  */
 void trunnion_mill_effect_servo_lag(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double tau = parameters[0];
@@ -4614,9 +4616,9 @@ void trunnion_mill_effect_servo_lag(
  */
 void trunnion_mill_effect_reversal_spike(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double height = parameters[0];
@@ -4646,9 +4648,9 @@ void trunnion_mill_effect_reversal_spike(
  */
 void trunnion_mill_effect_cross_axis(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -4672,9 +4674,9 @@ void trunnion_mill_effect_cross_axis(
  */
 void trunnion_mill_effect_laser_cosine(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double angle = parameters[0];
@@ -4697,9 +4699,9 @@ void trunnion_mill_effect_laser_cosine(
  */
 void trunnion_mill_effect_laser_scale(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double k = parameters[0];
@@ -4721,9 +4723,9 @@ void trunnion_mill_effect_laser_scale(
  */
 void trunnion_mill_effect_laser_step(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double jump = parameters[0];
@@ -4747,9 +4749,9 @@ void trunnion_mill_effect_laser_step(
  */
 void trunnion_mill_effect_ballbar_length(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     (void)context;
     /* once per call */
@@ -4772,9 +4774,9 @@ void trunnion_mill_effect_ballbar_length(
  */
 void trunnion_mill_effect_ballbar_lobes(
     size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
+    const double *TRUEAXIS_RESTRICT context,
+    const double *TRUEAXIS_RESTRICT parameters,
+    double *TRUEAXIS_RESTRICT term)
 {
     /* once per call */
     const double amplitude = parameters[0];

@@ -16,8 +16,8 @@ def problem(text: str, names: Names) -> str:
 
     def lookup(name: str, index: int) -> Any:
         found = names.get(name)
-        indexed = name.endswith(("_i", "i", "i-1", "i)")) and np.ndim(found) == 1
-        return found[index - 1] if indexed and found is not None else found
+        sampled = isinstance(found, np.ndarray) and found.ndim == 1 and name.endswith(("i", "i-1", "i)"))
+        return found[index - 1] if sampled else found
 
     sides = text.split("=")
     try:

@@ -69,8 +69,8 @@ class PaperNames(ChainNames):
         if number in _B_ROWS:
             unknowns = next(u for equation, _, _, u in SYSTEMS if f"({number})" in equation)
             free = {s: 0.0 if str(s) in unknowns else v for s, v in values.items()}
-            for k, (label, direction) in enumerate(_B_ROWS[number]):
-                symbol = reading(label, direction)
+            for k, row in enumerate(_B_ROWS[number]):
+                symbol = reading(row[0], row[1])
                 (without,) = _evaluated(((symbol, known[symbol]),), tuple(free), tuple(free.values()))
                 names[f"b_{k + 1}"] = names[str(symbol)] - without
         return names

@@ -118,7 +118,7 @@ def test_letters_of_an_offset_are_its_direction_and_its_axis() -> None:
     """E27: each P_uv of Eq. (39) sums an angle of axis v that turns v towards u."""
     for part in PRINTED[39].parts:
         assert isinstance(part, Formula)
-        direction, axis = str(part.lhs).removeprefix("P_")
+        direction, axis = str(part.lhs)[-2], str(part.lhs)[-1]
         (angle,) = {name for name in map(str, part.rhs.atoms(sp.IndexedBase)) if name.startswith("epsilon_")}
         about = sp.Matrix([int(angle == f"epsilon_{d}({axis})") for d in DIRECTIONS])
         turned = about.cross(sp.Matrix([int(d == axis) for d in DIRECTIONS]))

@@ -24,17 +24,17 @@ from trueaxis.topology import lower_body_array
 _NAMES = 9.0  # em, of the first two columns of the table of sensitivities
 
 
-def equations_page(model: DerivedModel) -> str:
-    """The text of equations.md."""
-    return environment().get_template("equations.md.j2").render(page_context(model))
+def equations_page(model: DerivedModel, spec: str = "") -> str:
+    """The text of equations.md; spec: how it is named there."""
+    return environment().get_template("equations.md.j2").render(page_context(model, spec))
 
 
-def page_context(model: DerivedModel) -> dict[str, Any]:
+def page_context(model: DerivedModel, spec: str = "") -> dict[str, Any]:
     """The variables of equations.md.j2."""
     machine = model.machine
     latex = Latex(machine)
     return {
-        "spec": spec_name(machine),
+        "spec": spec or spec_name(machine),
         "digest": machine.digest,
         "abi": ABI,
         "title": machine.title,

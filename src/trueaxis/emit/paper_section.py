@@ -1,28 +1,19 @@
-"""The sections of equations.md that only the page of the paper's own machine has: Tables 1 and 3, Eqs. (7) to (43)."""
+"""The sections of equations.md that only the page of the paper's own machine has: Eqs. (12) to (38) in its order."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
 
-from trueaxis.derive import symbols
 from trueaxis.derive.model import DerivedModel
 from trueaxis.emit.latex import Latex, is_negative, joined
 from trueaxis.emit.paper_layout import ERRATA_PAGE, PATTERNS, RUNS, Pattern, Reading, System, beside
 from trueaxis.emit.paper_notation import AXES, Form, form, monomial_terms, motion, paper_latex
+from trueaxis.emit.paper_tables import Table1, points, table_1, table_3
 from trueaxis.emit.rows import broken
 from trueaxis.spec.machine import Machine
 
 Row = str
-_TABLE_1 = (
-    ("positioning error", lambda axis: axis + axis),
-    ("straightness error, x direction", lambda axis: "X" + axis),
-    ("straightness error, y direction", lambda axis: "Y" + axis),
-    ("straightness error, z direction", lambda axis: "Z" + axis),
-    ("roll error", lambda axis: {"X": "A", "Y": "B", "Z": "C"}[axis] + axis),
-    ("pitch error", lambda axis: {"X": "B", "Y": "A", "Z": "A"}[axis] + axis),
-    ("yaw error", lambda axis: {"X": "C", "Y": "C", "Z": "B"}[axis] + axis),
-)
 
 
 @dataclass(frozen=True)
@@ -59,14 +50,6 @@ class Section:
     def anchor(self) -> str:
         """Its anchor on the page."""
         return f"sect-{self.number.replace('.', '')}-{self.title.lower().replace(' ', '-').replace(',', '')}"
-
-
-@dataclass(frozen=True)
-class Table1:
-    """Axes, and rows of a name and three cells."""
-
-    axes: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -112,50 +95,12 @@ def paper_part(model: DerivedModel) -> PaperPart:
     )
     patterns = tuple(pattern.axes for pattern in (*PATTERNS[:3], PATTERNS[4], PATTERNS[3], PATTERNS[5]))
     return PaperPart(
-        Table1(("X", "Y", "Z"), tuple(_table_1(machine))),
+        Table1(("X", "Y", "Z"), tuple(table_1(machine))),
         patterns,
-        tuple(_table_3(patterns)),
+        tuple(table_3(patterns)),
         sections,
-        tuple(_points(model)),
+        tuple(points(model)),
     )
-
-
-def _table_1(machine: Machine) -> Iterator[tuple[str, ...]]:
-    texts = symbols.describe(machine)
-    for name, component in _TABLE_1:
-        cells = [f"E{component(axis)}" for axis in "XYZ"]
-        # A direction has no straightness of its own axis.
-        own = ["straightness" in name and cell[1] == cell[2] for cell in cells]
-        yield name, *("" if o else f"${texts[c].latex}$ [`{c}`](#{c})" for c, o in zip(cells, own, strict=True))
-    for pair in ("xy", "xz", "yz"):
-        parameter = f"eps_{pair}"
-        yield (
-            f"{pair.upper()} perpendicularity error",
-            f"${texts[parameter].latex}$ [`{parameter}`](#{parameter})",
-            "",
-            "",
-        )
-
-
-def _table_3(patterns: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
-    for letter, axis in (("l", "Y"), ("j", "X"), ("k", "Z")):
-        cells = [[f"{a.lower()}_h" if a == axis and axis in moving else "0" for a in "XYZ"] for moving in patterns]
-        yield f"$S^l_{{{letter}h}}$", *(f"$({', '.join(cell)}, 1)^T$" for cell in cells)
-
-
-def _points(model: DerivedModel) -> Iterator[tuple[str, str, str, str]]:
-    """Points of Tables 4 and 5: name, coordinates, frame, runs."""
-    found: dict[tuple[str, str, str], list[str]] = {}
-    for run in model.runs:
-        pattern, _, label = run.name.partition("-")
-        above = f"^{{{pattern}}}" if len(pattern) > 1 else ""
-        for body, at in (run.target, run.reference):
-            if body != "bed":
-                letter, frame = ("k", "TCS") if body == "tool" else ("l", "WCS")
-                key = (f"$P{above}_{{{letter}{label[0]}}}$", f"({', '.join(f'{c:g}' for c in at)})", frame)
-                found.setdefault(key, []).append(run.name)
-    for key, runs in found.items():
-        yield *key, ", ".join(runs)
 
 
 def _printer(machine: Machine) -> Latex:
@@ -189,7 +134,7 @@ def _difference(text: str, axis: str, *, bracket: bool) -> str:
 def _reading_blocks(machine: Machine, pattern: Pattern, latex: Latex) -> Iterator[Block]:
     if pattern.projected:
         number, sine, cosine = pattern.projected
-        rows = (
+        rows: tuple[Row, ...] = (
             f"L_{{i{sine}h}} &= L_{{ih}}\\,\\sin\\theta + \\delta_{{ih}}\\,\\cos\\theta",
             f"L_{{i{cosine}h}} &= L_{{ih}}\\,\\cos\\theta - \\delta_{{ih}}\\,\\sin\\theta",
         )
