@@ -1,13 +1,15 @@
 """The META record: what a program must know to call the kernels, and what a reader must know of their symbols."""
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from trueaxis.derive import symbols
+from trueaxis.derive.effect_terms import emitted_kinds
 from trueaxis.derive.routine import Argument, Routine
 from trueaxis.derive.squareness import squarenesses
-from trueaxis.effects.kind import Effect
+from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import context_of
 from trueaxis.spec.machine import ROTARY, Machine
 
@@ -53,17 +55,22 @@ def meta(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
         "curve_degree": machine.curve_degree,
         "squareness": [_squareness(pair.axes, pair.product) for pair in squarenesses(machine)],
         "effects": {
-            "kinds": {
-                name: {
-                    "place": kind.place,
-                    "context": list(context_of(kind)),
-                    "parameters": [parameter.name for parameter in kind.parameters],
-                }
-                for name, kind in machine.kinds.items()
-            },
+            "kinds": kinds_record(emitted_kinds(machine)),
             "terms": [_term(effect) for effect in machine.effects],
         },
-        "routines": {routine.name: _routine(routine) for routine in routines},
+        "routines": {routine.name: routine_record(routine) for routine in routines},
+    }
+
+
+def kinds_record(kinds: Mapping[str, Kind]) -> dict[str, Any]:
+    """Place, context and parameters of kinds of effects, in the order of the arguments of their kernels."""
+    return {
+        name: {
+            "place": kind.place,
+            "context": list(context_of(kind)),
+            "parameters": [parameter.name for parameter in kind.parameters],
+        }
+        for name, kind in kinds.items()
     }
 
 
@@ -78,7 +85,8 @@ def _term(effect: Effect) -> dict[str, Any]:
     return {key: value for key, value in told.items() if value is not None}
 
 
-def _routine(routine: Routine) -> dict[str, Any]:
+def routine_record(routine: Routine) -> dict[str, Any]:
+    """Arguments and operations of a routine."""
     return {
         "inputs": [_argument(argument) for argument in routine.inputs],
         "outputs": [_argument(argument) for argument in routine.outputs],

@@ -3,6 +3,7 @@
 import pprint
 import textwrap
 from dataclasses import dataclass
+from typing import Any
 
 from trueaxis.derive.routine import Argument, Assignment, Routine
 from trueaxis.emit.meta import ABI, meta, spec_name
@@ -38,18 +39,31 @@ class FunctionText:
 
 def numpy_source(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> str:
     """The text of kernels.py; spec: how it is named there."""
-    record = pprint.pformat(meta(machine, routines), width=118, sort_dicts=False, compact=True)
-    template = environment().get_template("kernels.py.j2")
-    return template.render(
-        abi=ABI,
+    spec = spec or spec_name(machine)
+    return module_source(
+        routines,
+        meta(machine, routines),
         digest=machine.digest,
-        spec=spec or spec_name(machine),
+        spec=spec,
+        command=f"trueaxis derive {spec}",
         title=machine.title,
-        paper_title=TITLE,
         turning=any(axis in ROTARY for axis in machine.axes),
-        meta=record,
-        block=BLOCK,
-        functions=[_function(routine) for routine in routines],
+    )
+
+
+def module_source(routines: tuple[Routine, ...], record: dict[str, Any], **texts: object) -> str:
+    """The text of a module of kernels; record: its META; texts: further variables of the template."""
+    return (
+        environment()
+        .get_template("kernels.py.j2")
+        .render(
+            texts,
+            abi=ABI,
+            paper_title=TITLE,
+            meta=pprint.pformat(record, width=118, sort_dicts=False, compact=True),
+            block=BLOCK,
+            functions=[_function(routine) for routine in routines],
+        )
     )
 
 
