@@ -65,7 +65,7 @@ class Latex:
         inner = joined(f"{'+' if sign == lead else '-'} {self.symbol(name)}" for sign, name in members)
         errors = inner if len(members) == 1 else rf"\left({inner}\right)"
         term = f"{lead} {self._factor(size)}{errors}"
-        if width(term) <= 0.8 * WIDEST or not size.is_Add:
+        if width(term) <= 0.88 * WIDEST or not size.is_Add:
             yield term
             return
         # Too wide for one row: multiplied out, which is what the bracket means.
