@@ -41,10 +41,10 @@ def known(folder: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("method", ["paper", "global"])
-def test_noise_free_readings_give_the_errors_back(tmp_path: Path, method: str) -> None:
+@pytest.mark.parametrize("method", [["paper"], ["global", "--prior", "none"]], ids=["paper", "least squares"])
+def test_noise_free_readings_give_the_errors_back(tmp_path: Path, method: list[str]) -> None:
     data, out = simulated(tmp_path, "dmu60p_regular_runs"), tmp_path / "e.json"
-    options = ["--method", method, "--squareness", "known", "--known", str(known(tmp_path))]
+    options = ["--method", *method, "--squareness", "known", "--known", str(known(tmp_path))]
     assert identify(data, out, *options) == 0
     true, found = values(ERRORS), values(out)
     steps = np.arange(28) / 27
@@ -94,7 +94,7 @@ def test_every_fault_of_the_options_is_told_and_nothing_written(
     options = ["--method", "global", "--squareness", "sect36", "--report", str(out), "--known", str(tmp_path / "none")]
     assert identify(tmp_path / "nowhere", out, *options) == 2
     told = capsys.readouterr().err
-    for words in ("goes with --method paper", "is both --out and --report", "nowhere", "none"):
+    for words in ("goes with --method stepwise", "is both --out and --report", "nowhere", "none"):
         assert words in told
     assert not out.exists()
 

@@ -9,20 +9,23 @@ from typing import TYPE_CHECKING, Literal
 from trueaxis.commands.arguments import file_to_write
 from trueaxis.commands.identify_options import (
     FROM_ANGLES,
+    STEPWISE,
     degree_option,
     instruments_option,
+    method_option,
     noise_option,
     squareness_option,
 )
 from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import named, overwritten
+from trueaxis.estimation.observations import Observations, observations
 from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
+from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.global_fit.instruments import KINDS
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import AUTO_DEGREE, GlobalOptions
-from trueaxis.identify.observations import Observations, observations
 from trueaxis.identify.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
@@ -42,14 +45,16 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Find the motion and location errors of a machine from readings. Method paper goes point by point and step by step: each
-run gives the components that it alone still holds, at every position, with those found before. Method global fits
-polynomials of all components to all readings at once, ball bar included. Both work on the exact model, give standard
-uncertainties where the noise is known, and say what the readings cannot determine (which is no failure: exit code 0).
-Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or its residuals
-are far from the noise that is known, and the values are written as a misfit."""
+Find the motion and location errors of a machine from readings. Method stepwise, the paper's, goes point by point and
+step by step: each run gives the components that it alone still holds, at every position, with those found before.
+Method global estimates all errors from all readings at once, ball bar included, with what may be expected of them
+([prior] of the spec) and what nobody knows of instruments; noise, sizes of errors and outliers are found from the
+readings. Both work on the exact model, give standard uncertainties, and say what the readings cannot determine (which
+is no failure: exit code 0). Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing
+is written; or its residuals are far from the noise that is known, and the values are written as a misfit."""
 
 DEFAULT: Literal["convention"] = "convention"
+DEGREE = 7
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -60,7 +65,20 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
     )
-    parser.add_argument("--method", choices=("paper", "global"), default="paper", help="(default %(default)s)")
+    parser.add_argument(
+        "--method",
+        type=method_option,
+        default=STEPWISE,
+        metavar="stepwise|global",
+        help="(default stepwise; paper is another name of it)",
+    )
+    parser.add_argument(
+        "--prior",
+        choices=("spec", "none"),
+        default="spec",
+        help="method global: spec (default) expects errors of the sizes of [prior], which readings correct; none is "
+        "plain least squares on polynomials, which --degree, --instruments, --robust and effects of the spec ask for",
+    )
     parser.add_argument(
         "--squareness",
         type=squareness_option,
@@ -68,7 +86,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         metavar="convention|known|from-angles",
         help="what gives the squareness: convention (default) the slope of the straightness, whose least-squares lines "
         "become level as in ISO 230-1; known the file --known (zero where it is silent); from-angles the yaw and pitch "
-        "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method paper; sect36 is its old name)",
+        "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method stepwise; sect36 is its old name)",
     )
     parser.add_argument(
         "--known",
@@ -89,13 +107,13 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--curves",
         choices=("table", "polynomial", "held-out"),
         default="table",
-        help="method paper: components as tables of the measured positions, polynomials by the paper's procedure, or "
-        "polynomials whose order held-out positions choose (%(default)s)",
+        help="method stepwise: components as tables of the measured positions, polynomials by the paper's procedure, "
+        "or polynomials whose order held-out positions choose (%(default)s)",
     )
     parser.add_argument(
         "--degree",
         type=degree_option,
-        default=7,
+        default=DEGREE,
         metavar="N",
         help="method global: highest power (%(default)s), or auto: of each component as held-out readings ask for",
     )
@@ -193,9 +211,11 @@ def _identify(
     args: argparse.Namespace, model: MachineModel, observed: Observations, known: ErrorValues | None
 ) -> Identification:
     noise: NoiseModel = args.noise_um
-    if args.method == "paper":
+    if args.method == STEPWISE:
         options = PaperOptions(args.squareness, known, noise.um, args.curves)
         return identify_paper(model, observed, options)
+    if args.prior == "spec" and not model.effects:
+        return identify_estimated(model, observed, EstimateOptions(args.squareness, known, noise))
     return identify_global(
         model,
         observed,
@@ -215,15 +235,25 @@ def _identify(
 def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     found = []
     if args.method == "global" and args.squareness == FROM_ANGLES:
-        found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method paper", "convention or known"))
+        found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method stepwise", "convention or known"))
+    if args.method == "global" and args.prior == "spec":
+        of_least_squares = {
+            "--degree": args.degree != DEGREE,
+            "--instruments": args.instruments != KINDS,
+            "--robust": bool(args.robust),
+        }
+        for option, used in of_least_squares.items():
+            if used:
+                found.append(Fault(option, "", "goes with plain least squares", "--prior none"))
     if args.squareness == "known" and args.known is None:
         found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
-    if args.method == "paper":
+    if args.method == STEPWISE:
         of_global = {
             "--noise-um": bool(args.noise_um.by_group or args.noise_um.repeats),
             "--degree auto": args.degree == AUTO_DEGREE,
             "--instruments": args.instruments != KINDS,
             "--robust": bool(args.robust),
+            "--prior": args.prior != "spec",
         }
         for option, used in of_global.items():
             if used:
