@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -42,6 +43,7 @@ FloatArray = npt.NDArray[np.float64]
 Kernel = Callable[[FloatArray, FloatArray], FloatArray]
 COMPILER = pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
 BACKENDS = ["numpy", pytest.param("c", marks=COMPILER)]
+LIBRARY: Any = effect_library
 TERMS = [kind for kind in KINDS if kind.expression]
 # Parameters named as things of Python, NumPy, C and of the loops are.
 HOSTILE = (
@@ -164,12 +166,12 @@ def test_what_is_unknown_stays_unknown(library: Callable[[str], Kernel]) -> None
 
 
 def test_the_record_tells_context_parameters_and_place() -> None:
-    record = effect_library.META["effects"]
+    record = LIBRARY.META["effects"]
     assert record["kinds"].keys() == BY_NAME.keys()
     spike = {"place": "component", "context": ["direction", "d"], "parameters": ["height", "decay"]}
     assert record["kinds"]["reversal_spike"] == spike
     assert record["kinds"]["point_offset"] == {"place": "point", "context": [], "parameters": ["x", "y", "z"]}
-    assert effect_library.META["routines"].keys() == {f"effect_{kind.name}" for kind in TERMS}
+    assert LIBRARY.META["routines"].keys() == {f"effect_{kind.name}" for kind in TERMS}
 
 
 def test_the_library_is_as_it_is_emitted() -> None:

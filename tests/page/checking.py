@@ -16,8 +16,9 @@ def problem(text: str, names: Names) -> str:
 
     def lookup(name: str, index: int) -> Any:
         found = names.get(name)
-        sampled = isinstance(found, np.ndarray) and found.ndim == 1 and name.endswith(("i", "i-1", "i)"))
-        return found[index - 1] if sampled else found
+        if isinstance(found, np.ndarray) and found.ndim == 1 and name.endswith(("i", "i-1", "i)")):
+            return found[index - 1]  # one sample of a sum
+        return found
 
     sides = text.split("=")
     try:

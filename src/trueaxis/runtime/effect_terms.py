@@ -1,6 +1,7 @@
 """Terms of effects and their derivatives by the effects' parameters, from the generated kernels."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -11,11 +12,13 @@ from trueaxis.runtime.context import Context, FloatArray, ReadingContext
 from trueaxis.runtime.kernels import Kernels
 from trueaxis.spec.machine import Machine
 
+_LIBRARY: Any = effect_library  # emitted, without annotations
+
 
 def context_variables(kernels: Kernels, kind: str) -> tuple[str, ...]:
     """The context variables that the kernel of a kind takes, in the order of its rows."""
     own = kernels.meta["effects"]["kinds"]
-    return tuple((own if kind in own else effect_library.META["effects"]["kinds"])[kind]["context"])
+    return tuple((own if kind in own else _LIBRARY.META["effects"]["kinds"])[kind]["context"])
 
 
 def component_term(
@@ -83,7 +86,7 @@ def _term(kernels: Kernels, kind: str, parameters: FloatArray, row: Callable[[st
     given = np.array([row(name) for name in context_variables(kernels, kind)])
     name = f"effect_{kind}"
     # The machine's kernels have the effects of its spec; a search tries those of the whole library.
-    kernel = kernels[name] if name in kernels else getattr(effect_library, name)
+    kernel = kernels[name] if name in kernels else getattr(_LIBRARY, name)
     term: FloatArray = kernel(given, np.asarray(parameters, dtype=np.float64))
     # A comparison with an unknown value, as in a step, would pass for a known one.
     term[:, np.isnan(given).any(axis=0)] = np.nan
