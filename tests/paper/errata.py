@@ -6,8 +6,8 @@ import sympy as sp
 
 from .errata_of_data import OF_SQUARENESS_AND_DATA
 from .mending import Erratum, Kind, Mend, add, coordinates, on_left, on_right, rename, times
-from .notation import DIRECTIONS, EPS_YZ, Z_H, delta, eps, place, r, reading
-from .printed.linkage_xz import BASE, THETA, component, ideal_length, straightness
+from .notation import DIRECTIONS, delta, eps, place, r, reading
+from .printed.linkage_xz import BASE, THETA, ideal_length, straightness
 from .printed.model import position_symbols, tool_point
 from .printed.tables import TRANSFORMS
 
@@ -294,23 +294,6 @@ ERRATA: tuple[Erratum, ...] = (
         Kind.MISPRINT,
         "the factor of ε_z(y) is r_l1x, as in Eq. (29)",
         (Mend(33, "L_1yh", add(_YAW)), Mend(34, "delta_y(x)", add(_YAW))),
-    ),
-    Erratum(
-        25,
-        "Eq. (35)",
-        Kind.SIGN,
-        "the Z bracket has δ_y(z) - z ε_yz, as in Eqs. (14) and (37)",
-        (Mend(35, "y", add(2 * Z_H * EPS_YZ)),),
-    ),
-    Erratum(
-        26,
-        "Eq. (36)",
-        Kind.CONFLICT,
-        "θ is measured from Z in Eqs. (36), (37), not from Y; the projections are L_iyh and L_izh",
-        (
-            Mend(36, "cosine of theta", rename({component("y"): component("z")})),
-            Mend(36, "projections named in the text", instead=("L_iyh", "L_izh")),
-        ),
     ),
     *OF_SQUARENESS_AND_DATA,
 )

@@ -1,12 +1,13 @@
-"""Errata of Sect. 3.6, of the data (Tables 4 to 7), and of Sects. 2.1, 4 and 5."""
+"""Errata of Sects. 3.5 and 3.6, of the data (Tables 4 to 7), and of Sects. 2.1, 4 and 5."""
 
 from __future__ import annotations
 
 import sympy as sp
 
 from .mending import Erratum, Kind, Mend, add, on_right, rename, times
-from .notation import DIRECTIONS, eps
+from .notation import DIRECTIONS, EPS_YZ, Z_H, eps
 from .printed.compensation import ball, ideal_ball
+from .printed.linkage_xz import component
 from .printed.polynomials import coefficient
 from .printed.squareness import DENOMINATOR, INDEX, OFFSETS, P, V, positions, total
 
@@ -29,6 +30,23 @@ def _turned_bar(row: int) -> sp.Expr:
 
 
 OF_SQUARENESS_AND_DATA: tuple[Erratum, ...] = (
+    Erratum(
+        25,
+        "Eq. (35)",
+        Kind.SIGN,
+        "the Z bracket has δ_y(z) - z ε_yz, as in Eqs. (14) and (37)",
+        (Mend(35, "y", add(2 * Z_H * EPS_YZ)),),
+    ),
+    Erratum(
+        26,
+        "Eq. (36)",
+        Kind.CONFLICT,
+        "θ is measured from Z in Eqs. (36), (37), not from Y; the projections are L_iyh and L_izh",
+        (
+            Mend(36, "cosine of theta", rename({component("y"): component("z")})),
+            Mend(36, "projections named in the text", instead=("L_iyh", "L_izh")),
+        ),
+    ),
     Erratum(
         27,
         "Eq. (39)",
