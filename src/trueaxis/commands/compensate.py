@@ -2,7 +2,7 @@
 
 import argparse
 import re
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import get_args
 
@@ -181,6 +181,7 @@ def run(args: argparse.Namespace) -> int:
         found += overwritten(read, {"--out": args.out, "--report": args.report})
     if found or model is None or covariance is None:
         raise InputError(found)
+    settings = replace(settings, assumed=dict(model.machine.start))
     limits = Limits(max_u=args.max_u, max_correction=args.max_correction)
     judge = judge_of(model, covariance, np.array([settings.tool_point]).T, limits)
     try:

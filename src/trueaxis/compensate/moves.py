@@ -38,7 +38,9 @@ class Move(NamedTuple):
     again: what the further blocks of a split begin with. split: lead and tail when split, None if the same.
     passable: whether the tool may run through the end without anything due there. feed: F in force, mm/min (deg/min);
     NaN where it is not known or counts by turns of the spindle.
-    held: for each axis whether it gets no word here, see commanded; empty if all may. start_stated: whether it starts
+    held: for each axis whether it gets no word here, see commanded; empty if all may. elsewhere: for each axis whether it
+    may stand anywhere, and `end` is where it is taken to stand; empty if none may. shift: position minus word of each
+    axis, mm and deg; empty if 0. start_stated: whether it starts
     where the program has not commanded the axes to: only its end counts. whole: why it may not be cut; empty if it may.
     """
 
@@ -59,6 +61,8 @@ class Move(NamedTuple):
     passable: bool = True
     feed: float = math.nan
     held: tuple[bool, ...] = ()
+    elsewhere: tuple[bool, ...] = ()
+    shift: tuple[float, ...] = ()
     start_stated: bool = False
     whole: str = ""
 

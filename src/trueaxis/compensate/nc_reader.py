@@ -16,19 +16,14 @@ from trueaxis.compensate.mark import COMPENSATED_ALREADY, is_marked
 from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Start
 from trueaxis.compensate.nc_arc import arc_of_block, keep_rounding
 from trueaxis.compensate.nc_block import Meaning, interpret
-from trueaxis.compensate.nc_lexer import NUMBER, Block, lex
+from trueaxis.compensate.nc_lexer import Block, lex
+from trueaxis.compensate.nc_plain import PLAIN, plain_move
 from trueaxis.compensate.nc_start import starts_elsewhere
 from trueaxis.compensate.nc_state import MODE_NOTES, NcState
 from trueaxis.compensate.nc_text import block_text
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 from trueaxis.compensate.tool_changes import ToolChanges
 
-# most blocks: N, G0 or G1, X Y Z and F, in this order; the groups are lead, G, X, Y, Z, tail, F, line end
-_PLAIN = re.compile(
-    rf"((?:N\d++)?[ \t]*+(?:G0?([01]))?[ \t]*+)"
-    rf"(?:X({NUMBER}))?(?:[ \t]*+Y({NUMBER}))?(?:[ \t]*+Z({NUMBER}))?"
-    rf"([ \t]*+(?:F[ \t]*+(\d++\.?+\d*+|\.\d++))?[ \t]*+)(\r*+\n?+)"
-)
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
 _OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it
@@ -49,64 +44,19 @@ class NcReader:
         self._faults = faults
         self._notes = notes
         self._tools = ToolChanges(settings.dialect, notes)
-        self._gap = " "  # between words, as in the last block that shows it
         self._undotted_said = False  # whether the fault of numbers without a decimal point is in the log
+        self._assumed = [settings.assumed.get(axis, 0.0) for axis in axes]  # where axes are taken to stand until known
         self._state = NcState(axes, [settings.start.get(axis) for axis in axes])
 
     def items(self, lines: Iterable[str]) -> Iterator[Item]:
         """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
         if self._settings.start:
             yield Start(tuple(math.nan if value is None else value for value in self._state.position))
-        plain = _PLAIN.fullmatch
+        plain, state, undotted_mm = PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
         for number, line in enumerate(lines, 1):
             match = plain(line)
-            move = self._plain(number, line, match) if match else None
+            move = plain_move(number, line, match, state, undotted_mm) if match else None
             yield move if move is not None else self._any(number, line)
-
-    def _plain(self, number: int, line: str, match: re.Match[str]) -> Move | None:
-        """The move of a plain block; None if it needs a closer look."""
-        state = self._state
-        lead, code, x, y, z, tail, feed, eol = match.groups()
-        motion = state.motion if code is None else int(code)
-        position = state.position.copy()
-        if (
-            motion is None
-            or motion > 1
-            or (code is None and state.in_force != motion)
-            or not state.commanded.linear_complete
-            or state.ended
-            or (x is None and y is None and z is None)
-        ):
-            return None
-        rows, numbers, scale, absolute = state.row, state.numbers, MM_PER_INCH if state.inch else 1.0, state.absolute
-        written = [False] * len(position)
-        for axis, text in (("X", x), ("Y", y), ("Z", z)):
-            if text is None:
-                continue
-            row = rows.get(axis)
-            distance = float(text) * scale
-            if row is None or abs(distance) > 1e9:
-                return None
-            if "." not in text and distance and self._settings.undotted != "mm":
-                return None
-            if absolute:
-                position[row] = distance
-            else:
-                position[row] += distance  # type: ignore[operator]  # known, as all axes are commanded
-            written[row] = True
-            numbers[row] = text
-        if " " in line:
-            self._gap = " "
-        elif sum(written) > 1:
-            self._gap = ""
-        state.motion = state.in_force = motion
-        state.position, state.moved = position, True
-        if feed is not None:
-            state.feed = float(feed) * scale
-        return Move(
-            number, _STRAIGHT[motion], tuple(position), tuple(written), absolute, state.inch,  # type: ignore[arg-type]
-            lead, tail, self._gap, eol, line, feed=state.feed_in_minutes, held=state.commanded.held[absolute],
-        )  # fmt: skip
 
     def _any(self, number: int, line: str) -> Item:
         """Any block: what it sets, and its move if it has one."""
@@ -207,7 +157,7 @@ class NcReader:
         state = self._state
         start, end = state.position, state.after(meaning.axes)
         needed = start + end if state.motion in (2, 3) else end
-        if None in needed:
+        if None in needed and (state.motion or None in [end[state.row[axis]] for axis in meaning.axes]):
             self._unknown(number, needed, end)
             return None
         self._note_modes(number)
@@ -216,7 +166,7 @@ class NcReader:
         own_block = f"and give {meaning.uncertain_codes} a block of its own" if meaning.changes_tool else ""
         elsewhere = starts_elsewhere(number, state, commands, own_block or self._tools.remedy, self._faults)
         state.position = end
-        known_end = tuple(value for value in end if value is not None)
+        known_end = tuple(self._assumed[row] if value is None else value for row, value in enumerate(end))
         arc = None
         if state.motion in (2, 3):
             try:
@@ -229,10 +179,10 @@ class NcReader:
         in_force = meaning.motion if meaning.motion is not None else state.in_force
         insert = meaning.motion is None and in_force != motion
         if " " in body or "\t" in body:
-            self._gap = " "
+            state.gap = " "
         elif len(block.words) > 1:
-            self._gap = ""
-        text = block_text(body, block.words, self._gap, insert, motion == 1)
+            state.gap = ""
+        text = block_text(body, block.words, state.gap, insert, motion == 1)
         state.in_force, state.moved = motion, True
         for word in block.words:
             if word.letter in meaning.axes:
@@ -240,10 +190,10 @@ class NcReader:
         written = tuple(axis in meaning.axes for axis in self._axes)
         return Move(
             number, Kind.ARC if arc else _STRAIGHT[motion], known_end, written, state.absolute, state.inch,
-            text.lead, text.tail, self._gap, line[len(body) :], "" if arc or insert else line,
-            again + (f"G53{self._gap}" if meaning.in_machine_coordinates else ""), text.split, arc,
+            text.lead, text.tail, state.gap, line[len(body) :], "" if arc or insert else line,
+            again + (f"G53{state.gap}" if meaning.in_machine_coordinates else ""), text.split, arc,
             not meaning.miscellaneous and not meaning.exact_stop, state.feed_in_minutes,
-            state.commanded.command(commands, state.absolute), elsewhere,
+            state.commanded.command(commands, state.absolute), state.commanded.elsewhere, state.shift, elsewhere,
             meaning.uncertain_codes,
         )  # fmt: skip
 

@@ -24,6 +24,8 @@ class NcState:
     (G90 G91) the program has stated.
     numbers: of the words that gave the axes their positions, as written in the units in force; half a unit of them in
     mm where the units have changed since; None where no word has.
+    shift: position minus word of each axis, mm or deg; empty if 0. gap: between words, as in the last block that shows
+    it.
     """
 
     axes: tuple[str, ...]
@@ -39,12 +41,14 @@ class NcState:
     percents: int = 0
     moved: bool = False
     said: set[str] = field(default_factory=set)
+    shift: tuple[float, ...] = ()
+    gap: str = " "
     numbers: list[str | float | None] = field(init=False)
     commanded: CommandedAxes = field(init=False)
     row: dict[str, int] = field(init=False)
 
     def __post_init__(self) -> None:
-        self.commanded = CommandedAxes(self.axes)
+        self.commanded = CommandedAxes(self.axes, [value is not None for value in self.position])
         self.numbers = [None] * len(self.axes)
         self.row = {axis: number for number, axis in enumerate(self.axes)}
 
@@ -64,7 +68,7 @@ class NcState:
             row = self.row[axis]
             distance = value * self.scale(axis)
             if self.absolute:
-                end[row] = distance
+                end[row] = distance + self.shift[row] if self.shift else distance
             else:
                 before = end[row]
                 end[row] = None if before is None else before + distance

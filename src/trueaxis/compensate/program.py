@@ -12,7 +12,7 @@ from trueaxis.compensate.along import Along, PointAlong, PoseAlong
 from trueaxis.compensate.arcs import MOST_CHORDS, Arc, chord_counts
 from trueaxis.compensate.executed import Executed, execute, joined
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.held import Held, held_axes, standing
+from trueaxis.compensate.held import Held, axes_elsewhere, held_axes, standing
 from trueaxis.compensate.lattice import Stretch, rotary_on_words, stretches
 from trueaxis.compensate.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
 from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
@@ -59,9 +59,9 @@ class Compensator:
         self._acting = acting(model, settings)
         self._model = model if self._acting is None else self._acting.model
         self._tracker = None if self._acting is None else Tracker(self._acting, self._along, settings, notes)
-        nowhere = np.full(len(model.axes), np.nan)
-        self._programmed = nowhere  # position programmed last
-        self._written = nowhere  # position named by the words written last
+        self._assumed = np.array([settings.assumed.get(axis, 0.0) for axis in model.axes])
+        self._programmed = np.full(len(model.axes), np.nan)  # position programmed last
+        self._written = self._assumed  # position named by the words written last, or where axes are taken to stand
         self._settled = False  # whether the machine stands at a compensated position
         self._tally = Tally(self._model, settings, () if self._acting is None else self._acting.notes)
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
@@ -96,7 +96,8 @@ class Compensator:
             if isinstance(item, Start):
                 yield self._batch(batch)
                 batch, load = [], 0
-                self._programmed = self._written = np.array(item.position)
+                self._programmed = np.array(item.position)
+                self._written = np.where(np.isnan(self._programmed), self._assumed, self._programmed)
                 self._settled = False
                 if self._tracker is not None:
                     self._tracker.stand(self._programmed)
@@ -177,6 +178,7 @@ class Compensator:
         waiting = held & self._corrected
         self._note_held(moves, waiting)
         held, waiting = held[:, path.owner], waiting[:, path.owner]
+        elsewhere = axes_elsewhere(moves, len(axes))[:, path.owner]
         kinds = list(stretches(absolute, inch, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
         solved = self._solved(path, kinds, model, held)
@@ -190,7 +192,9 @@ class Compensator:
             parts.append(part)
             previous = part.positions[:, -1]
         done = joined(parts)
-        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting)
+        self._tally.add(
+            len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting, elsewhere
+        )
         owner = path.owner[done.point]
         self._refuse_cuts(moves, owner)
         before = np.concatenate([self._written[:, None], done.positions[:, :-1]], axis=1)

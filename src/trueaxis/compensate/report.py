@@ -23,6 +23,25 @@ class Errors:
 
 
 @dataclass(frozen=True, slots=True)
+class UnknownPlaces:
+    """Rapids while axes may stand anywhere. assumed: where these are taken to stand until a program first commands them,
+    mm and deg. change: of the words of the other axes over the travel of these, mm.
+    """
+
+    assumed: dict[str, float]
+    change: Summary
+
+    def __str__(self) -> str:
+        named = " ".join(f"{axis}{value:.9g}" for axis, value in self.assumed.items())
+        return (
+            f"{self.change.count} rapids while {' '.join(self.assumed)} may stand anywhere: their words are for {named} "
+            f"(or where the program had the axis before a tool change) and would differ by at most "
+            f"{self.change.largest:.4f} mm (line {self.change.line}) elsewhere in the travel; no word is put in for such an "
+            "axis"
+        )
+
+
+@dataclass(frozen=True, slots=True)
 class PassedCode:
     """An M code that --pass-m vouches for, and where it occurs."""
 
@@ -42,7 +61,8 @@ class CompensationReport:
     not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
     out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
     uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
-    error left there. Rapids to such points are not in the other figures.
+    error left there. Rapids to such points are not in the other figures. unknown_places: what it may cost there that axes
+    may stand anywhere; None where none may.
     senses: which way the model takes each linear axis to move the tool.
     sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
     passed: M codes that --pass-m vouches for, with their lines.
@@ -76,6 +96,7 @@ class CompensationReport:
     singular: Lines
     uncommanded: Lines
     uncommanded_left: Summary | None
+    unknown_places: UnknownPlaces | None
     effects: tuple[EffectNote, ...]
     senses: Senses
     sign_check: SignCheck | None
@@ -100,6 +121,7 @@ class CompensationReport:
         """The report as JSON; `settings.start` as an object of axis positions."""
         tree = asdict(self)
         tree["settings"]["start"] = dict(self.settings.start)
+        tree["settings"]["assumed"] = dict(self.settings.assumed)
         return json.dumps({"schema": 1, "good": self.good, **tree}, indent=1) + "\n"
 
     def __str__(self) -> str:
@@ -141,6 +163,8 @@ class CompensationReport:
                 f"axes not commanded yet get no words: {self.uncommanded}; "
                 f"largest error left {left.largest:.4f} mm at line {left.line}"
             )
+        if self.unknown_places is not None:
+            lines.append(str(self.unknown_places))
         lines.extend(
             f"M{one.code} passed, as --pass-m says that it moves nothing and changes no mode: "
             f"{one.lines.points} times, lines {one.lines.shown}"

@@ -29,6 +29,7 @@ class Settings:
     words: `nearest` rounds; `ends` and `middles` choose words that minimise Eq. (6), see word_choice and middles.
     ball: P_W, centre of the workpiece ball in the workpiece frame; gives E of Eq. (6) its meaning.
     tool_point: P_T in the tool frame. start: axis positions before the first block (those known).
+    assumed: where axes are taken to stand, for rapids, that nothing has given a position yet; home where it is silent.
     orientation: `keep` corrects with the linear axes alone; `correct` turns rotary axes too, so that the tool axis
     points where the error-free machine's would, to orientation_tolerance_urad. tool_axis: its direction, tool frame.
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
@@ -50,6 +51,7 @@ class Settings:
     ball: tuple[float, float, float] | None = None
     tool_point: tuple[float, float, float] = (0.0, 0.0, 0.0)
     start: Mapping[str, float] = field(default_factory=dict)
+    assumed: Mapping[str, float] = field(default_factory=dict)
     orientation: Orientation = "keep"
     orientation_tolerance_urad: float = 2.0  # words of 0.0001 deg are up to 0.87 urad off in each of two axes
     tool_axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
@@ -92,7 +94,7 @@ class Settings:
                 yield f"{name} must be three finite coordinates"
         if math.hypot(*self.tool_axis) < 1e-6:
             yield "tool_axis must be a direction, not zero"
-        if not all(map(math.isfinite, self.start.values())):
+        if not all(map(math.isfinite, (*self.start.values(), *self.assumed.values()))):
             yield "start must hold finite positions"
         for name in ("temperature", "time"):
             value = getattr(self, name)

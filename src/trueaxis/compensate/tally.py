@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensate.acting import EffectNote
+from trueaxis.compensate.elsewhere import change_of_words
 from trueaxis.compensate.executed import Executed
 from trueaxis.compensate.held import Held
 from trueaxis.compensate.machine import ErrorModel, FloatArray
@@ -14,7 +15,7 @@ from trueaxis.compensate.moves import Notes
 from trueaxis.compensate.orientation import ToolAxis, angle
 from trueaxis.compensate.path import Path
 from trueaxis.compensate.placed import Placing
-from trueaxis.compensate.report import CompensationReport, Errors, PassedCode
+from trueaxis.compensate.report import CompensationReport, Errors, PassedCode, UnknownPlaces
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.sign_check import SignChecker, senses_of
 from trueaxis.compensate.solve import Solution
@@ -68,6 +69,8 @@ class Tally:
         self._orientation = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
         self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
         self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
+        self._axes = model.axes
+        self._elsewhere, self._rows_elsewhere = Running(), set[int]()
 
     def add(
         self,
@@ -80,13 +83,15 @@ class Tally:
         settled: bool,
         placing: Placing,
         held: Held,
+        elsewhere: Held,
     ) -> None:
         """Evaluate what was written of one batch.
 
         lines: (n_points,), of the path's points. previous: (n_axes,), position named by the words before; settled:
         whether it was a compensated one. placing: gives the machine along the path. held: (n_axes, n_points), axes that
         got no word although compensation would move them; rapids to such points count apart, since an axis that is not
-        where the program wants it yet is no error of compensation there.
+        where the program wants it yet is no error of compensation there. elsewhere: the same shape, axes that may stand
+        anywhere.
         """
         self._moves += moves
         self._points += path.size
@@ -109,11 +114,21 @@ class Tally:
             rows = index[waiting]
             there = placing.at(rows, np.ones(rows.size))
             self._stage(UNCOMMANDED, there, written[:, rows], path.points[:, rows], lines[rows])
+            self._elsewhere_at(placing, path, elsewhere, lines)
             counted = index = index[~(waiting & path.rapid)]
             model = placing.at(index, np.ones(index.size))
         if index.size:
             self._at_points(model, counted, path, solved, written, lines)
         self._along(path, done, lines, previous, settled, placing)
+
+    def _elsewhere_at(self, placing: Placing, path: Path, elsewhere: Held, lines: NDArray[np.int64]) -> None:
+        """Note what it may cost that axes stand elsewhere than they are taken to stand."""
+        rows = np.flatnonzero(elsewhere.any(axis=0))
+        if rows.size:
+            model = placing.at(rows, np.ones(rows.size))
+            change = change_of_words(model, path.points[:, rows], elsewhere[:, rows], self._tool_point)
+            self._elsewhere.add(change, lines[rows])
+            self._rows_elsewhere |= set(np.flatnonzero(elsewhere.any(axis=1)).tolist())
 
     def _at_points(
         self,
@@ -203,12 +218,21 @@ class Tally:
             self._singular.lines(),
             self._uncommanded.lines(),
             self._vector[UNCOMMANDED].summary(),
+            self._unknown_places(),
             self._effects,
             self._senses,
             self._sign.found,
             tuple(PassedCode(code, log.lines()) for code, log in sorted(notes.passed.items())),
             notes.texts(),
         )
+
+    def _unknown_places(self) -> UnknownPlaces | None:
+        change = self._elsewhere.summary()
+        if change is None:
+            return None
+        assumed = self._settings.assumed
+        places = {self._axes[row]: assumed.get(self._axes[row], 0.0) for row in sorted(self._rows_elsewhere)}
+        return UnknownPlaces(places, change)
 
 
 def _length(vectors: FloatArray) -> FloatArray:

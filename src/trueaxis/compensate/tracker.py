@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from trueaxis.compensate.acting import Acting
 from trueaxis.compensate.along import Along
 from trueaxis.compensate.course import Course, Standing, since_reversal, turnings
+from trueaxis.compensate.held import Held, axes_elsewhere
 from trueaxis.compensate.lattice import word_steps
 from trueaxis.compensate.machine import FloatArray
 from trueaxis.compensate.moves import Kind, Move, Notes
@@ -58,7 +59,8 @@ class Tracker:
         standing = self._standing
         inch = np.array([move.inch for move in moves])[path.owner]
         steps = np.where(inch, self._steps[True], self._steps[False])
-        direction, extreme = self._directions(path, steps)
+        elsewhere = axes_elsewhere(moves, len(self._axes))[:, path.owner]
+        direction, extreme = self._directions(path, steps, elsewhere)
         since, gone = since_reversal(path, direction, standing)
         velocity, duration, at_ends = self._velocities(path, moves, follows, following)
         at_starts = np.concatenate([standing.velocity[:, None], at_ends[:, :-1]], axis=1)
@@ -67,14 +69,14 @@ class Tracker:
         self._standing = Standing(extreme, direction[:, -1], since[:, -1] + gone[:, -1], at_ends[:, -1])
         return self._with_jumps(path, course, jumps)
 
-    def _directions(self, path: Path, steps: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def _directions(self, path: Path, steps: FloatArray, elsewhere: Held) -> tuple[FloatArray, FloatArray]:
         standing = self._standing
         if not self._acting.reversing:
             return np.zeros_like(path.points), standing.extreme
         model = self._placed(
             np.zeros_like(path.points), np.zeros_like(path.points), np.full_like(path.points, FARTHEST)
         )
-        wanted = path.points + self._along.correction(model, path.points)
+        wanted = np.where(elsewhere, np.nan, path.points + self._along.correction(model, path.points))
         band = steps * np.where(path.points == path.origins, STANDS, MOVES)
         direction, extreme = turnings(wanted, standing, band)
         others = [row for row, axis in enumerate(self._axes) if axis not in self._acting.reversing]
