@@ -13,6 +13,8 @@ from trueaxis.commands.misfit import check_fit, misfit_option
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.commands.progress import progress
 from trueaxis.compensate.files import compensate_file
+from trueaxis.compensate.offset_files import offset_of_option, read_offsets, with_options
+from trueaxis.compensate.offsets import Offsets, Range
 from trueaxis.compensate.reliance import Limits, judge_of
 from trueaxis.compensate.settings import Dialect, Integers, Settings
 from trueaxis.faults import Fault, InputError
@@ -115,6 +117,12 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         "heidenhain, else such a number is a fault")  # fmt: skip
     parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
                         help="M codes that move no axis and change no mode on this control")  # fmt: skip
+    parser.add_argument("--offset", type=_offset, action="append", default=[], metavar="G54=X1.0,Y2.0,Z3.0",
+                        help="machine position of the zero of a work offset, mm and deg; once for each. It need be "
+                        "known only roughly: the report says what 10 mm cost. A range like X0:500 asks for the worst "
+                        "case")  # fmt: skip
+    parser.add_argument("--offsets", type=Path, metavar="FILE",
+                        help="work offsets: LinuxCNC's .var, or TOML with tables [offset.G54]")  # fmt: skip
     parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
                         help="folder of derived kernels (default %(default)s)")  # fmt: skip
     parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON too")
@@ -156,6 +164,13 @@ def _start(text: str) -> dict[str, float]:
     return {axis: float(value) for axis, value in found}
 
 
+def _offset(text: str) -> tuple[str, dict[str, Range]]:
+    try:
+        return offset_of_option(text)
+    except ValueError as problem:
+        raise argparse.ArgumentTypeError(str(problem)) from None
+
+
 def _settings(args: argparse.Namespace) -> Settings:
     try:
         return Settings(**{field.name: getattr(args, field.name) for field in fields(Settings) if field.name in args})
@@ -169,7 +184,10 @@ def run(args: argparse.Namespace) -> int:
     Raises InputError when the input is wrong.
     """
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "PROGRAM": args.program}
+    inputs |= {option: path for option, path in {"--offsets": args.offsets}.items() if path is not None}
     found = overwritten(inputs, {"--out": args.out, "--report": args.report}, args.kernels)
+    with gathering(found):
+        args.offsets = with_options(Offsets() if args.offsets is None else read_offsets(args.offsets), args.offset)
     with gathering(found):
         settings = _settings(args)
     model = covariance = None

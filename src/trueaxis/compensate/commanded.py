@@ -36,6 +36,7 @@ class CommandedAxes:
         self._commanded = [Commanded.STATED if known else Commanded.UNKNOWN for known in stated or [True] * len(axes)]
         self._frame: Sequence[Hashable] = [None] * len(axes)  # that positions are given in now
         self._given: list[Hashable] = [None] * len(axes)  # that each axis was commanded in
+        self._jogged: set[int] = set()  # since a stop
         self._set(self._commanded)
 
     def _set(self, commanded: list[Commanded]) -> None:
@@ -66,13 +67,20 @@ class CommandedAxes:
     def name(self, rows: Iterable[int], known: Commanded) -> None:
         """The axes stand where the program says in the frame in force."""
         named = set(rows)
+        self._jogged -= named
         for row in named:
             self._given[row] = self._frame[row]
         self._set([known if row in named else k for row, k in enumerate(self._commanded)])
 
     def stop(self) -> None:
         """The operator may have moved any axis."""
+        self._jogged = set(range(len(self._commanded)))
         self._set([min(known, Commanded.STOPPED) for known in self._commanded])
+
+    def stands(self, rows: Iterable[int]) -> bool:
+        """Whether axes stand where they are taken to stand, and no operator may have moved them since."""
+        named = set(rows)
+        return not named & self._jogged and self.of(named) >= Commanded.STATED
 
     def of(self, rows: Iterable[int]) -> Commanded:
         """The least certain of some axes."""

@@ -91,7 +91,8 @@ def turnings(wanted: FloatArray, standing: Standing, band: FloatArray) -> tuple[
     """Direction of each axis during each motion, (n_axes, n), and the extremes after the last, (n_axes,).
 
     wanted: (n_axes, n), ends of the motions with what corrections displace them by: an axis that stands in the program
-    is moved by those; NaN where the axis may stand anywhere. band: (n_axes, n), by how much it must come back from its extreme for a reversal.
+    is moved by those; NaN where the axis may stand anywhere. band: (n_axes, n), by how much it must come back from its
+    extreme for a reversal.
     """
     direction = np.empty_like(wanted)
     extreme = standing.extreme.copy()

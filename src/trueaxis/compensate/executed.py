@@ -57,7 +57,7 @@ def execute(
     """
     held = held[:, stretch.first : stretch.last]
     chosen = _chosen(stretch, previous, path, solution, passable, model, tool_point, settings, held)
-    base = np.zeros_like(previous) if stretch.absolute else previous
+    base = stretch.base(previous)
     low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
     inside = Lattice(base[:, None], stretch.step).within(chosen.positions, low[:, None], high[:, None])
     held_now = held[:, chosen.point - stretch.first]
@@ -78,7 +78,7 @@ def _chosen(
 ) -> Executed:
     part = slice(stretch.first, stretch.last)
     model = of_points(model, part)
-    base = np.zeros_like(previous) if stretch.absolute else previous
+    base = stretch.base(previous)
     lattice = Lattice(base[:, None], stretch.step)
     commands, target = solution.commands[:, part], solution.target[:, part]
     near = lattice.nearest(commands)

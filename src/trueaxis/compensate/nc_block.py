@@ -6,6 +6,7 @@ from trueaxis.compensate import m_codes
 from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.machine import LINEAR, ROTARY
 from trueaxis.compensate.nc_lexer import Block, Word
+from trueaxis.compensate.offsets import system_name
 from trueaxis.compensate.settings import LEAST_DEG, LEAST_INCH, LEAST_MM, Settings
 
 _AXES = frozenset(LINEAR + ROTARY)
@@ -15,6 +16,15 @@ _PARAMETERS = frozenset("PQLE")
 _OFFSETS = frozenset("DH")
 _HARMLESS = frozenset("FSNT") | _PARAMETERS | _OFFSETS
 _DWELL = frozenset("XUPFS")  # words of a G4 block, of which X and U are a time
+# what a code sets of a Meaning, and to what
+_SETTING: dict[int, tuple[str, int | bool | str]] = {
+    **{code: ("motion", code // 10) for code in codes.MOTION},
+    **{code: ("plane", code) for code in codes.PLANES},
+    **{code: ("system", name) for code, name in codes.SYSTEMS.items()},
+    **{code: ("data_code", code) for code in codes.WITH_DATA},
+    200: ("inch", True), 210: ("inch", False), 900: ("absolute", True), 910: ("absolute", False),
+    940: ("per_turn", False), 950: ("per_turn", True),
+}  # fmt: skip
 
 
 @dataclass(slots=True)
@@ -23,7 +33,9 @@ class Meaning:
 
     motion, plane, inch, absolute, per_turn (F counts by turns), feed (as written): None where the block says nothing
     of it. axes: words that are positions. decimals: digits written after the decimal point of axis and arc words.
-    undotted: letters of axis and arc words other than 0 without a decimal point. tool: the T word, as `T2`.
+    undotted: letters of axis and arc words other than 0 without a decimal point. parameters: values of P Q L E. system:
+    the work offset that it selects; data_code: a code (times ten) whose axis words are data: `data`, by letter, R too.
+    tool: the T word, as `T2`.
     changes_tool: whether the block may change the tool, see tool_changes.
     """
 
@@ -46,7 +58,10 @@ class Meaning:
     changes_tool: bool = False
     undotted: set[str] = field(default_factory=set)
     decimals: dict[str, int] = field(default_factory=dict)
-    parameters: set[str] = field(default_factory=set)
+    parameters: dict[str, float] = field(default_factory=dict)
+    system: str = ""
+    data_code: int | None = None
+    data: dict[str, float] = field(default_factory=dict)
     complaints: list[tuple[str, str]] = field(default_factory=list)
 
     @property
@@ -69,13 +84,15 @@ class Meaning:
     @property
     def changes_modes(self) -> bool:
         """Whether later blocks read differently after this one."""
-        return self.cancel_cycle or not (self.motion is self.plane is self.inch is self.absolute is None)
+        modes = (self.motion, self.plane, self.inch, self.absolute, self.data_code)
+        shifts = self.codes & {codes.END_SHIFT, codes.SUSPEND_SHIFT, codes.RESTORE_SHIFT}
+        return self.cancel_cycle or bool(self.system or shifts) or any(mode is not None for mode in modes)
 
     def count_in_least_increments(self, inch: bool) -> None:
         """Take numbers without a decimal point as multiples of the least increment."""
         for letter in self.undotted:
             least = LEAST_DEG if letter in ROTARY else LEAST_INCH if inch else LEAST_MM
-            for values in (self.axes, self.centre):
+            for values in (self.axes, self.centre, self.data):
                 if letter in values:
                     values[letter] *= least
             if letter == "R" and self.radius is not None:
@@ -107,6 +124,10 @@ def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings) -
             others.append(word)
     for word in others:
         _other(word, meaning, machine_axes)
+    if meaning.system == "G54.1":
+        meaning.system = system_name(f"G54.1P{meaning.parameters.get('P', 0):g}") or ""
+        if not meaning.system:
+            meaning.complain("G54.1 without the number of a work offset", "G54.1 P1 to P300")
     if (
         meaning.dwell
         and any(word.letter == "X" for word in others)
@@ -126,7 +147,7 @@ def _cancels(meaning: Meaning) -> None:
     if alone or meaning.motion is not None:
         meaning.complain(f"{name} and axis words in one block: whose they are is not determined", "make it two blocks")
     elif 921 in with_axes and any((*meaning.axes.values(), *meaning.centre.values(), meaning.radius)):
-        meaning.complain(f"{name} with words other than 0 may shift the frame of the positions", codes.OFFSET_REMEDY)
+        meaning.complain(f"{name} with words other than 0 may shift the frame of the positions", codes.MACHINE_REMEDY)
     meaning.axes, meaning.centre, meaning.radius = {}, {}, None
     meaning.undotted.clear()
 
@@ -138,30 +159,25 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
     elif code in codes.FAULTY and code not in codes.HARMLESS_ON.get(settings.dialect or "", ()):
         meaning.complain(f"{name} {codes.FAULTY[code].why}", codes.FAULTY[code].remedy)
-    elif code in codes.MOTION:
-        _set(meaning, "motion", code // 10, name)
-    elif code in codes.PLANES:
-        _set(meaning, "plane", code, name)
-    elif code in (200, 210):
-        _set(meaning, "inch", code == 200, name)
-    elif code in (900, 910):
-        _set(meaning, "absolute", code == 900, name)
-    elif code in (940, 950):
-        _set(meaning, "per_turn", code == 950, name)
+    elif harm := codes.OTHERWISE_ON.get(settings.dialect or "", {}).get(code):
+        meaning.complain(f"{name} {harm}", codes.MACHINE_REMEDY)
+    elif code in _SETTING:
+        what, value = _SETTING[code]
+        _set(meaning, what, value, name)
     elif code == codes.DWELL:
         meaning.dwell = True
     elif code == codes.CANCEL_CYCLE:
         meaning.cancel_cycle = True
     elif code == codes.EXACT_STOP:
         meaning.exact_stop = True
-    elif code not in codes.HARMLESS and code not in codes.FAULTY:
+    elif code not in codes.HARMLESS and code not in codes.FAULTY and code != codes.RESTORE_SHIFT:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
     meaning.codes.add(code)
 
 
-def _set(meaning: Meaning, what: str, value: int | bool, name: str) -> None:
+def _set(meaning: Meaning, what: str, value: int | bool | str, name: str) -> None:
     before = getattr(meaning, what)
-    if before is not None and before != value:
+    if before not in (None, "", value):
         meaning.complain(f"{name} and another code of its group in one block")
     setattr(meaning, what, value)
 
@@ -178,7 +194,7 @@ def _miscellaneous(value: float, meaning: Meaning, settings: Settings) -> None:
 def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     letter = word.letter
     if letter in _PARAMETERS:
-        meaning.parameters.add(letter)
+        meaning.parameters[letter] = word.value
     if meaning.dwell and letter in _DWELL:
         return
     if letter == "F":
@@ -187,6 +203,9 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         meaning.tool = f"T{word.value:g}"
     if letter in _AXES:
         _axis(word, meaning, machine_axes)
+    elif letter == "R" and meaning.data_code is not None:
+        meaning.data[letter] = word.value
+        _number(word, meaning)
     elif letter in _CENTRE:
         meaning.centre[letter] = word.value
         _number(word, meaning)
@@ -197,10 +216,14 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         meaning.program_number = True
     elif letter in _OFFSETS and word.value != 0.0:
         meaning.complain(
-            f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.OFFSET_REMEDY
+            f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.MACHINE_REMEDY
         )
     elif letter in _PARAMETERS and not (
-        meaning.miscellaneous or meaning.dwell or meaning.codes & codes.WITH_PARAMETERS
+        meaning.miscellaneous
+        or meaning.dwell
+        or meaning.codes & codes.WITH_PARAMETERS
+        or meaning.data_code == codes.WRITE_DATA
+        or (letter == "P" and meaning.system.startswith("G54.1"))
     ):
         meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")
     elif letter not in _HARMLESS:
@@ -214,7 +237,7 @@ def _axis(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     if letter not in machine_axes:
         meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
         return
-    meaning.axes[letter] = word.value
+    (meaning.axes if meaning.data_code is None else meaning.data)[letter] = word.value
     _number(word, meaning)
 
 

@@ -18,6 +18,25 @@ MACHINE_COORDINATES = 530  # G53, for its block
 HARMLESS = frozenset(
     {90, 131, 400, 401, 490, 500, 501, 530, 610, 611, 640, 670, 690, 911, 921, 922, 970, 980, 990}
 )  # fmt: skip
+# work offsets; 541 takes its number from P
+SYSTEMS = {540: "G54", 541: "G54.1", 550: "G55", 560: "G56", 570: "G57", 580: "G58", 590: "G59", 591: "G59.1",
+           592: "G59.2", 593: "G59.3"}  # fmt: skip
+WRITE_DATA, LOCAL_SHIFT, SET_POSITION, RESTORE_SHIFT = 100, 520, 920, 923  # G10, G52, G92, G92.3
+END_SHIFT, SUSPEND_SHIFT = 921, 922  # G92.1, G92.2
+# codes whose axis words are data, not where to go
+WITH_DATA = frozenset({WRITE_DATA, LOCAL_SHIFT, SET_POSITION})
+# what one control means by a code that the others use otherwise
+OTHERWISE_ON: dict[str, dict[int, str]] = {
+    "siemens": {
+        580: "shifts single axes (SINUMERIK)", 590: "shifts single axes (SINUMERIK)",
+        100: "is a polar motion (SINUMERIK)", 520: "is not SINUMERIK's", 920: "limits the spindle (SINUMERIK)",
+    },
+    "heidenhain": {
+        **dict.fromkeys(SYSTEMS, "shifts the datum by its axis words (Heidenhain)"),
+        100: "is a polar motion (Heidenhain)", 520: "is not Heidenhain's", 920: "is not Heidenhain's",
+    },
+}  # fmt: skip
+
 # cancels whose axis words only name axes; they must be 0 where they could be a shift
 CANCELS_WITH_AXES = frozenset({501, 921})
 # cancels beside which axis words are a motion on one control and parameters or another code on the next
@@ -48,7 +67,7 @@ _PROBE = Refused("probes: where the axes stop is not in the program", "take it o
 _MACRO = Refused("calls a macro, which is not followed", _MOTIONS)
 _POINT_CONTROL = Refused("moves the linear axes with the rotary ones (tool centre point control)", _MACHINE)
 _SPINDLE = Refused("couples the feed to the spindle (thread)", "take it out before compensating")
-_DATA = Refused("changes offsets or parameters (Fanuc, LinuxCNC) or is a polar motion (Heidenhain)", _MACHINE)
+_DATA = Refused("changes parameters (Fanuc, LinuxCNC) or is a polar motion (Heidenhain)", _MACHINE)
 
 FAULTY: dict[int, Refused] = {
     50: Refused("is a curve, or a mode that may round the path (Fanuc)", "take it out, or have lines and arcs written"),
@@ -57,7 +76,7 @@ FAULTY: dict[int, Refused] = {
     70: Refused("reads diameters (LinuxCNC) or makes an axis imaginary (Fanuc)", _MACHINE),
     71: Refused("interpolates on a cylinder", _MOTIONS),
     80: Refused("reads radii (LinuxCNC) or changes look-ahead (Fanuc)", "take it out before compensating"),
-    100: _DATA, 101: _DATA, 110: _DATA,
+    101: _DATA, 110: _DATA,
     120: Refused("is a circular pocket cycle or a polar motion", _MOTIONS),
     130: Refused("is a circular pocket cycle or a polar motion", _MOTIONS),
     121: Refused("interpolates in polar coordinates", _MOTIONS),
@@ -80,10 +99,9 @@ FAULTY: dict[int, Refused] = {
     434: _POINT_CONTROL, 435: _POINT_CONTROL,
     450: _TOOL, 460: _TOOL, 470: _TOOL, 480: _TOOL,
     510: Refused("scales the positions", _MACHINE), 511: Refused("mirrors the positions", _MACHINE),
-    520: _OFFSET, 521: _OFFSET, 522: _OFFSET, 523: _OFFSET,
+    521: _OFFSET, 522: _OFFSET, 523: _OFFSET,
     531: Refused("turns rotary axes to a tilted plane: where to is not in the program", _MACHINE),
-    540: _OFFSET, 541: _OFFSET, 542: _OFFSET, 544: _OFFSET, 550: _OFFSET, 560: _OFFSET, 570: _OFFSET, 580: _OFFSET,
-    590: _OFFSET, 591: _OFFSET, 592: _OFFSET, 593: _OFFSET,
+    542: _OFFSET, 544: _OFFSET,
     600: Refused("positions from one side by an amount that is not in the program (Fanuc), or stops exactly (Siemens)",
                  "take it out, or write G61"),
     650: _MACRO, 660: _MACRO, 661: _MACRO,
@@ -97,8 +115,6 @@ FAULTY: dict[int, Refused] = {
     **{10 * code: _CYCLE for code in (74, 75, 76, 77, 78, 79, 81, 82, 83, 84, 85, 86, 87, 88, 89)},
     841: _CYCLE, 842: _CYCLE, 843: _CYCLE, 882: _CYCLE,
     901: Refused("makes I J K absolute, which is not handled", "have them written from the start of the arc"),
-    920: Refused("shifts the frame of the positions, or sets where the axes are taken to stand", _MACHINE),
-    923: Refused("restores a shift of the frame that is not in the program", _MACHINE),
     930: Refused("makes F an inverse time, which changes when a block is cut", "have F written in mm/min (G94)"),
     960: Refused("couples the spindle to an axis position", "write G97 with a speed"),
     1070: Refused("interpolates on a cylinder", _MOTIONS),
@@ -106,4 +122,4 @@ FAULTY: dict[int, Refused] = {
 }  # fmt: skip
 
 NOT_KNOWN = "only codes whose effect on positions is known are accepted"
-OFFSET_REMEDY = _MACHINE
+MACHINE_REMEDY = _MACHINE

@@ -16,6 +16,7 @@ from trueaxis.compensate.mark import COMPENSATED_ALREADY, is_marked
 from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Start
 from trueaxis.compensate.nc_arc import arc_of_block, keep_rounding
 from trueaxis.compensate.nc_block import Meaning, interpret
+from trueaxis.compensate.nc_frames import FrameReader
 from trueaxis.compensate.nc_lexer import Block, lex
 from trueaxis.compensate.nc_plain import PLAIN, plain_move
 from trueaxis.compensate.nc_start import starts_elsewhere
@@ -46,19 +47,24 @@ class NcReader:
         self._tools = ToolChanges(settings.dialect, notes)
         self._undotted_said = False  # whether the fault of numbers without a decimal point is in the log
         self._assumed = [settings.assumed.get(axis, 0.0) for axis in axes]  # where axes are taken to stand until known
-        self._state = NcState(axes, [settings.start.get(axis) for axis in axes])
+        self._state = NcState(axes, [settings.start.get(axis) for axis in axes], offsets=settings.offsets)
+        self._frames = FrameReader(self._state, settings, faults, notes)
 
     def items(self, lines: Iterable[str]) -> Iterator[Item]:
         """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
         if self._settings.start:
             yield Start(tuple(math.nan if value is None else value for value in self._state.position))
+        yield from self._frames.setup()
         plain, state, undotted_mm = PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
         for number, line in enumerate(lines, 1):
             match = plain(line)
             move = plain_move(number, line, match, state, undotted_mm) if match else None
-            yield move if move is not None else self._any(number, line)
+            if move is not None:
+                yield move
+            else:
+                yield from self._any(number, line)
 
-    def _any(self, number: int, line: str) -> Item:
+    def _any(self, number: int, line: str) -> list[Item]:
         """Any block: what it sets, and its move if it has one."""
         if is_marked(line):
             self._faults.add(number, *COMPENSATED_ALREADY)
@@ -67,7 +73,7 @@ class NcReader:
         text = body[begin:].strip()
         if not text or text[0] == "%":
             self._mark(number, text)
-            return line
+            return [line]
         lead = len(body) - len(body[begin:].lstrip(" \t"))
         aligned = _ALIGNMENT.match(body, lead)
         if aligned:
@@ -75,7 +81,7 @@ class NcReader:
         optional = _OPTIONAL.match(body, lead)
         if optional:
             if self._settings.block_delete == "skip":
-                return line
+                return [line]
             lead = optional.end()
         block = lex(body, lead)
         meaning = interpret(block, self._axes, self._settings)
@@ -88,7 +94,11 @@ class NcReader:
             self._faults.add(number, problem, remedy)
         self._modes(number, meaning)
         self._known_numbers(number, meaning)
-        move = self._move(number, line, body, block, meaning, optional[0] if optional else "")
+        items = self._frames.select(number, meaning)
+        if meaning.data_code is not None:
+            items += self._frames.data(number, line, body, block, meaning)
+        else:
+            items.append(self._block(number, line, body, block, meaning, optional[0] if optional else ""))
         if meaning.changes_tool:  # after the motion too: controls do not agree which comes first
             self._state.commanded.displace()
         if m_codes.STOPS.intersection(meaning.miscellaneous):
@@ -96,6 +106,15 @@ class NcReader:
             self._notes.add(number, STOP)
         if not self._state.ended and m_codes.END.intersection(meaning.miscellaneous):
             self._state.ended = number
+        return items
+
+    def _block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> Item:
+        """The move of a block in its frame, or its text if it has none."""
+        if meaning.in_machine_coordinates:
+            self._state.enter_frame(machine=True)
+        move = self._move(number, line, body, block, meaning, again)
+        if meaning.in_machine_coordinates:
+            self._state.enter_frame()
         return line if move is None else move
 
     def _mark(self, number: int, text: str) -> None:
@@ -215,11 +234,21 @@ class NcReader:
             )
         elif meaning.in_machine_coordinates and (state.motion > 1 or not state.absolute):
             self._faults.add(number, "G53 goes with G0 or G1 and G90 only", "write the block so")
+        elif state.frames.system == "" and not meaning.in_machine_coordinates:
+            self._faults.add(
+                number,
+                "which work offset is in force here is not known",
+                "G54 in the program, or --offset G54=X..,Y..,Z..",
+            )
         elif state.motion < 2 and (meaning.centre or meaning.radius is not None):
             self._faults.add(number, f"I J K R belong to arcs, but G{state.motion} is in force")
         else:
-            if meaning.in_machine_coordinates:
-                self._notes.add(number, MACHINE_FEED if state.motion else MACHINE_COORDINATES)
+            if not meaning.in_machine_coordinates:
+                self._frames.note_first(number)
+            elif state.motion:
+                self._notes.add(number, MACHINE_FEED)
+            elif state.frames.system is None and not state.frames.shift:
+                self._notes.add(number, MACHINE_COORDINATES)
             return True
         return False
 

@@ -4,7 +4,9 @@ import math
 from dataclasses import dataclass, field
 
 from trueaxis.compensate.commanded import CommandedAxes
+from trueaxis.compensate.frames import Frames
 from trueaxis.compensate.machine import LINEAR
+from trueaxis.compensate.offsets import Offsets
 from trueaxis.compensate.settings import MM_PER_INCH
 
 MODE_NOTES = {
@@ -24,8 +26,8 @@ class NcState:
     (G90 G91) the program has stated.
     numbers: of the words that gave the axes their positions, as written in the units in force; half a unit of them in
     mm where the units have changed since; None where no word has.
-    shift: position minus word of each axis, mm or deg; empty if 0. gap: between words, as in the last block that shows
-    it.
+    offsets: work offsets known before the program; frames: those in force. shift: position minus word of each axis, mm
+    or deg; empty if 0. gap: between words, as in the last block that shows it.
     """
 
     axes: tuple[str, ...]
@@ -41,16 +43,25 @@ class NcState:
     percents: int = 0
     moved: bool = False
     said: set[str] = field(default_factory=set)
+    offsets: Offsets = field(default_factory=Offsets)
     shift: tuple[float, ...] = ()
     gap: str = " "
     numbers: list[str | float | None] = field(init=False)
+    frames: Frames = field(init=False)
     commanded: CommandedAxes = field(init=False)
     row: dict[str, int] = field(init=False)
 
     def __post_init__(self) -> None:
         self.commanded = CommandedAxes(self.axes, [value is not None for value in self.position])
+        self.frames = Frames(self.axes, self.offsets)
+        self.enter_frame()
         self.numbers = [None] * len(self.axes)
         self.row = {axis: number for number, axis in enumerate(self.axes)}
+
+    def enter_frame(self, machine: bool = False) -> None:
+        """Positions are in the frame that the offsets make, or in machine coordinates, from now on."""
+        self.shift = () if machine else self.frames.shift
+        self.commanded.enter(self.frames.of_machine if machine else self.frames.ids)
 
     @property
     def feed_in_minutes(self) -> float:

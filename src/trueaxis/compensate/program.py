@@ -13,9 +13,9 @@ from trueaxis.compensate.arcs import MOST_CHORDS, Arc, chord_counts
 from trueaxis.compensate.executed import Executed, execute, joined
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.held import Held, axes_elsewhere, held_axes, standing
-from trueaxis.compensate.lattice import Stretch, rotary_on_words, stretches
+from trueaxis.compensate.lattice import Stretch, rotary_on_words, shifts, stretches
 from trueaxis.compensate.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
-from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
+from trueaxis.compensate.moves import Item, Kind, Move, Notes, Setup, Start, Zero
 from trueaxis.compensate.orientation import ToolAxis
 from trueaxis.compensate.path import Path, path_of
 from trueaxis.compensate.placed import Everywhere, Placing
@@ -93,14 +93,10 @@ class Compensator:
             if load >= self._settings.batch_points:
                 yield self._batch(batch, item if isinstance(item, Move) else None)
                 batch, load = [], 0
-            if isinstance(item, Start):
+            if isinstance(item, Start | Zero | Setup):
                 yield self._batch(batch)
                 batch, load = [], 0
-                self._programmed = np.array(item.position)
-                self._written = np.where(np.isnan(self._programmed), self._assumed, self._programmed)
-                self._settled = False
-                if self._tracker is not None:
-                    self._tracker.stand(self._programmed)
+                yield self._between(item)
                 continue
             if not isinstance(item, str) and item.arc is not None:
                 chords = self._chords(item, item.arc)
@@ -115,6 +111,22 @@ class Compensator:
                     load += int(math.dist(last, item.end) / PROBE_SPACING)  # it may be cut as finely as it is probed
                 last = item.end
         yield self._batch(batch)
+
+    def _between(self, item: Start | Zero | Setup) -> str:
+        """Take in what is said between moves; returns its text."""
+        if isinstance(item, Zero):
+            return "" if self._faults.count else self._writer.zero(item, self._written, self._programmed)
+        if isinstance(item, Setup):
+            self._tally.setup(item)
+            return ""
+        stands = np.array([math.nan if value is None else value for value in item.position])
+        kept = np.array([value is None for value in item.position])
+        self._programmed = np.where(kept, self._programmed, stands)
+        self._written = np.where(kept, self._written, np.where(np.isnan(stands), self._assumed, stands))
+        self._settled = False
+        if self._tracker is not None:
+            self._tracker.stand(self._programmed)
+        return ""
 
     def _chords(self, move: Move, arc: Arc) -> int:
         at = dict(zip(self._model.axes, move.end, strict=True))
@@ -179,7 +191,8 @@ class Compensator:
         self._note_held(moves, waiting)
         held, waiting = held[:, path.owner], waiting[:, path.owner]
         elsewhere = axes_elsewhere(moves, len(axes))[:, path.owner]
-        kinds = list(stretches(absolute, inch, axes, settings))
+        shift = shifts(moves, len(axes))[:, path.owner]
+        kinds = list(stretches(absolute, inch, shift, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
         solved = self._solved(path, kinds, model, held)
         last_of_move = np.append(np.diff(path.owner) > 0, True)
@@ -202,7 +215,8 @@ class Compensator:
         ends = np.array([move.end for move in moves]).T
         starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
         programmed = (ends[:, owner], starts[:, owner])
-        return self._writer.texts(moves, owner, done.positions, before, steps[:, done.point], programmed)
+        lattices = (steps[:, done.point], shift[:, done.point])
+        return self._writer.texts(moves, owner, done.positions, before, lattices, programmed)
 
     def _note_held(self, moves: list[Move], held: Held) -> None:
         """Note axes that get no word; held: (n_axes, n_moves)."""
@@ -254,8 +268,8 @@ class Compensator:
         return Solved(linear, pose)
 
     @property
-    def visited(self) -> Visited:
-        """The places that the program came to so far."""
+    def visited(self) -> dict[Setup, Visited]:
+        """The places that the program came to so far, by what was in force."""
         return self._tally.visited
 
     def report(self, program: str, language: str, blocks_in: int, blocks_out: int) -> CompensationReport:

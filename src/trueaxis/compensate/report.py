@@ -5,6 +5,7 @@ from dataclasses import asdict, dataclass
 
 from trueaxis.compensate.acting import EffectNote
 from trueaxis.compensate.reliance import Reliance
+from trueaxis.compensate.sensitivity import OffsetUse
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.sign_check import Senses, SignCheck
 from trueaxis.compensate.statistics import Lines, Summary
@@ -24,8 +25,8 @@ class Errors:
 
 @dataclass(frozen=True, slots=True)
 class UnknownPlaces:
-    """Rapids while axes may stand anywhere. assumed: where these are taken to stand until a program first commands them,
-    mm and deg. change: of the words of the other axes over the travel of these, mm.
+    """Rapids while axes may stand anywhere. assumed: where these are taken to stand until a program first commands
+    them, mm and deg. change: of the words of the other axes over the travel of these, mm.
     """
 
     assumed: dict[str, float]
@@ -34,10 +35,9 @@ class UnknownPlaces:
     def __str__(self) -> str:
         named = " ".join(f"{axis}{value:.9g}" for axis, value in self.assumed.items())
         return (
-            f"{self.change.count} rapids while {' '.join(self.assumed)} may stand anywhere: their words are for {named} "
-            f"(or where the program had the axis before a tool change) and would differ by at most "
-            f"{self.change.largest:.4f} mm (line {self.change.line}) elsewhere in the travel; no word is put in for such an "
-            "axis"
+            f"{self.change.count} rapids while {' '.join(self.assumed)} may stand anywhere: their words are for "
+            f"{named} (or where the program had the axis before a tool change) and would differ by at most "
+            f"{self.change.largest:.4f} mm (line {self.change.line}) elsewhere in the travel; it gets no word"
         )
 
 
@@ -61,8 +61,8 @@ class CompensationReport:
     not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
     out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
     uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
-    error left there. Rapids to such points are not in the other figures. unknown_places: what it may cost there that axes
-    may stand anywhere; None where none may.
+    error left there. Rapids to such points are not in the other figures. unknown_places: what it may cost there that
+    axes may stand anywhere; None where none may. offsets: the work offsets, and how much the words depend on them.
     senses: which way the model takes each linear axis to move the tool.
     sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
     passed: M codes that --pass-m vouches for, with their lines.
@@ -97,6 +97,7 @@ class CompensationReport:
     uncommanded: Lines
     uncommanded_left: Summary | None
     unknown_places: UnknownPlaces | None
+    offsets: tuple[OffsetUse, ...]
     effects: tuple[EffectNote, ...]
     senses: Senses
     sign_check: SignCheck | None
@@ -107,9 +108,22 @@ class CompensationReport:
     @property
     def good(self) -> bool:
         """Whether every point converged, is within the tolerances and within the travel, and it may be relied on."""
-        return not self.refused and not any(
-            found.points
-            for found in (self.not_converged, self.over_tolerance, self.out_of_travel, self.over_orientation)
+        return (
+            not self.refused
+            and not self.over_range
+            and not any(
+                found.points
+                for found in (self.not_converged, self.over_tolerance, self.out_of_travel, self.over_orientation)
+            )
+        )
+
+    @property
+    def over_range(self) -> bool:
+        """Whether points may be above the tolerance at work offsets within the ranges given."""
+        largest = 0.0 if self.after is None else self.after.largest
+        return any(
+            one.change is not None and (one.leaves_travel or largest + one.change > self.settings.tolerance)
+            for one in self.offsets
         )
 
     @property
@@ -163,6 +177,9 @@ class CompensationReport:
                 f"axes not commanded yet get no words: {self.uncommanded}; "
                 f"largest error left {left.largest:.4f} mm at line {left.line}"
             )
+        lines.extend(map(str, self.offsets))
+        if self.over_range:
+            lines.append("above tolerance, or out of travel, at work offsets within the ranges given")
         if self.unknown_places is not None:
             lines.append(str(self.unknown_places))
         lines.extend(

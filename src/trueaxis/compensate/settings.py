@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Literal
 
+from trueaxis.compensate.offsets import Offsets
+
 Method = Literal["iterative", "ordinary"]
 WordChoice = Literal["nearest", "ends", "middles"]
 Orientation = Literal["keep", "correct"]
@@ -35,6 +37,7 @@ class Settings:
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
     dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
     the dialect fixes. pass_m: M codes that the user vouches for, see m_codes.
+    offsets: work offsets that are known.
     temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
     batch_points: points computed at a time; bounds the memory.
 
@@ -59,6 +62,7 @@ class Settings:
     dialect: Dialect | None = None
     integers: Integers | None = None
     pass_m: tuple[int, ...] = ()
+    offsets: Offsets = field(default_factory=Offsets)
     temperature: float | None = None
     time: float | None = None
     batch_points: int = 16384

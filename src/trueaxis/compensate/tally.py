@@ -11,11 +11,12 @@ from trueaxis.compensate.elsewhere import change_of_words
 from trueaxis.compensate.executed import Executed
 from trueaxis.compensate.held import Held
 from trueaxis.compensate.machine import ErrorModel, FloatArray
-from trueaxis.compensate.moves import Notes
+from trueaxis.compensate.moves import Notes, Setup
 from trueaxis.compensate.orientation import ToolAxis, angle
 from trueaxis.compensate.path import Path
 from trueaxis.compensate.placed import Placing
 from trueaxis.compensate.report import CompensationReport, Errors, PassedCode, UnknownPlaces
+from trueaxis.compensate.sensitivity import OffsetUse, offset_use
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.sign_check import SignChecker, senses_of
 from trueaxis.compensate.solve import Solution
@@ -52,14 +53,15 @@ class Solved:
 
 
 class Tally:
-    """Counts and figures of one program on one machine; visited: the places that it came to."""
+    """Counts and figures of one program on one machine; visited: the places that it came to, by what was in force."""
 
     def __init__(self, model: ErrorModel, settings: Settings, effects: tuple[EffectNote, ...]) -> None:
         self._settings, self._effects = settings, effects
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._axis = ToolAxis(model, settings.tool_axis)
-        self.visited = Visited(model)
+        self._model, self._setup = model, Setup()
+        self.visited = {self._setup: Visited(model)}  # by what was in force
         self._senses = senses_of(model, self._tool_point)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._moves = self._points = self._short_blocks = self._take_ups = 0
@@ -71,6 +73,12 @@ class Tally:
         self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
         self._axes = model.axes
         self._elsewhere, self._rows_elsewhere = Running(), set[int]()
+
+    def setup(self, setup: Setup) -> None:
+        """Other work offsets or another tool from here on."""
+        self._setup = setup
+        if setup not in self.visited:
+            self.visited[setup] = Visited(self._model)
 
     def add(
         self,
@@ -106,7 +114,7 @@ class Tally:
         written = done.at_points(previous)
         deviation, _ = self._stage("before", model, path.points, path.points, lines)
         self._sign.add(path, deviation, written, lines, held)
-        self.visited.add(path.origins, path.points, np.where(held, 0.0, written - path.points))
+        self.visited[self._setup].add(path.origins, path.points, np.where(held, 0.0, written - path.points))
         waiting = held.any(axis=0)
         self._uncommanded.add(lines[waiting])
         counted: NDArray[np.int64] | slice = slice(None)
@@ -219,11 +227,25 @@ class Tally:
             self._uncommanded.lines(),
             self._vector[UNCOMMANDED].summary(),
             self._unknown_places(),
+            self._offsets(),
             self._effects,
             self._senses,
             self._sign.found,
             tuple(PassedCode(code, log.lines()) for code, log in sorted(notes.passed.items())),
             notes.texts(),
+        )
+
+    def _offsets(self) -> tuple[OffsetUse, ...]:
+        return tuple(
+            offset_use(
+                self._model,
+                [(visited.positions, self._tool_point)],
+                setup.system,
+                dict(zip(self._axes, setup.values, strict=True)),
+                np.array(setup.spread),
+            )
+            for setup, visited in self.visited.items()
+            if setup.system and visited.positions.size
         )
 
     def _unknown_places(self) -> UnknownPlaces | None:

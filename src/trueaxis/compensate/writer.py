@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensate.machine import LINEAR, FloatArray
-from trueaxis.compensate.moves import Move
-from trueaxis.compensate.settings import Settings, decimals
+from trueaxis.compensate.moves import Move, Zero
+from trueaxis.compensate.settings import MM_PER_INCH, Settings, decimals
 
 _HOLDS = 1e-9  # mm, deg: positions closer than this are the same
 
@@ -16,7 +16,7 @@ class BlockWriter:
     """Writes moves; holds the number formats of a machine's words."""
 
     def __init__(self, axes: tuple[str, ...], settings: Settings) -> None:
-        self._formats = {}
+        self._axes, self._formats = axes, {}
         for inch in (False, True):
             linear = settings.inch_resolution if inch else settings.resolution
             steps = [linear if axis in LINEAR else settings.rotary_resolution for axis in axes]
@@ -31,21 +31,23 @@ class BlockWriter:
         owner: NDArray[np.int64],
         positions: FloatArray,
         previous: FloatArray,
-        steps: FloatArray,
+        lattices: tuple[FloatArray, FloatArray],
         programmed: tuple[FloatArray, FloatArray],
     ) -> list[str]:
         """One text for each move: its block, or the blocks it has become.
 
         owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
-        before them (NaN: not known); steps: (n_axes, n), mm or deg per step of a word; programmed: end and start of the
-        move that each belongs to, (n_axes, n). Raises ValueError rather than write a position that is not finite.
+        before them (NaN: not known); lattices: mm or deg per step of a word, and position minus word in G90,
+        (n_axes, n); programmed: end and start of the move that each belongs to, (n_axes, n).
+        Raises ValueError rather than write a position that is not finite.
         """
         if not np.isfinite(positions).all():
             raise ValueError("a position to be written is not finite")
         absolute = np.array([move.absolute for move in moves])[owner]
         with np.errstate(invalid="ignore"):
             stays = np.abs(positions - previous) < _HOLDS
-        origin = np.where(absolute, 0.0, previous)
+        steps, shift = lattices
+        origin = np.where(absolute, shift, previous)
         counts = np.rint((positions - origin) / steps).astype(np.int64).T.tolist()
         stay = stays.T.tolist()
         # a word may stay as it is where it names the position to be reached, and an increment where it starts as it did
@@ -64,6 +66,23 @@ class BlockWriter:
                 out.append(self._several(move, counts[place : place + number], stay[place : place + number]))
             place += number
         return out
+
+    def zero(self, block: Zero, written: FloatArray, programmed: FloatArray) -> str:
+        """A block that gives axes new values where they stand: where the words, not the program, have put them.
+
+        written, programmed: (n_axes,), mm and deg. A word has the decimals that it needs, up to 7.
+        """
+        if all(abs(written[row] - programmed[row]) < _HOLDS for row in block.rows):
+            return block.source
+        words = []
+        for row in block.rows:
+            axis = self._axes[row]
+            scale = MM_PER_INCH if block.inch and axis in LINEAR else 1.0
+            step, form = self._formats[block.inch][row]
+            value = (written[row] - block.shift[row]) / scale
+            on_step = abs(value - round(value / step) * step) < _HOLDS
+            words.append(f"{axis}{value:.7f}" if not on_step else form % value)
+        return f"{block.lead}{block.gap.join(words)}{block.tail}"
 
     def _single(self, move: Move, counts: list[int], stay: list[bool], unchanged: bool) -> str:
         if unchanged and move.source and all(held or written for held, written in zip(stay, move.written, strict=True)):

@@ -122,7 +122,7 @@ class Machine:
     def digest(self) -> str:
         """SHA-256 of the parsed spec: what it says, not how it is laid out.
 
-        References are prose; sizes to expect and the positions that programs rely on change no kernel: they are left out.
+        References are prose; sizes to expect and the positions that programs rely on change no kernel: left out.
         """
         said = asdict(self)
         for name in ("references", "prior", "start", "reference_points"):

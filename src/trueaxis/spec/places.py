@@ -1,4 +1,4 @@
-"""Positions of a machine that programs rely on and do not state: the tables [start] and [reference_points] of a spec."""
+"""Positions that programs rely on and do not state: the tables [start] and [reference_points] of a machine spec."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,0 +1,108 @@
+"""A control as shops have it: work offsets, tool lengths, reference points. Nothing of the package.
+
+It runs a program, written or source, from wherever its axes stand, with the offsets that it has, and says where the
+axes are in machine coordinates after every block: the program may believe what it likes.
+"""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+AXES = "XYZ"
+ZERO = dict.fromkeys(AXES, 0.0)
+SYSTEMS = {54: "G54", 55: "G55", 56: "G56", 57: "G57", 58: "G58", 59: "G59"}
+
+
+@dataclass
+class Control:
+    """at: where the axes stand, machine coordinates, mm. offsets, lengths: of work offsets and tools (H numbers)."""
+
+    at: dict[str, float]
+    offsets: dict[str, dict[str, float]] = field(default_factory=dict)
+    lengths: Mapping[int, float] = field(default_factory=dict)
+    references: Mapping[int, Mapping[str, float]] = field(default_factory=dict)
+    system: str = "G54"
+    linuxcnc: bool = True
+
+    def __post_init__(self) -> None:
+        self.reset, self.local, self.length = dict(ZERO), dict(ZERO), 0.0
+        self.absolute, self.unit, self.motion, self.inverse = True, 1.0, 0, False
+        self.feed = 0.0
+        self.selected = self.tool = 0
+        self.minutes = 0.0  # spent in feed motions under G93
+        self.trace: list[tuple[int, int, dict[str, float], int]] = []  # block number, motion, end, tool
+
+    def shift(self, axis: str) -> float:
+        base = self.offsets.get(self.system, ZERO)[axis]
+        return base + self.reset[axis] + self.local[axis] + (self.length if axis == "Z" else 0.0)
+
+    def run(self, program: str) -> list[tuple[int, int, dict[str, float], int]]:
+        number = 0
+        for line in program.splitlines():
+            text = re.sub(r"\([^()]*\)|;.*", "", line).strip()
+            if not text or text[0] in "%O":
+                continue
+            words = [(letter, float(value)) for letter, value in re.findall(r"([A-Z])\s*([-+]?[\d.]+)", text)]
+            found = dict(words)
+            number = int(found.get("N", number))
+            self.block([round(value * 10) for letter, value in words if letter == "G"], found, number)
+            if found.get("M") in (2.0, 30.0):
+                break
+        return self.trace
+
+    def block(self, codes: list[int], words: dict[str, float], number: int) -> None:
+        self.modes(codes, words)
+        values = {axis: words[axis] * self.unit for axis in AXES if axis in words}
+        if {100, 520, 920, 921, 922, 280, 300, 40} & set(codes):
+            self.data(codes, words, values)
+            return
+        start = dict(self.at)
+        for axis, value in values.items():
+            if 530 in codes:
+                self.at[axis] = value
+            elif self.absolute:
+                self.at[axis] = value + self.shift(axis)
+            else:
+                self.at[axis] += value
+        if values:
+            if self.inverse and self.motion:
+                assert words["F"] > 0.0, "a feed block under G93 without F"
+                self.minutes += 1.0 / words["F"]
+            del start
+            self.trace.append((number, self.motion, dict(self.at), self.tool))
+
+    def modes(self, codes: list[int], words: dict[str, float]) -> None:
+        for code in codes:
+            self.absolute = {900: True, 910: False}.get(code, self.absolute)
+            self.unit = {200: 25.4, 210: 1.0}.get(code, self.unit)
+            self.motion = {0: 0, 10: 1, 20: 2, 30: 3}.get(code, self.motion)
+            self.inverse = {930: True, 940: False, 950: False}.get(code, self.inverse)
+            if code // 10 in SYSTEMS and code % 10 == 0:
+                self.system = SYSTEMS[code // 10]
+            if code == 490:
+                self.length = 0.0
+            if code == 430:
+                self.length = self.lengths[int(words.get("H", self.tool))]
+        self.selected = int(words.get("T", self.selected))
+        if words.get("M") == 6.0:
+            self.tool = self.selected
+
+    def data(self, codes: list[int], words: dict[str, float], values: dict[str, float]) -> None:
+        if 100 in codes and words["L"] == 2:
+            self.offsets[f"G{53 + int(words['P'])}"].update(values)
+        elif 100 in codes:
+            table = self.offsets[f"G{53 + int(words['P'])}"]
+            for axis, value in values.items():
+                others = self.reset[axis] + self.local[axis] + (self.length if axis == "Z" else 0.0)
+                table[axis] = self.at[axis] - others - value
+        elif 520 in codes:
+            (self.reset if self.linuxcnc else self.local).update(values)
+        elif 920 in codes:
+            for axis, value in values.items():
+                self.reset[axis] += self.at[axis] - self.shift(axis) - value
+        elif {921, 922} & set(codes):
+            self.reset = dict(ZERO)
+        for code in {280, 300} & set(codes):
+            for axis, value in values.items():
+                self.at[axis] = value + self.shift(axis) if self.absolute else self.at[axis] + value
+            self.at.update({axis: self.references[code // 10][axis] for axis in values})
