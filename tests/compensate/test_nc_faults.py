@@ -55,7 +55,7 @@ def test_all_faults_at_once_with_their_lines(bench: Bench) -> None:
     with pytest.raises(InputError) as error:
         bench.run("G21 G90\nG54\nG0 X1. Y1. Z1.\nG43 H1 G99999\nG1 X2. A3.\nM98 P1\n")
     places = [fault.place for fault in error.value.faults]
-    assert places == ["line 2", "line 4", "line 4", "line 4", "line 5", "line 6"]
+    assert places == ["line 2", "line 4", "line 4", "line 5", "line 6"]
 
 
 def test_faults_come_in_the_order_of_lines(bench: Bench) -> None:

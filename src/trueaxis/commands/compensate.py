@@ -6,8 +6,6 @@ from dataclasses import fields, replace
 from pathlib import Path
 from typing import get_args
 
-import numpy as np
-
 from trueaxis.commands.arguments import file_to_write, positive, size
 from trueaxis.commands.misfit import check_fit, misfit_option
 from trueaxis.commands.paths import named, overwritten
@@ -17,6 +15,7 @@ from trueaxis.compensate.offset_files import offset_of_option, read_offsets, wit
 from trueaxis.compensate.offsets import Offsets, Range
 from trueaxis.compensate.reliance import Limits, judge_of
 from trueaxis.compensate.settings import Dialect, Integers, Settings
+from trueaxis.compensate.tool_files import read_tools
 from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
 from trueaxis.reporting.reliance import program_sentences, refusal_sentences
@@ -123,6 +122,9 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         "case")  # fmt: skip
     parser.add_argument("--offsets", type=Path, metavar="FILE",
                         help="work offsets: LinuxCNC's .var, or TOML with tables [offset.G54]")  # fmt: skip
+    parser.add_argument("--tools", type=Path, metavar="FILE",
+                        help="tools by number: LinuxCNC's tool.tbl, or TOML with tables [tool.1] of length and offset; "
+                        "G43 then adds the length to Z, and the tip of each tool is compensated")  # fmt: skip
     parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
                         help="folder of derived kernels (default %(default)s)")  # fmt: skip
     parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON too")
@@ -184,10 +186,14 @@ def run(args: argparse.Namespace) -> int:
     Raises InputError when the input is wrong.
     """
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "PROGRAM": args.program}
-    inputs |= {option: path for option, path in {"--offsets": args.offsets}.items() if path is not None}
+    inputs |= {
+        option: path for option, path in {"--offsets": args.offsets, "--tools": args.tools}.items() if path is not None
+    }
     found = overwritten(inputs, {"--out": args.out, "--report": args.report}, args.kernels)
     with gathering(found):
         args.offsets = with_options(Offsets() if args.offsets is None else read_offsets(args.offsets), args.offset)
+    with gathering(found):
+        args.tools = None if args.tools is None else read_tools(args.tools)
     with gathering(found):
         settings = _settings(args)
     model = covariance = None
@@ -201,7 +207,7 @@ def run(args: argparse.Namespace) -> int:
         raise InputError(found)
     settings = replace(settings, assumed=dict(model.machine.start))
     limits = Limits(max_u=args.max_u, max_correction=args.max_correction)
-    judge = judge_of(model, covariance, np.array([settings.tool_point]).T, limits)
+    judge = judge_of(model, covariance, limits)
     try:
         with progress() as show:
             report = compensate_file(

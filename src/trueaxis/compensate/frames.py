@@ -123,3 +123,10 @@ class Frames:
     def restore_reset(self) -> None:
         """G92.3."""
         self.reset, self._resets = self.stored.copy(), self._stored_resets.copy()
+
+    def take_length(self, lengths: Sequence[float], tool: int) -> None:
+        """G43: the lengths of a tool, for each axis; 0: none."""
+        for row, length in enumerate(lengths):
+            if length != self.length[row]:
+                self._tools[row] = tool
+        self.length = list(lengths)

@@ -84,13 +84,13 @@ class Zero(NamedTuple):
 
 class Setup(NamedTuple):
     """What holds from here on: the work offset (empty: machine coordinates), its values and half of their ranges for
-    each axis, mm and deg; the point to be compensated, tool frame, mm (empty: that of the settings).
+    each axis, mm and deg; the tool in the spindle (None: not known, the tool point is that of the settings).
     """
 
     system: str = ""
     values: tuple[float, ...] = ()
     spread: tuple[float, ...] = ()
-    tool_point: tuple[float, ...] = ()
+    tool: int | None = None
 
 
 class Start(NamedTuple):

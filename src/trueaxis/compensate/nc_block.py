@@ -23,6 +23,7 @@ _SETTING: dict[int, tuple[str, int | bool | str]] = {
     **{code: ("system", name) for code, name in codes.SYSTEMS.items()},
     **{code: ("data_code", code) for code in codes.WITH_DATA},
     200: ("inch", True), 210: ("inch", False), 900: ("absolute", True), 910: ("absolute", False),
+    codes.TAKE_LENGTH: ("length_code", codes.TAKE_LENGTH), codes.END_LENGTH: ("length_code", codes.END_LENGTH),
     940: ("per_turn", False), 950: ("per_turn", True),
 }  # fmt: skip
 
@@ -34,7 +35,7 @@ class Meaning:
     motion, plane, inch, absolute, per_turn (F counts by turns), feed (as written): None where the block says nothing
     of it. axes: words that are positions. decimals: digits written after the decimal point of axis and arc words.
     undotted: letters of axis and arc words other than 0 without a decimal point. parameters: values of P Q L E. system:
-    the work offset that it selects; data_code: a code (times ten) whose axis words are data: `data`, by letter, R too.
+    the work offset that it selects; data_code: a code (times ten) whose axis words are data: `data`, by letter, R too. length_code: G43 or G49 (times ten); length_of: the H word of G43.
     tool: the T word, as `T2`.
     changes_tool: whether the block may change the tool, see tool_changes.
     """
@@ -61,6 +62,8 @@ class Meaning:
     parameters: dict[str, float] = field(default_factory=dict)
     system: str = ""
     data_code: int | None = None
+    length_code: int | None = None
+    length_of: int | None = None
     data: dict[str, float] = field(default_factory=dict)
     complaints: list[tuple[str, str]] = field(default_factory=list)
 
@@ -84,7 +87,7 @@ class Meaning:
     @property
     def changes_modes(self) -> bool:
         """Whether later blocks read differently after this one."""
-        modes = (self.motion, self.plane, self.inch, self.absolute, self.data_code)
+        modes = (self.motion, self.plane, self.inch, self.absolute, self.data_code, self.length_code)
         shifts = self.codes & {codes.END_SHIFT, codes.SUSPEND_SHIFT, codes.RESTORE_SHIFT}
         return self.cancel_cycle or bool(self.system or shifts) or any(mode is not None for mode in modes)
 
@@ -214,6 +217,8 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         _number(word, meaning)
     elif letter == "O":
         meaning.program_number = True
+    elif letter == "H" and meaning.length_code == codes.TAKE_LENGTH and word.value >= 0 and word.value % 1 == 0:
+        meaning.length_of = int(word.value)
     elif letter in _OFFSETS and word.value != 0.0:
         meaning.complain(
             f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.MACHINE_REMEDY

@@ -23,16 +23,19 @@ SYSTEMS = {540: "G54", 541: "G54.1", 550: "G55", 560: "G56", 570: "G57", 580: "G
            592: "G59.2", 593: "G59.3"}  # fmt: skip
 WRITE_DATA, LOCAL_SHIFT, SET_POSITION, RESTORE_SHIFT = 100, 520, 920, 923  # G10, G52, G92, G92.3
 END_SHIFT, SUSPEND_SHIFT = 921, 922  # G92.1, G92.2
+TAKE_LENGTH, GIVE_LENGTH, END_LENGTH = 430, 431, 490  # G43, G43.1, G49
 # codes whose axis words are data, not where to go
-WITH_DATA = frozenset({WRITE_DATA, LOCAL_SHIFT, SET_POSITION})
+WITH_DATA = frozenset({WRITE_DATA, LOCAL_SHIFT, SET_POSITION, GIVE_LENGTH})
 # what one control means by a code that the others use otherwise
 OTHERWISE_ON: dict[str, dict[int, str]] = {
     "siemens": {
         580: "shifts single axes (SINUMERIK)", 590: "shifts single axes (SINUMERIK)",
-        100: "is a polar motion (SINUMERIK)", 520: "is not SINUMERIK's", 920: "limits the spindle (SINUMERIK)",
+        430: "is not SINUMERIK's", 431: "is not SINUMERIK's", 100: "is a polar motion (SINUMERIK)",
+        520: "is not SINUMERIK's", 920: "limits the spindle (SINUMERIK)",
     },
     "heidenhain": {
         **dict.fromkeys(SYSTEMS, "shifts the datum by its axis words (Heidenhain)"),
+        430: "lengthens the path by the radius (Heidenhain)", 431: "is not Heidenhain's",
         100: "is a polar motion (Heidenhain)", 520: "is not Heidenhain's", 920: "is not Heidenhain's",
     },
 }  # fmt: skip
@@ -95,7 +98,7 @@ FAULTY: dict[int, Refused] = {
     330: _SPINDLE, 331: _SPINDLE, 340: _PATTERN, 350: _PATTERN, 360: _PATTERN,
     370: Refused("measures the tool (Fanuc) or defines a pocket (Heidenhain)", "take it out before compensating"),
     382: _PROBE, 383: _PROBE, 384: _PROBE, 385: _PROBE,
-    410: _TOOL, 411: _TOOL, 420: _TOOL, 421: _TOOL, 430: _TOOL, 431: _TOOL, 432: _TOOL, 440: _TOOL,
+    410: _TOOL, 411: _TOOL, 420: _TOOL, 421: _TOOL, 432: _TOOL, 440: _TOOL,
     434: _POINT_CONTROL, 435: _POINT_CONTROL,
     450: _TOOL, 460: _TOOL, 470: _TOOL, 480: _TOOL,
     510: Refused("scales the positions", _MACHINE), 511: Refused("mirrors the positions", _MACHINE),

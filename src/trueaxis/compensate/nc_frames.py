@@ -24,22 +24,28 @@ class FrameReader:
         self._state, self._faults, self._notes = state, faults, notes
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._on_fanuc = settings.dialect == "fanuc"
+        self._setup = Setup()
         self._said = False  # whether the program has selected a work offset
         self._reset = False  # whether it has said what G92 shifts by
 
-    def setup(self) -> list[Setup]:
-        """What holds of the work offset in force; nothing in machine coordinates."""
-        frames = self._state.frames
-        return [Setup(frames.system, frames.values, frames.spread)] if frames.system else []
+    def changed(self) -> list[Item]:
+        """What holds from here on, where it differs from what held before."""
+        state, frames = self._state, self._state.frames
+        system = frames.system or ""
+        setup = Setup(system, frames.values if system else (), frames.spread if system else (), state.tool)
+        state.enter_frame()
+        if setup == self._setup:
+            return []
+        self._setup = setup
+        return [setup]
 
     def select(self, number: int, meaning: Meaning) -> list[Item]:
         """Take in what a block says of work offsets and the end of shifts."""
-        before = self._state.shift, self._state.frames.system
         if meaning.system:
             self._system(number, meaning.system)
         if meaning.codes & {codes.END_SHIFT, codes.SUSPEND_SHIFT, codes.RESTORE_SHIFT}:
             self._end_shift(number, meaning)
-        return self._entered(before)
+        return self.changed()
 
     def note_first(self, number: int) -> None:
         """Note, at a motion, that the work offset in force is not the program's choice."""
@@ -49,7 +55,6 @@ class FrameReader:
 
     def data(self, number: int, line: str, body: str, block: Block, meaning: Meaning) -> list[Item]:
         """A block whose axis words are data."""
-        before = self._state.shift, self._state.frames.system
         if meaning.complaints:
             return [line]
         if meaning.motion not in (None, 0, 1) or meaning.in_machine_coordinates:
@@ -62,12 +67,7 @@ class FrameReader:
             self._local(number, meaning)
         else:
             item = self._put(number, line, body, block, meaning)
-        return [item or line, *self._entered(before)]
-
-    def _entered(self, before: tuple[tuple[float, ...], str | None]) -> list[Item]:
-        state = self._state
-        state.enter_frame()
-        return list(self.setup()) if (state.shift, state.frames.system) != before else []
+        return [item or line, *self.changed()]
 
     def _system(self, number: int, name: str) -> None:
         frames = self._state.frames

@@ -22,8 +22,8 @@ from trueaxis.compensate.nc_plain import PLAIN, plain_move
 from trueaxis.compensate.nc_start import starts_elsewhere
 from trueaxis.compensate.nc_state import MODE_NOTES, NcState
 from trueaxis.compensate.nc_text import block_text
+from trueaxis.compensate.nc_tools import ToolReader
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
-from trueaxis.compensate.tool_changes import ToolChanges
 
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
@@ -44,17 +44,17 @@ class NcReader:
         self._settings = settings
         self._faults = faults
         self._notes = notes
-        self._tools = ToolChanges(settings.dialect, notes)
         self._undotted_said = False  # whether the fault of numbers without a decimal point is in the log
         self._assumed = [settings.assumed.get(axis, 0.0) for axis in axes]  # where axes are taken to stand until known
         self._state = NcState(axes, [settings.start.get(axis) for axis in axes], offsets=settings.offsets)
+        self._tools = ToolReader(self._state, settings, faults, notes)
         self._frames = FrameReader(self._state, settings, faults, notes)
 
     def items(self, lines: Iterable[str]) -> Iterator[Item]:
         """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
         if self._settings.start:
             yield Start(tuple(math.nan if value is None else value for value in self._state.position))
-        yield from self._frames.setup()
+        yield from self._frames.changed()
         plain, state, undotted_mm = PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
         for number, line in enumerate(lines, 1):
             match = plain(line)
@@ -94,8 +94,12 @@ class NcReader:
             self._faults.add(number, problem, remedy)
         self._modes(number, meaning)
         self._known_numbers(number, meaning)
+        self._tools.length(number, meaning)
         items = self._frames.select(number, meaning)
-        if meaning.data_code is not None:
+        if meaning.data_code == codes.GIVE_LENGTH:
+            self._tools.data(number, meaning)
+            items += [line, *self._frames.changed()]
+        elif meaning.data_code is not None:
             items += self._frames.data(number, line, body, block, meaning)
         else:
             items.append(self._block(number, line, body, block, meaning, optional[0] if optional else ""))
@@ -147,9 +151,7 @@ class NcReader:
             state.feed = meaning.feed * (MM_PER_INCH if state.inch else 1.0)
         if meaning.program_number and state.moved and not state.ended:
             self._faults.add(number, "a program number after motions: subprograms are not followed")
-        meaning.changes_tool = self._tools.may_change(number, meaning)
-        if meaning.changes_tool:
-            state.commanded.displace()
+        self._tools.change(number, meaning)
         for code in meaning.miscellaneous:
             if code in self._settings.pass_m and code not in m_codes.KNOWN:
                 self._notes.pass_code(number, code)

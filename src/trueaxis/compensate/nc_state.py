@@ -26,8 +26,9 @@ class NcState:
     (G90 G91) the program has stated.
     numbers: of the words that gave the axes their positions, as written in the units in force; half a unit of them in
     mm where the units have changed since; None where no word has.
-    offsets: work offsets known before the program; frames: those in force. shift: position minus word of each axis, mm
-    or deg; empty if 0. gap: between words, as in the last block that shows it.
+    offsets: work offsets known before the program; frames: those in force. tool: in the spindle, None: not known.
+    shift: position minus word of each axis, mm or deg; empty if 0. gap: between words, as in the last block that shows
+    it.
     """
 
     axes: tuple[str, ...]
@@ -44,6 +45,7 @@ class NcState:
     moved: bool = False
     said: set[str] = field(default_factory=set)
     offsets: Offsets = field(default_factory=Offsets)
+    tool: int | None = None
     shift: tuple[float, ...] = ()
     gap: str = " "
     numbers: list[str | float | None] = field(init=False)

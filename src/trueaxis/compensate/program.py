@@ -25,6 +25,7 @@ from trueaxis.compensate.solve import solve
 from trueaxis.compensate.solve_pose import solve_pose
 from trueaxis.compensate.subdivide import PROBE_SPACING, subdivide
 from trueaxis.compensate.tally import Solved, Tally
+from trueaxis.compensate.tools import tool_point_of
 from trueaxis.compensate.tracker import Tracker
 from trueaxis.compensate.visited import Visited
 from trueaxis.compensate.writer import BlockWriter
@@ -50,7 +51,7 @@ class Compensator:
         self._settings = settings
         self._faults = faults
         self._notes = notes
-        self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
+        self._tool_point = self._given_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._writer = BlockWriter(model.axes, settings)
         self._turned = self._axis_to_turn()
         rotary = np.array([axis not in LINEAR for axis in model.axes])
@@ -117,7 +118,13 @@ class Compensator:
         if isinstance(item, Zero):
             return "" if self._faults.count else self._writer.zero(item, self._written, self._programmed)
         if isinstance(item, Setup):
-            self._tally.setup(item)
+            tools = self._settings.tools
+            tool = None if tools is None or item.tool is None else tools.tools.get(item.tool)
+            self._tool_point = tool_point_of(self._model, tool, self._given_point)
+            self._along = self._comparison()
+            if self._tracker is not None:
+                self._tracker.use(self._along)
+            self._tally.setup(item, self._tool_point)
             return ""
         stands = np.array([math.nan if value is None else value for value in item.position])
         kept = np.array([value is None for value in item.position])
@@ -268,9 +275,9 @@ class Compensator:
         return Solved(linear, pose)
 
     @property
-    def visited(self) -> dict[Setup, Visited]:
-        """The places that the program came to so far, by what was in force."""
-        return self._tally.visited
+    def visited(self) -> tuple[Visited, ...]:
+        """The places that the program came to so far, for each work offset and tool."""
+        return tuple(self._tally.visited.values())
 
     def report(self, program: str, language: str, blocks_in: int, blocks_out: int) -> CompensationReport:
         """What has been done so far."""

@@ -1,12 +1,11 @@
 """How far a compensated program relies on what was measured, and whether that is too far."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.compensate.machine import ROTARY, FloatArray
-from trueaxis.compensate.moves import Setup
+from trueaxis.compensate.machine import ROTARY
 from trueaxis.compensate.orientation import SINGULAR
 from trueaxis.compensate.visited import Visited
 from trueaxis.runtime.covariance import Covariance
@@ -59,17 +58,18 @@ class Reliance:
         return self.too_uncertain or self.too_large
 
 
-Judge = Callable[[Mapping[Setup, Visited]], Reliance]
+Judge = Callable[[Sequence[Visited]], Reliance]
 
 
-def judge_of(model: MachineModel, covariance: Covariance, tool_point: FloatArray, limits: Limits) -> Judge:
-    """What judges the places that a program came to; tool_point: (3, 1), mm, tool frame, where a set-up has none."""
+def judge_of(model: MachineModel, covariance: Covariance, limits: Limits) -> Judge:
+    """What judges the places that a program came to."""
 
-    def judge(visited: Mapping[Setup, Visited]) -> Reliance:
-        used = {setup: one for setup, one in visited.items() if one.corrections.size} or visited
-        return _worst([judged(one, _tool_point(setup, tool_point)) for setup, one in used.items()])
+    def judge(visited: Sequence[Visited]) -> Reliance:
+        used = [one for one in visited if one.corrections.size] or visited
+        return _worst([judged(one) for one in used])
 
-    def judged(visited: Visited, tool_point: FloatArray) -> Reliance:
+    def judged(visited: Visited) -> Reliance:
+        tool_point = visited.tool_point
         positions, corrections = visited.positions, visited.corrections
         nodes = [table_positions(covariance, axis) for axis in model.axes]
         samples = visited.samples(nodes) if corrections.size else positions
@@ -95,10 +95,6 @@ def judge_of(model: MachineModel, covariance: Covariance, tool_point: FloatArray
         )
 
     return judge
-
-
-def _tool_point(setup: Setup, otherwise: FloatArray) -> FloatArray:
-    return np.array(setup.tool_point, dtype=np.float64)[:, np.newaxis] if setup.tool_point else otherwise
 
 
 def _worst(found: Sequence[Reliance]) -> Reliance:

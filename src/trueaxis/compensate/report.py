@@ -9,6 +9,7 @@ from trueaxis.compensate.sensitivity import OffsetUse
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.sign_check import Senses, SignCheck
 from trueaxis.compensate.statistics import Lines, Summary
+from trueaxis.compensate.tools import ToolUse
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +64,7 @@ class CompensationReport:
     uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
     error left there. Rapids to such points are not in the other figures. unknown_places: what it may cost there that
     axes may stand anywhere; None where none may. offsets: the work offsets, and how much the words depend on them.
+    tools: those of --tools, with their points.
     senses: which way the model takes each linear axis to move the tool.
     sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
     passed: M codes that --pass-m vouches for, with their lines.
@@ -98,6 +100,7 @@ class CompensationReport:
     uncommanded_left: Summary | None
     unknown_places: UnknownPlaces | None
     offsets: tuple[OffsetUse, ...]
+    tools: tuple[ToolUse, ...]
     effects: tuple[EffectNote, ...]
     senses: Senses
     sign_check: SignCheck | None
@@ -177,7 +180,7 @@ class CompensationReport:
                 f"axes not commanded yet get no words: {self.uncommanded}; "
                 f"largest error left {left.largest:.4f} mm at line {left.line}"
             )
-        lines.extend(map(str, self.offsets))
+        lines.extend(map(str, (*self.offsets, *self.tools)))
         if self.over_range:
             lines.append("above tolerance, or out of travel, at work offsets within the ranges given")
         if self.unknown_places is not None:

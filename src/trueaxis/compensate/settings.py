@@ -7,6 +7,7 @@ from decimal import Decimal
 from typing import Literal
 
 from trueaxis.compensate.offsets import Offsets
+from trueaxis.compensate.tools import ToolTable
 
 Method = Literal["iterative", "ordinary"]
 WordChoice = Literal["nearest", "ends", "middles"]
@@ -37,7 +38,7 @@ class Settings:
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
     dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
     the dialect fixes. pass_m: M codes that the user vouches for, see m_codes.
-    offsets: work offsets that are known.
+    offsets: work offsets that are known. tools: tools that are known, None: none are.
     temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
     batch_points: points computed at a time; bounds the memory.
 
@@ -63,6 +64,7 @@ class Settings:
     integers: Integers | None = None
     pass_m: tuple[int, ...] = ()
     offsets: Offsets = field(default_factory=Offsets)
+    tools: ToolTable | None = None
     temperature: float | None = None
     time: float | None = None
     batch_points: int = 16384

@@ -22,6 +22,7 @@ from trueaxis.compensate.sign_check import SignChecker, senses_of
 from trueaxis.compensate.solve import Solution
 from trueaxis.compensate.solve_pose import PoseSolution
 from trueaxis.compensate.statistics import LineLog, Running
+from trueaxis.compensate.tools import ToolUse
 from trueaxis.compensate.visited import Visited
 from trueaxis.compensate.word_choice import bar_error
 
@@ -61,7 +62,7 @@ class Tally:
         self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._axis = ToolAxis(model, settings.tool_axis)
         self._model, self._setup = model, Setup()
-        self.visited = {self._setup: Visited(model)}  # by what was in force
+        self.visited = {self._setup: Visited(model, self._tool_point)}  # by what was in force
         self._senses = senses_of(model, self._tool_point)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._moves = self._points = self._short_blocks = self._take_ups = 0
@@ -74,11 +75,12 @@ class Tally:
         self._axes = model.axes
         self._elsewhere, self._rows_elsewhere = Running(), set[int]()
 
-    def setup(self, setup: Setup) -> None:
-        """Other work offsets or another tool from here on."""
-        self._setup = setup
+    def setup(self, setup: Setup, tool_point: FloatArray) -> None:
+        """Other work offsets or another tool, with its point (3, 1), from here on."""
+        self._setup, self._tool_point = setup, tool_point
+        self._sign.use(tool_point)
         if setup not in self.visited:
-            self.visited[setup] = Visited(self._model)
+            self.visited[setup] = Visited(self._model, tool_point)
 
     def add(
         self,
@@ -228,6 +230,7 @@ class Tally:
             self._vector[UNCOMMANDED].summary(),
             self._unknown_places(),
             self._offsets(),
+            self._tools(),
             self._effects,
             self._senses,
             self._sign.found,
@@ -235,17 +238,28 @@ class Tally:
             notes.texts(),
         )
 
+    def _tools(self) -> tuple[ToolUse, ...]:
+        points = {setup.tool: visited.tool_point for setup, visited in self.visited.items() if visited.positions.size}
+        return tuple(
+            ToolUse(tool, (float(point[0, 0]), float(point[1, 0]), float(point[2, 0])))
+            for tool, point in points.items()
+            if tool
+        )
+
     def _offsets(self) -> tuple[OffsetUse, ...]:
+        used: dict[Setup, list[tuple[FloatArray, FloatArray]]] = {}  # whatever the tool
+        for setup, visited in self.visited.items():
+            if setup.system and visited.positions.size:
+                used.setdefault(setup._replace(tool=None), []).append((visited.positions, visited.tool_point))
         return tuple(
             offset_use(
                 self._model,
-                [(visited.positions, self._tool_point)],
+                places,
                 setup.system,
                 dict(zip(self._axes, setup.values, strict=True)),
                 np.array(setup.spread),
             )
-            for setup, visited in self.visited.items()
-            if setup.system and visited.positions.size
+            for setup, places in used.items()
         )
 
     def _unknown_places(self) -> UnknownPlaces | None:

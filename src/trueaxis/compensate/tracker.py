@@ -44,6 +44,10 @@ class Tracker:
         if acting.reversing and settings.words != "nearest":
             notes.add(0, BACK_AND_FORTH)
 
+    def use(self, along: Along) -> None:
+        """Compare corrections otherwise from here on: another tool."""
+        self._along = along
+
     def stand(self, position: FloatArray) -> None:
         """The axes stand at a position (n_axes,) and have not moved yet."""
         self._standing = Standing.at(position)
