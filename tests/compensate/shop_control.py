@@ -30,6 +30,11 @@ class Control:
         self.feed = 0.0
         self.selected = self.tool = 0
         self.minutes = 0.0  # spent in feed motions under G93
+        self.cycle: int | None = None
+        self.level = True  # G98
+        self.sticky: dict[str, float] = {}
+        self.initial = 0.0
+        self.number = 0
         self.trace: list[tuple[int, int, dict[str, float], int]] = []  # block number, motion, end, tool
 
     def shift(self, axis: str) -> float:
@@ -51,12 +56,14 @@ class Control:
         return self.trace
 
     def block(self, codes: list[int], words: dict[str, float], number: int) -> None:
+        self.number = number
         self.modes(codes, words)
         values = {axis: words[axis] * self.unit for axis in AXES if axis in words}
         if {100, 520, 920, 921, 922, 280, 300, 40} & set(codes):
             self.data(codes, words, values)
             return
-        start = dict(self.at)
+        if self.drill(codes, words, values):
+            return
         for axis, value in values.items():
             if 530 in codes:
                 self.at[axis] = value
@@ -68,7 +75,6 @@ class Control:
             if self.inverse and self.motion:
                 assert words["F"] > 0.0, "a feed block under G93 without F"
                 self.minutes += 1.0 / words["F"]
-            del start
             self.trace.append((number, self.motion, dict(self.at), self.tool))
 
     def modes(self, codes: list[int], words: dict[str, float]) -> None:
@@ -106,3 +112,50 @@ class Control:
             for axis, value in values.items():
                 self.at[axis] = value + self.shift(axis) if self.absolute else self.at[axis] + value
             self.at.update({axis: self.references[code // 10][axis] for axis in values})
+
+    def drill(self, codes: list[int], words: dict[str, float], values: dict[str, float]) -> bool:
+        """Whether a canned cycle takes the block: RS274/NGC, Sect. 3.5.16 and on; in G17."""
+        self.level = {980: True, 990: False}.get(max({980, 990} & set(codes), default=0), self.level)
+        if {0, 10, 20, 30, 800} & set(codes):
+            self.cycle = None
+        started = {730, 810, 820, 830, 850, 860, 890} & set(codes)
+        if started:
+            if self.cycle is None:
+                self.initial, self.sticky = self.at["Z"], {}
+            self.cycle = started.pop()
+        if self.cycle is None or not values:
+            return False
+        self.sticky.update({letter: words[letter] * self.unit for letter in "ZRQ" if letter in words})
+        if self.absolute:
+            r, bottom = (self.sticky[letter] + self.shift("Z") for letter in "RZ")
+        else:
+            r = self.at["Z"] + self.sticky["R"]
+            bottom = r + self.sticky["Z"]
+        clear = max(self.initial, r) if self.level else r
+        for _ in range(int(words.get("L", 1))):
+            if self.at["Z"] < r:
+                self.to(0, Z=r)
+            over = {axis: values[axis] for axis in "XY" if axis in values}
+            self.to(0, **{a: v + (self.shift(a) if self.absolute else self.at[a]) for a, v in over.items()})
+            self.to(0, Z=r)
+            self.hole(r, bottom)
+            if self.cycle in (850, 890):
+                self.to(1, Z=r)
+            self.to(0, Z=clear)
+        return True
+
+    def hole(self, r: float, bottom: float) -> None:
+        if self.cycle in (730, 830):
+            depth = r - self.sticky["Q"]
+            while depth > bottom + 1e-9:
+                self.to(1, Z=depth)
+                if self.cycle == 830:
+                    self.to(0, Z=r)
+                self.to(0, Z=depth + 0.254)
+                depth -= self.sticky["Q"]
+        self.to(1, Z=bottom)
+
+    def to(self, motion: int, **ends: float) -> None:
+        if any(abs(self.at[axis] - value) > 1e-9 for axis, value in ends.items()):
+            self.at.update(ends)
+            self.trace.append((self.number, motion, dict(self.at), self.tool))

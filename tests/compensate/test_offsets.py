@@ -167,7 +167,7 @@ def test_shifts_of_the_program(bench: Bench, shift: str, dialect: str | None) ->
         ("G0 X1. Y1. Z1.\nG92 X0.\nG52 X1.", "G52 and G92 together", None),
         ("G0 X1. Y1. Z1.\nG92 X0.\nG92.1", "G92.1 ends all of G92", None),
         ("G92.3", "G92.3 restores a shift", "linuxcnc"),
-        ("G2 G52 X0.", "a shift and a motion in one block", None),
+        ("G2 G52 X0.", "axis words that are data, and a motion", None),
         ("G58", "SINUMERIK", "siemens"), ("G54", "shifts the datum", "heidenhain"), ("G52 X1.", "SINUMERIK", "siemens"),
         ("G54 G55", "another code of its group", None), ("/G54", "block with /", None),
         ("/G52 X5.", "block with /", None),

@@ -205,7 +205,8 @@ def run(args: argparse.Namespace) -> int:
         found += overwritten(read, {"--out": args.out, "--report": args.report})
     if found or model is None or covariance is None:
         raise InputError(found)
-    settings = replace(settings, assumed=dict(model.machine.start))
+    points = {code: dict(position) for code, position in model.machine.reference_points}
+    settings = replace(settings, assumed=dict(model.machine.start), reference_points=points)
     limits = Limits(max_u=args.max_u, max_correction=args.max_correction)
     judge = judge_of(model, covariance, limits)
     try:

@@ -42,6 +42,7 @@ class Move(NamedTuple):
     it may stand anywhere, and `end` is where it is taken to stand; empty if none may. shift: position minus word of
     each axis, mm and deg; empty if 0. start_stated: whether it starts
     where the program has not commanded the axes to: only its end counts. whole: why it may not be cut; empty if it may.
+    inverse_time: F where it is 1/min of the block (G93), else 0.
     """
 
     line: int
@@ -65,6 +66,7 @@ class Move(NamedTuple):
     shift: tuple[float, ...] = ()
     start_stated: bool = False
     whole: str = ""
+    inverse_time: float = 0.0
 
 
 class Zero(NamedTuple):

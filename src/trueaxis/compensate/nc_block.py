@@ -1,13 +1,12 @@
-"""What the words of one NC block ask for."""
-
-from dataclasses import dataclass, field
+"""Sorts the words of one NC block by what they do."""
 
 from trueaxis.compensate import m_codes
 from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.machine import LINEAR, ROTARY
 from trueaxis.compensate.nc_lexer import Block, Word
+from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.offsets import system_name
-from trueaxis.compensate.settings import LEAST_DEG, LEAST_INCH, LEAST_MM, Settings
+from trueaxis.compensate.settings import Settings
 
 _AXES = frozenset(LINEAR + ROTARY)
 _CENTRE = frozenset("IJK")
@@ -24,91 +23,14 @@ _SETTING: dict[int, tuple[str, int | bool | str]] = {
     **{code: ("data_code", code) for code in codes.WITH_DATA},
     200: ("inch", True), 210: ("inch", False), 900: ("absolute", True), 910: ("absolute", False),
     codes.TAKE_LENGTH: ("length_code", codes.TAKE_LENGTH), codes.END_LENGTH: ("length_code", codes.END_LENGTH),
-    940: ("per_turn", False), 950: ("per_turn", True),
+    930: ("feed_mode", "time"), 940: ("feed_mode", "minute"), 950: ("feed_mode", "turn"),
+    980: ("at_initial_level", True), 990: ("at_initial_level", False),
+    **{code: ("cycle", code) for code in codes.CYCLES},
 }  # fmt: skip
 
 
-@dataclass(slots=True)
-class Meaning:
-    """A block taken apart; complaints are (problem, remedy) and none may be passed over.
-
-    motion, plane, inch, absolute, per_turn (F counts by turns), feed (as written): None where the block says nothing
-    of it. axes: words that are positions. decimals: digits written after the decimal point of axis and arc words.
-    undotted: letters of axis and arc words other than 0 without a decimal point. parameters: values of P Q L E. system:
-    the work offset that it selects; data_code: a code (times ten) whose axis words are data: `data`, by letter, R too. length_code: G43 or G49 (times ten); length_of: the H word of G43.
-    tool: the T word, as `T2`.
-    changes_tool: whether the block may change the tool, see tool_changes.
-    """
-
-    motion: int | None = None
-    plane: int | None = None
-    inch: bool | None = None
-    absolute: bool | None = None
-    per_turn: bool | None = None
-    feed: float | None = None
-    cancel_cycle: bool = False
-    exact_stop: bool = False
-    dwell: bool = False
-    codes: set[int] = field(default_factory=set)
-    miscellaneous: list[int] = field(default_factory=list)
-    axes: dict[str, float] = field(default_factory=dict)
-    centre: dict[str, float] = field(default_factory=dict)
-    radius: float | None = None
-    program_number: bool = False
-    tool: str = ""
-    changes_tool: bool = False
-    undotted: set[str] = field(default_factory=set)
-    decimals: dict[str, int] = field(default_factory=dict)
-    parameters: dict[str, float] = field(default_factory=dict)
-    system: str = ""
-    data_code: int | None = None
-    length_code: int | None = None
-    length_of: int | None = None
-    data: dict[str, float] = field(default_factory=dict)
-    complaints: list[tuple[str, str]] = field(default_factory=list)
-
-    @property
-    def positions(self) -> bool:
-        """Whether the block gives positions: axis words or an arc's centre or radius."""
-        return bool(self.axes or self.centre or self.radius is not None)
-
-    @property
-    def in_machine_coordinates(self) -> bool:
-        """Whether the block has G53."""
-        return codes.MACHINE_COORDINATES in self.codes
-
-    @property
-    def uncertain_codes(self) -> str:
-        """Codes of which it is not known whether they act before or after a motion, as `M70 M71`."""
-        uncertain = [f"M{code}" for code in self.miscellaneous if code not in m_codes.OF_CERTAIN_TIMING]
-        by_tool_word = self.changes_tool and m_codes.TOOL_CHANGE not in self.miscellaneous
-        return " ".join([*uncertain, *([self.tool] if by_tool_word else [])])
-
-    @property
-    def changes_modes(self) -> bool:
-        """Whether later blocks read differently after this one."""
-        modes = (self.motion, self.plane, self.inch, self.absolute, self.data_code, self.length_code)
-        shifts = self.codes & {codes.END_SHIFT, codes.SUSPEND_SHIFT, codes.RESTORE_SHIFT}
-        return self.cancel_cycle or bool(self.system or shifts) or any(mode is not None for mode in modes)
-
-    def count_in_least_increments(self, inch: bool) -> None:
-        """Take numbers without a decimal point as multiples of the least increment."""
-        for letter in self.undotted:
-            least = LEAST_DEG if letter in ROTARY else LEAST_INCH if inch else LEAST_MM
-            for values in (self.axes, self.centre, self.data):
-                if letter in values:
-                    values[letter] *= least
-            if letter == "R" and self.radius is not None:
-                self.radius *= least
-            self.decimals[letter] = 4 if least == LEAST_INCH else 3
-
-    def complain(self, problem: str, remedy: str = "") -> None:
-        """Note what is wrong."""
-        self.complaints.append((problem, remedy))
-
-
-def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings) -> Meaning:
-    """Sort the words of a block by what they do."""
+def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings, in_cycle: bool = False) -> Meaning:
+    """Sort the words of a block by what they do; in_cycle: whether a canned cycle is in force."""
     meaning = Meaning()
     if block.problem:
         meaning.complain(block.problem)
@@ -125,6 +47,8 @@ def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings) -
             _miscellaneous(word.value, meaning, settings)
         else:
             others.append(word)
+    goes_on = in_cycle and meaning.motion is None and not meaning.cancel_cycle and not meaning.in_machine_coordinates
+    meaning.drilling = meaning.data_code is None and not meaning.dwell and (meaning.cycle is not None or goes_on)
     for word in others:
         _other(word, meaning, machine_axes)
     if meaning.system == "G54.1":
@@ -165,8 +89,8 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
     elif harm := codes.OTHERWISE_ON.get(settings.dialect or "", {}).get(code):
         meaning.complain(f"{name} {harm}", codes.MACHINE_REMEDY)
     elif code in _SETTING:
-        what, value = _SETTING[code]
-        _set(meaning, what, value, name)
+        what, setting = _SETTING[code]
+        _set(meaning, what, setting, name)
     elif code == codes.DWELL:
         meaning.dwell = True
     elif code == codes.CANCEL_CYCLE:
@@ -196,7 +120,7 @@ def _miscellaneous(value: float, meaning: Meaning, settings: Settings) -> None:
 
 def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     letter = word.letter
-    if letter in _PARAMETERS:
+    if letter in _PARAMETERS or (letter == "K" and meaning.drilling):
         meaning.parameters[letter] = word.value
     if meaning.dwell and letter in _DWELL:
         return
@@ -206,33 +130,48 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         meaning.tool = f"T{word.value:g}"
     if letter in _AXES:
         _axis(word, meaning, machine_axes)
-    elif letter == "R" and meaning.data_code is not None:
+    elif letter == "R" and (meaning.data_code is not None or meaning.drilling):
         meaning.data[letter] = word.value
-        _number(word, meaning)
-    elif letter in _CENTRE:
-        meaning.centre[letter] = word.value
         _number(word, meaning)
     elif letter == "R":
         meaning.radius = word.value
         _number(word, meaning)
+    elif letter in _CENTRE and not (letter == "K" and meaning.drilling):
+        meaning.centre[letter] = word.value
+        _number(word, meaning)
     elif letter == "O":
         meaning.program_number = True
-    elif letter == "H" and meaning.length_code == codes.TAKE_LENGTH and word.value >= 0 and word.value % 1 == 0:
+    else:
+        _number_of_code(word, meaning)
+
+
+def _number_of_code(word: Word, meaning: Meaning) -> None:
+    """A word that is no position: whether it belongs to a code of the block."""
+    letter = word.letter
+    if letter == "H" and meaning.length_code == codes.TAKE_LENGTH and word.value >= 0 and word.value % 1 == 0:
         meaning.length_of = int(word.value)
     elif letter in _OFFSETS and word.value != 0.0:
         meaning.complain(
             f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.MACHINE_REMEDY
         )
-    elif letter in _PARAMETERS and not (
+    elif letter in _PARAMETERS and not _takes(letter, meaning):
+        meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")
+    elif letter not in _HARMLESS and letter != "K":
+        meaning.complain(f"address {letter} is not known", "only words whose effect on positions is known are accepted")
+    if letter == "Q" and meaning.drilling:
+        _number(word, meaning)
+
+
+def _takes(letter: str, meaning: Meaning) -> bool:
+    """Whether a code of the block takes a word with this address."""
+    return bool(
         meaning.miscellaneous
         or meaning.dwell
         or meaning.codes & codes.WITH_PARAMETERS
-        or meaning.data_code == codes.WRITE_DATA
+        or meaning.data_code in (codes.WRITE_DATA, codes.TO_SECOND_REFERENCE)
         or (letter == "P" and meaning.system.startswith("G54.1"))
-    ):
-        meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")
-    elif letter not in _HARMLESS:
-        meaning.complain(f"address {letter} is not known", "only words whose effect on positions is known are accepted")
+        or (meaning.drilling and letter != "E")
+    )
 
 
 def _axis(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
@@ -242,7 +181,8 @@ def _axis(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     if letter not in machine_axes:
         meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
         return
-    (meaning.axes if meaning.data_code is None else meaning.data)[letter] = word.value
+    is_data = meaning.data_code is not None or (meaning.drilling and letter == "Z")
+    (meaning.data if is_data else meaning.axes)[letter] = word.value
     _number(word, meaning)
 
 

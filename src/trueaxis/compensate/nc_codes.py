@@ -25,16 +25,21 @@ WRITE_DATA, LOCAL_SHIFT, SET_POSITION, RESTORE_SHIFT = 100, 520, 920, 923  # G10
 END_SHIFT, SUSPEND_SHIFT = 921, 922  # G92.1, G92.2
 TAKE_LENGTH, GIVE_LENGTH, END_LENGTH = 430, 431, 490  # G43, G43.1, G49
 # codes whose axis words are data, not where to go
-WITH_DATA = frozenset({WRITE_DATA, LOCAL_SHIFT, SET_POSITION, GIVE_LENGTH})
+TO_REFERENCE, TO_SECOND_REFERENCE = 280, 300  # G28, G30
+WITH_DATA = frozenset({WRITE_DATA, LOCAL_SHIFT, SET_POSITION, GIVE_LENGTH, TO_REFERENCE, TO_SECOND_REFERENCE})
+CYCLES = frozenset({730, 810, 820, 830, 850, 860, 890})  # drilling and boring, followed
 # what one control means by a code that the others use otherwise
 OTHERWISE_ON: dict[str, dict[int, str]] = {
     "siemens": {
         580: "shifts single axes (SINUMERIK)", 590: "shifts single axes (SINUMERIK)",
         430: "is not SINUMERIK's", 431: "is not SINUMERIK's", 100: "is a polar motion (SINUMERIK)",
+        **dict.fromkeys((280, 300, *CYCLES), "is not SINUMERIK's"),
         520: "is not SINUMERIK's", 920: "limits the spindle (SINUMERIK)",
     },
     "heidenhain": {
         **dict.fromkeys(SYSTEMS, "shifts the datum by its axis words (Heidenhain)"),
+        280: "mirrors (Heidenhain)", 300: "defines the blank (Heidenhain)", 930: "is not Heidenhain's",
+        **dict.fromkeys(CYCLES, "is a cycle of other words (Heidenhain)"),
         430: "lengthens the path by the radius (Heidenhain)", 431: "is not Heidenhain's",
         100: "is a polar motion (Heidenhain)", 520: "is not Heidenhain's", 920: "is not Heidenhain's",
     },
@@ -89,10 +94,6 @@ FAULTY: dict[int, Refused] = {
     220: Refused("limits the stroke (Fanuc), reads radii (Siemens) or starts a cycle", "take it out"),
     230: Refused("ends a limit of the stroke (Fanuc) or reads diameters (Siemens)", "take it out"),
     270: Refused("moves to a reference position (Fanuc), or departs tangentially (Heidenhain)", _MOTIONS),
-    280: Refused("moves by way of a reference position (Fanuc, LinuxCNC), or mirrors (Heidenhain)",
-                 "give the position by G0 (or G53 G0)"),
-    300: Refused("moves by way of a reference position (Fanuc, LinuxCNC), or defines the blank (Heidenhain)",
-                 "give the position by G0 (or G53 G0); leave a blank out"),
     281: _HOME, 290: _HOME, 301: _HOME,
     310: Refused("skips the rest of a motion on a signal (Fanuc), or defines the blank (Heidenhain)", "take it out"),
     330: _SPINDLE, 331: _SPINDLE, 340: _PATTERN, 350: _PATTERN, 360: _PATTERN,
@@ -114,11 +115,9 @@ FAULTY: dict[int, Refused] = {
     710: Refused("reads millimetres (Siemens, Heidenhain) or is a lathe cycle (Fanuc, LinuxCNC)",
                  "leave it out where it says millimetres, or write G21"),
     720: Refused("is a canned cycle (Fanuc) or scales (Heidenhain)", _MOTIONS),
-    730: Refused("is a canned cycle (Fanuc, LinuxCNC) or turns the coordinates (Heidenhain)", _MOTIONS),
-    **{10 * code: _CYCLE for code in (74, 75, 76, 77, 78, 79, 81, 82, 83, 84, 85, 86, 87, 88, 89)},
+    **{10 * code: _CYCLE for code in (74, 75, 76, 77, 78, 79, 84, 87, 88)},
     841: _CYCLE, 842: _CYCLE, 843: _CYCLE, 882: _CYCLE,
     901: Refused("makes I J K absolute, which is not handled", "have them written from the start of the arc"),
-    930: Refused("makes F an inverse time, which changes when a block is cut", "have F written in mm/min (G94)"),
     960: Refused("couples the spindle to an axis position", "write G97 with a speed"),
     1070: Refused("interpolates on a cylinder", _MOTIONS),
     1121: Refused("interpolates in polar coordinates", _MOTIONS),

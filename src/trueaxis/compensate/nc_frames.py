@@ -4,8 +4,8 @@ from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.commanded import Commanded
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.moves import Item, Notes, Setup, Zero
-from trueaxis.compensate.nc_block import Meaning
 from trueaxis.compensate.nc_lexer import Block
+from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.nc_text import block_text
 from trueaxis.compensate.offsets import NUMBERED
@@ -55,11 +55,6 @@ class FrameReader:
 
     def data(self, number: int, line: str, body: str, block: Block, meaning: Meaning) -> list[Item]:
         """A block whose axis words are data."""
-        if meaning.complaints:
-            return [line]
-        if meaning.motion not in (None, 0, 1) or meaning.in_machine_coordinates:
-            self._faults.add(number, "a shift and a motion in one block", "make it two blocks")
-            return [line]
         item: Item | None = line
         if meaning.data_code == codes.WRITE_DATA:
             item = self._write(number, line, body, block, meaning)

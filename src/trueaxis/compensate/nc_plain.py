@@ -29,6 +29,8 @@ def plain_move(number: int, line: str, match: re.Match[str], state: NcState, und
         or (code is None and state.in_force != motion)
         or not state.commanded.linear_complete
         or None in state.position
+        or state.cycle is not None
+        or state.feed_mode == "time"
         or state.ended
         or (x is None and y is None and z is None)
     ):

@@ -4,7 +4,7 @@ from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.machine import LINEAR
 from trueaxis.compensate.moves import Notes
-from trueaxis.compensate.nc_block import Meaning
+from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.tool_changes import ToolChanges

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from trueaxis.compensate.acting import acting
 from trueaxis.compensate.along import Along, PointAlong, PoseAlong
 from trueaxis.compensate.arcs import MOST_CHORDS, Arc, chord_counts
-from trueaxis.compensate.executed import Executed, execute, joined
+from trueaxis.compensate.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.held import Held, axes_elsewhere, held_axes, standing
 from trueaxis.compensate.lattice import Stretch, rotary_on_words, shifts, stretches
@@ -132,7 +132,7 @@ class Compensator:
         self._written = np.where(kept, self._written, np.where(np.isnan(stands), self._assumed, stands))
         self._settled = False
         if self._tracker is not None:
-            self._tracker.stand(self._programmed)
+            self._tracker.stand(self._programmed, kept)
         return ""
 
     def _chords(self, move: Move, arc: Arc) -> int:
@@ -223,7 +223,8 @@ class Compensator:
         starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
         programmed = (ends[:, owner], starts[:, owner])
         lattices = (steps[:, done.point], shift[:, done.point])
-        return self._writer.texts(moves, owner, done.positions, before, lattices, programmed)
+        shares = shares_of_time(done, owner, path, len(moves))
+        return self._writer.texts(moves, owner, done.positions, before, lattices, programmed, shares)
 
     def _note_held(self, moves: list[Move], held: Held) -> None:
         """Note axes that get no word; held: (n_axes, n_moves)."""

@@ -8,7 +8,7 @@ from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.m_codes import TOOL_CHANGE
 from trueaxis.compensate.moves import TOOL_CHANGE as M6_NOTE
 from trueaxis.compensate.moves import Notes
-from trueaxis.compensate.nc_block import Meaning
+from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.settings import Dialect
 
 T_CHANGES = (

@@ -48,9 +48,15 @@ class Tracker:
         """Compare corrections otherwise from here on: another tool."""
         self._along = along
 
-    def stand(self, position: FloatArray) -> None:
-        """The axes stand at a position (n_axes,) and have not moved yet."""
-        self._standing = Standing.at(position)
+    def stand(self, position: FloatArray, kept: NDArray[np.bool_]) -> None:
+        """Axes stand at a position (n_axes,) and have not moved yet, but for those that are kept as they were."""
+        new, old = Standing.at(position), self._standing
+        self._standing = Standing(
+            np.where(kept, old.extreme, new.extreme),
+            np.where(kept, old.direction, new.direction),
+            np.where(kept, old.since, new.since),
+            new.velocity,
+        )
 
     def place(
         self, path: Path, moves: Sequence[Move], follows: NDArray[np.bool_], following: Move | None

@@ -9,6 +9,8 @@ from trueaxis.compensate.machine import LINEAR, FloatArray
 from trueaxis.compensate.moves import Move, Zero
 from trueaxis.compensate.settings import MM_PER_INCH, Settings, decimals
 
+_LEAST_SHARE = 1e-6  # of the time of a block: a piece of no length has an F all the same
+_F_DIGITS = 7  # of F under G93: times are then right to a part in a million
 _HOLDS = 1e-9  # mm, deg: positions closer than this are the same
 
 
@@ -33,12 +35,14 @@ class BlockWriter:
         previous: FloatArray,
         lattices: tuple[FloatArray, FloatArray],
         programmed: tuple[FloatArray, FloatArray],
+        shares: FloatArray,
     ) -> list[str]:
         """One text for each move: its block, or the blocks it has become.
 
         owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
         before them (NaN: not known); lattices: mm or deg per step of a word, and position minus word in G90,
-        (n_axes, n); programmed: end and start of the move that each belongs to, (n_axes, n).
+        (n_axes, n); programmed: end and start of the move that each belongs to, (n_axes, n); shares: (n,), of the time
+        of that move.
         Raises ValueError rather than write a position that is not finite.
         """
         if not np.isfinite(positions).all():
@@ -63,7 +67,8 @@ class BlockWriter:
             if number == 1:
                 out.append(self._single(move, counts[place], stay[place], unchanged[place]))
             else:
-                out.append(self._several(move, counts[place : place + number], stay[place : place + number]))
+                part = slice(place, place + number)
+                out.append(self._several(move, counts[part], stay[part], shares[part]))
             place += number
         return out
 
@@ -90,15 +95,16 @@ class BlockWriter:
         words = self._words(move, counts, stay, move.written)
         return f"{move.lead}{words}{move.tail}{move.eol}"
 
-    def _several(self, move: Move, counts: list[list[int]], stay: list[list[bool]]) -> str:
+    def _several(self, move: Move, counts: list[list[int]], stay: list[list[bool]], shares: FloatArray) -> str:
         lead, tail, last = move.split or (move.lead, move.tail, "")
         none = (False,) * len(move.written)
         eol = move.eol or "\n"
-        parts = [f"{lead}{self._words(move, counts[0], stay[0], move.written)}{tail}"]
-        for count, held in zip(counts[1:], stay[1:], strict=True):
+        feeds = [_feed(move, share) for share in shares.tolist()]
+        parts = [f"{lead}{self._words(move, counts[0], stay[0], move.written)}{feeds[0]}{tail}"]
+        for count, held, feed in zip(counts[1:], stay[1:], feeds[1:], strict=True):
             words = self._words(move, count, held, none)
             if words:
-                parts.append(move.again + words)
+                parts.append(f"{move.again}{words}{feed}")
         if last:
             parts[-1 if len(parts) > 1 else 0] += last
         return eol.join(parts) + move.eol
@@ -109,3 +115,11 @@ class BlockWriter:
             for (step, form), count, held, named in zip(self._formats[move.inch], counts, stay, written, strict=True)
             if named or not held
         )
+
+
+def _feed(move: Move, share: float) -> str:
+    """The F word of a piece that takes a share of the time of its block, under G93; nothing otherwise."""
+    if not move.inverse_time:
+        return ""
+    value = move.inverse_time / max(share, _LEAST_SHARE)
+    return f"{move.gap}F{np.format_float_positional(value, precision=_F_DIGITS, fractional=False, trim='0')}"
