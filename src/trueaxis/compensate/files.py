@@ -93,7 +93,8 @@ def compensate_file(
     foreign = sorted(set(settings.start) - set(model.axes))
     if foreign:
         raise InputError([Fault("--start", "", f"this machine has no axis {' '.join(foreign)}")])
-    settings = replace(settings, assumed=dict(zip(model.axes, home_of(model).tolist(), strict=True)) | settings.assumed)
+    home = dict(zip(model.axes, home_of(model).tolist(), strict=True))
+    settings = replace(settings, assumed=home | dict(settings.assumed))
     linear = [axis for axis in model.axes if axis in "XYZ"]
     if settings.words != "nearest" and len(linear) != 3:
         raise InputError([Fault("--words", "", f"'{settings.words}' needs a machine with X, Y and Z")])

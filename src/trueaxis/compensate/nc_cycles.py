@@ -264,7 +264,8 @@ class _Writer:
 
 def _kept(body: str, block: Block, gap: str, again: str) -> tuple[str, str, str]:
     """What stays of a block of a cycle: text before its first motion, comments behind it, words due at the end."""
-    lead, last = [], []
+    lead: list[str] = []
+    last: list[str] = []
     comment, place = "", 0
     for word in block.words:
         between, place = body[place : word.start].strip(" \t").removeprefix(again), word.end

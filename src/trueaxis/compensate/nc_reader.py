@@ -28,7 +28,7 @@ from trueaxis.compensate.settings import Settings
 
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
 _OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it
-_NAME = re.compile(r"[Oo]<[\w .+-]*+>\s*+(?:\([^()]*+\))?+", re.ASCII)  # of a program, on newer Fanuc controls
+_NAME = re.compile(r"[Oo]<[\w .+-]*+>\s*+(?:\([^()]*+\))?", re.ASCII)  # of a program, on newer Fanuc controls
 _POSITION = re.compile(r"(?<![A-Za-z])[XYZABCUVW]\s*+[-+.\d]", re.IGNORECASE)
 AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
