@@ -26,16 +26,18 @@ _DESCRIPTION = """\
 Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
 no longer move the tool: the commands are iterated until the actual tool point is the one that an error-free machine
 would reach (Eqs. 55, 56); with --orientation correct rotary axes turn too, until the tool axis points where it would.
-Positions in the program are axis positions (machine coordinates).
+Positions in the program are axis positions (machine coordinates), or those of work offsets that --offset, --offsets
+or the program give; --tools gives tool lengths.
 
-Blocks that move nothing come back byte for byte. Arcs become chords; lines are cut where the errors along them bend.
-Whatever moves or shifts axes in a way the program does not state (offsets, cycles, macros, tool compensation,
-mirror, scaling, inverse time ...) is a fault with its line, and nothing is written. So is an M code that does not mean
-the same on every control, unless --pass-m names it, and a number without a decimal point, unless --integers says
-what it counts.
-An axis has no known position until the program gives it one; --start states where the machine stands before. An axis
-that the program has not commanded gets no word. What is written holds a mark in a comment, and a program with the mark
-is refused: compensated twice, every correction would double.
+Blocks that move nothing come back byte for byte. Arcs become chords; lines are cut where the errors along them bend;
+canned cycles are written out. Whatever moves or shifts axes in a way that is not followed (macros, cutter radius
+compensation, mirror, scaling, turned frames ...) is a fault with its line, and nothing is written. So is an M code that
+does not mean the same on every control, unless --pass-m names it, and a number without a decimal point, unless
+--integers says what it counts.
+An axis has no known position until the program gives it one; rapids before that are compensated for [start] of the
+spec, else home; --start states where the machine stands. An axis that the program has not commanded, in this frame,
+gets no word. What is written holds a mark in a comment, and a program with the mark is refused: compensated twice,
+every correction would double.
 """
 
 _EPILOG = """\
