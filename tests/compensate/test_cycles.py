@@ -93,6 +93,8 @@ def test_boring_stops_the_spindle(bench: Bench) -> None:
         ("G81 X5000. Z-1. R2.", "outside its travel", {}),
         ("G81 X1. Z-1. R2. F9\nG80\nX5.", "no motion", {}),
         ("G81 X1. Z-1. R2. I3.", "I or J in a block", {}),
+        ("G81 X1. Z-1. R2.\nG20 X1.", "line 4: G81 without Z and R", {}),
+        ("G81 X1. Z-1. R2.\nG91 X1.", "line 4: G81 without Z and R", {}),
     ],
 )
 def test_cycles_that_are_refused(bench: Bench, block: str, said: str, kwargs: Any) -> None:

@@ -21,7 +21,7 @@ from trueaxis.compensate.tool_files import read_tools
 from trueaxis.compensate.tools import Tool, ToolTable
 from trueaxis.faults import InputError
 
-LENGTHS = {1: 80.0, 2: 215.5, 3: 31.25}
+LENGTHS = {1: 80.0, 2: 215.5, 3: 31.25, 4: 80.0}
 TABLE = ToolTable({number: Tool(length) for number, length in LENGTHS.items()})
 NONE = Offsets()
 
@@ -96,6 +96,12 @@ def test_a_length_that_may_have_moved_z(bench: Bench, dialect: Any) -> None:
         bench.run(f"{program}G91 G43 H2 Z1.\n", tools=TABLE, dialect=dialect)
 
 
+@pytest.mark.parametrize("dialect", [None, "linuxcnc"])
+def test_tools_of_the_same_length_may_differ_on_the_control(bench: Bench, dialect: Any) -> None:
+    program = "G21 G90\nT1 M6\nG43 H1 G0 X10. Y20. Z50.\nG43 H4\nX400.\nZ30.\n"
+    assert words(bench.run(program, paper_sized(9.0), tools=TABLE, dialect=dialect), "Z") == [3, 6]
+
+
 def test_lengths_of_the_program(bench: Bench) -> None:
     program = "G21 G90\nG0 X1. Y2. Z300.\nG43.1 Z80.\nZ10.\n"
     text = bench.run(program, paper_sized(5.0), dialect="linuxcnc", tools=TABLE)
@@ -129,6 +135,12 @@ def test_what_is_not_certain(bench: Bench, program: str, said: str, kwargs: Any)
         bench.run(f"G21 G90\n{program}\n", **kwargs)
 
 
+def test_a_cutter_location_file_has_neither_offsets_nor_tools(bench: Bench) -> None:
+    for kwargs in ({"tools": TABLE}, {"offsets": KNOWN}):
+        with pytest.raises(InputError, match="a CL file is in machine coordinates"):
+            bench.run("FROM/0,0,0\nGOTO/1,2,3\nFINI\n", language="apt", **kwargs)
+
+
 def test_a_tool_that_is_in_the_spindle_from_the_start(bench: Bench) -> None:
     bench.run("G21 G90\nG43 H2 G0 X5. Y5. Z5.\n", paper_sized(), tools=TABLE)
     assert any("tool 2 is taken to be in the spindle" in note for note in bench.report.notes)
@@ -149,7 +161,7 @@ def test_a_table_of_linuxcnc_adds_x_and_y(bench: Bench) -> None:
 BLOCKS = st.lists(
     st.tuples(
         st.sampled_from(
-            ["", "", "G0", "G1", "T1 M6", "T2 M6", "G43 H1", "G43 H2", "G43 H3", "G49", "G54", "G53", "G91", "G90"]
+            ["", "", "G0", "G1", "T1 M6", "T2 M6", "G43 H1", "G43 H2", "G43 H4", "G49", "G54", "G53", "G91", "G90"]
         ),
         st.tuples(*[st.one_of(st.none(), st.integers(-40000, 40000)) for _ in range(3)]),
     ),
@@ -159,7 +171,7 @@ BLOCKS = st.lists(
 
 
 @settings(max_examples=150, deadline=None)
-@given(BLOCKS, st.tuples(*[st.integers(-50, 50)] * 4), st.sampled_from([None, "linuxcnc"]))
+@given(BLOCKS, st.tuples(*[st.integers(-50, 50)] * 5), st.sampled_from([None, "linuxcnc"]))
 def test_no_axis_is_put_elsewhere_whatever_the_true_lengths_are(
     blocks: list[tuple[str, tuple[int | None, ...]]], wrong: tuple[int, ...], dialect: Any
 ) -> None:

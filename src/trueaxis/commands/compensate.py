@@ -103,7 +103,8 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--tool-axis", type=_point, default=default.tool_axis, metavar="X,Y,Z",
                         help="direction of the tool axis, tool frame (default 0,0,1)")  # fmt: skip
     parser.add_argument("--start", type=_start, default={}, metavar="X0Y0Z0",
-                        help="axis positions before the first block (default: not known)")  # fmt: skip
+                        help="axis positions before the first block, in machine coordinates "
+                        "(default: not known)")  # fmt: skip
     parser.add_argument("--temperature", type=float, metavar="C",
                         help="degC at which the program runs, for effects that depend on it (default 20)")  # fmt: skip
     parser.add_argument("--time", type=float, metavar="S",

@@ -16,6 +16,7 @@ Step = tuple[int, float]  # what is done, and to which Z (machine, mm)
 class Cycle:
     """A canned cycle with its words as they hold on, as written: code (times ten), z and r, peck (0: none), dwell (the
     text of its P word). initial: Z when it began, mm, machine coordinates, None: not known; frame: in which.
+    absolute, inch: how z and r are written.
     """
 
     code: int
@@ -25,6 +26,8 @@ class Cycle:
     dwell: str = ""
     initial: float | None = None
     frame: Hashable = None
+    absolute: bool = True
+    inch: bool = False
 
     @property
     def name(self) -> str:

@@ -93,6 +93,8 @@ def compensate_file(
     foreign = sorted(set(settings.start) - set(model.axes))
     if foreign:
         raise InputError([Fault("--start", "", f"this machine has no axis {' '.join(foreign)}")])
+    if language == "apt" and (settings.offsets.systems or settings.tools is not None):
+        raise InputError([Fault("--offset, --tools", "", "go with NC programs: a CL file is in machine coordinates")])
     home = dict(zip(model.axes, home_of(model).tolist(), strict=True))
     settings = replace(settings, assumed=home | dict(settings.assumed))
     linear = [axis for axis in model.axes if axis in "XYZ"]

@@ -125,8 +125,15 @@ class Frames:
         self.reset, self._resets = self.stored.copy(), self._stored_resets.copy()
 
     def take_length(self, lengths: Sequence[float], tool: int) -> None:
-        """G43: the lengths of a tool, for each axis; 0: none."""
-        for row, length in enumerate(lengths):
-            if length != self.length[row]:
+        """G43: the lengths of a tool, for each axis; 0: none.
+
+        Tools of the same length in a table need not have the same one on the control.
+        """
+        for row, (axis, length) in enumerate(zip(self.axes, lengths, strict=True)):
+            if length or self.length[row] or axis == "Z":
                 self._tools[row] = tool
         self.length = list(lengths)
+
+    def has_length_of(self, tool: int) -> bool:
+        """Whether the length of this tool is in force; 0: none."""
+        return not set(self._tools) - {0, tool} and (tool == 0 or tool in self._tools)

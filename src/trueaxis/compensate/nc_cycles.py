@@ -74,6 +74,8 @@ class CycleReader:
         cycle = before
         if meaning.cycle is not None and meaning.cycle != before.code:
             cycle = Cycle(meaning.cycle, before.z, before.r, initial=before.initial, frame=before.frame)
+        if (cycle.absolute, cycle.inch) != (state.absolute, state.inch):  # what the words of before mean now differs
+            cycle = replace(cycle, z=None, r=None, peck=0.0, absolute=state.absolute, inch=state.inch)
         texts = {word.letter: body[word.start + 1 : word.end].strip() for word in block.words}
         return replace(
             cycle,

@@ -101,7 +101,7 @@ class ToolReader:
 
     def _set(self, number: int, meaning: Meaning, lengths: list[float], tool: int) -> None:
         state = self._state
-        if lengths != state.frames.length and not self._on_linuxcnc:
+        if not state.frames.has_length_of(tool) and not self._on_linuxcnc:
             if "Z" not in meaning.axes:  # some controls move by the difference at once, others with the next word
                 state.commanded.displace([state.row["Z"]] if "Z" in state.row else [])
             elif not state.absolute:
