@@ -13,9 +13,9 @@ from pathlib import Path
 
 import numpy as np
 
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
-from trueaxis.identify.observations import Observations
 from trueaxis.measure.setup import PointOn, Run
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import load_model

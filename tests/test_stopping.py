@@ -116,14 +116,14 @@ def inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("name", ["predict", "compensate", "identify"])
 def test_stopped_commands_leave_whole_files(inputs: Path, tmp_path: Path, name: str) -> None:
-    _, faults = campaign(Trial(inputs, name, tmp_path), 5, seed=1)
+    _, faults = campaign(Trial(inputs, name, tmp_path), 3, seed=1)
     assert faults == []
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_may_be_stopped_at_any_moment(inputs: Path, tmp_path: Path, name: str) -> None:
-    _, faults = campaign(Trial(inputs, name, tmp_path), 12, seed=2)
+    _, faults = campaign(Trial(inputs, name, tmp_path), 6, seed=2)
     assert faults == []
 
 

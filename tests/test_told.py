@@ -135,7 +135,7 @@ def test_a_reader_that_stops_early_changes_no_answer(prepared: Path, tmp_path: P
     """`derive --check` of another machine writes more than a pipe holds and answers 1."""
     assert run(prepared, COMMANDS["derive"].format(out=tmp_path)).returncode == 0
     for path in (tmp_path / "generated" / "dmu60p").iterdir():
-        path.write_text("other\n" * 30000)
+        path.write_text(("other " * 200 + "\n") * 100)
     words = f"derive m.toml --out {tmp_path / 'generated'} --check"
     with subprocess.Popen(command_line(words), cwd=prepared, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout is not None

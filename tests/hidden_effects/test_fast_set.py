@@ -32,7 +32,7 @@ def of_one_machine() -> Iterator[Trial]:
             yield trial
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")  # tests of other modules may come between
 def results() -> list[Result]:
     separated = islice(trials_of("separated"), 6)
     trials = [

@@ -6,7 +6,7 @@ import numpy as np
 
 from tests.generator.instruments import ball_bar, laser
 from tests.generator.machine import Generator
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn, Run, Vector
 

@@ -17,7 +17,7 @@ from tests.identify.test_paper import DIMENSIONS
 from tests.kernels import kernels_at
 from tests.machines import DMU60P, FIVE_AXIS, machine_at
 from trueaxis.effects.kind import Effect
-from trueaxis.identify.observations import Observations, observations
+from trueaxis.estimation.observations import Observations, observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import Run

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
-from trueaxis.identify.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.measure.setup import Carrier, Instrument, PointOn, Run, Vector

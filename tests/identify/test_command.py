@@ -41,10 +41,10 @@ def known(folder: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("method", ["paper", "global"])
-def test_noise_free_readings_give_the_errors_back(tmp_path: Path, method: str) -> None:
+@pytest.mark.parametrize("method", [["paper"], ["global", "--prior", "none"]], ids=["paper", "least squares"])
+def test_noise_free_readings_give_the_errors_back(tmp_path: Path, method: list[str]) -> None:
     data, out = simulated(tmp_path, "dmu60p_regular_runs"), tmp_path / "e.json"
-    options = ["--method", method, "--squareness", "known", "--known", str(known(tmp_path))]
+    options = ["--method", *method, "--squareness", "known", "--known", str(known(tmp_path))]
     assert identify(data, out, *options) == 0
     true, found = values(ERRORS), values(out)
     steps = np.arange(28) / 27

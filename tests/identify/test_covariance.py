@@ -20,12 +20,12 @@ from tests.identify.test_global import CONVENTION, KNOWN, mixed_data
 from tests.identify.test_instruments import joined
 from tests.identify.test_paper import level
 from trueaxis.cli import main
+from trueaxis.estimation.observations import Observations
 from trueaxis.faults import InputError
 from trueaxis.identify.curve_fit import in_polynomials
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.method import fit_global, identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.measure.columns import BoolArray
@@ -48,6 +48,7 @@ def legendre(found: Covariance) -> list[tuple[str, LegendreBasis]]:
     return [(name, basis) for name, basis in pairs if isinstance(basis, LegendreBasis)]
 
 
+LEAST_SQUARES = ["--method", "global", "--prior", "none", "--degree", "3", "--squareness", "known"]
 TOOL = np.array([[12.0], [-35.0], [60.0]])
 AT = np.array([[0.0, 540.0, 200.0, 33.0], [0.0, 700.0, 100.0, 650.0], [0.0, 600.0, 333.0, 10.0]])
 SIGMA = 3e-4
@@ -262,7 +263,7 @@ def _true_values(found: Covariance) -> FloatArray:
 def test_commands_write_and_read_it(tmp_path: Path) -> None:
     data = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.3")
     out, file = tmp_path / "e.json", tmp_path / "c.npz"
-    options = ["--method", "global", "--degree", "3", "--known", str(known(tmp_path)), "--squareness", "known"]
+    options = [*LEAST_SQUARES, "--known", str(known(tmp_path))]
     assert identify(data, out, *options, "--covariance", str(file)) == 0
     again = tmp_path / "again.npz"
     assert identify(data, tmp_path / "e2.json", *options, "--covariance", str(again)) == 0
@@ -281,7 +282,7 @@ def test_what_is_open_has_no_uncertainty(tmp_path: Path) -> None:
     """The published points: what Z is rests on what they leave open; what X does along itself does not."""
     data = simulated(tmp_path, "dmu60p_runs", "--noise-um", "0.3")
     out, file = tmp_path / "e.json", tmp_path / "c.npz"
-    options = ["--method", "global", "--degree", "3", "--known", str(known(tmp_path)), "--squareness", "known"]
+    options = [*LEAST_SQUARES, "--known", str(known(tmp_path))]
     assert identify(data, out, *options, "--covariance", str(file)) == 0
     model = load_model(MACHINE, out, Path(KERNELS[1]), backend="numpy")
     found = read_covariance(file, model.machine)

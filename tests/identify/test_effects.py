@@ -15,10 +15,10 @@ from tests.identify.effect_data import SIGMA, Row, Term, five_axis, measured, mo
 from tests.kernels import kernels_of
 from tests.machines import machine_of
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.observations import Observations, observations
 from trueaxis.faults import InputError
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
-from trueaxis.identify.observations import Observations, observations
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.report import Identification

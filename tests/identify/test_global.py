@@ -14,10 +14,10 @@ from tests.generator.machine import Function
 from tests.identify.data import AXES, P9_PRINTED, TRAVEL, line, moving, observed, paper_data, paper_runs
 from tests.identify.machines import PlainMachine, dmu60p
 from tests.identify.test_paper import DIMENSIONS, level
+from trueaxis.estimation.observations import Observations
 from trueaxis.faults import InputError
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.report import Identification
 from trueaxis.measure.machine import FloatArray, View
 from trueaxis.measure.reading_model import expected_readings

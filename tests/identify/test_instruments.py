@@ -12,9 +12,10 @@ from tests.generator.machine import Body, Generator, polynomial
 from tests.identify.data import HOME, line, moving, observed, paper_data, paper_runs, tool
 from tests.identify.machines import PlainMachine, dmu60p
 from tests.identify.test_global import CONVENTION, KNOWN, bar, circle, mixed_data, off
-from trueaxis.identify.global_fit.instruments import KINDS, instruments, is_straightness
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.set_up import is_straightness
+from trueaxis.identify.global_fit.instruments import KINDS, instruments
 from trueaxis.identify.global_fit.method import identify_global
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.report import Identification
 from trueaxis.measure.setup import PointOn, Run
 

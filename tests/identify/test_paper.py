@@ -20,8 +20,8 @@ from tests.identify.data import (
     tool,
 )
 from tests.identify.machines import dmu60p
+from trueaxis.estimation.observations import Observations
 from trueaxis.faults import InputError
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.report import Identification

@@ -16,9 +16,9 @@ from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
 from tests.identify.data import P9_PRINTED, paper_data
 from tests.identify.machines import dmu60p
+from trueaxis.estimation.machine import units
 from trueaxis.identify.axis_lines import angle_matrix, axis_lines
 from trueaxis.identify.curve_fit import fit_tables, polynomial_curves
-from trueaxis.identify.machine import units
 from trueaxis.identify.noise import noise
 from trueaxis.identify.null_space import reduced
 from trueaxis.identify.paper.method import identify_paper

@@ -16,10 +16,10 @@ from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
 from tests.identify.data import TRAVEL, line, moving, observed, paper_data, paper_runs
 from tests.identify.test_global import CONVENTION, KNOWN
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import pure_error
 from trueaxis.faults import InputError
 from trueaxis.identify.global_fit.method import identify_global
-from trueaxis.identify.observations import Observations
-from trueaxis.identify.repeats import pure_error
 from trueaxis.identify.report import Identification
 from trueaxis.identify.weighting import NoiseModel, weighting
 from trueaxis.measure.machine import FloatArray

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from tests.identify.data import HOME, UNIT
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.observations import Observations
 from trueaxis.measure.data import read_data
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn, Run, Vector

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.curves import PolynomialCurve

@@ -65,7 +65,18 @@ def test_proposed_runs_are_a_plan_that_can_be_simulated_and_identified(tmp_path:
     errors = ROOT / "machines" / "dmu60p_errors.json"
     shared = [str(MACHINE), "--data"]
     assert main(["simulate", *shared, str(out), "--errors", str(errors), "--out", str(data), *KERNELS]) == 0
-    identify = ["identify", *shared, str(data), "--out", str(tmp_path / "e.json"), "--method", "global", *QUICK]
+    identify = [
+        "identify",
+        *shared,
+        str(data),
+        "--out",
+        str(tmp_path / "e.json"),
+        "--method",
+        "global",
+        "--prior",
+        "none",
+        *QUICK,
+    ]
     assert main([*identify, "--known", str(_parameters(tmp_path)), *KERNELS]) == 0
     # the plan of the result says what the proposal promised
     again = tmp_path / "again.json"

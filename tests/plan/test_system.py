@@ -8,7 +8,7 @@ import pytest
 from tests.identify.data import P9_PRINTED, P9_REGULAR, line, moving, paper_runs
 from tests.plan.data import IDEAL, known_but, laser, model, observations, path, plan
 from tests.plan.explicit import by_location, by_power, design, rank, readings, unit_columns
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn, Run, Vector
 from trueaxis.plan import expected

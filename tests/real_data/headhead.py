@@ -12,12 +12,12 @@ import numpy as np
 
 from tests.real_data.headhead_data import DIMENSIONS, FILE, probe_data
 from trueaxis.cli import main as trueaxis
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.method import fit_global
 from trueaxis.identify.global_fit.result import GlobalOptions, GlobalResult
 from trueaxis.identify.global_fit.solve import residuals
 from trueaxis.identify.global_fit.write_up import identification
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.report_text import report_text
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.curves import PolynomialCurve

@@ -20,7 +20,7 @@ import numpy as np
 import polars as pl
 from scipy.spatial.transform import Rotation
 
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn, Run, Vector
 

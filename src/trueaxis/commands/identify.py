@@ -16,13 +16,14 @@ from trueaxis.commands.identify_options import (
 )
 from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import named, overwritten
+from trueaxis.estimation.observations import Observations, observations
 from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
+from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.global_fit.instruments import KINDS
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import AUTO_DEGREE, GlobalOptions
-from trueaxis.identify.observations import Observations, observations
 from trueaxis.identify.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
@@ -43,13 +44,15 @@ if TYPE_CHECKING:
 
 DESCRIPTION = """\
 Find the motion and location errors of a machine from readings. Method paper goes point by point and step by step: each
-run gives the components that it alone still holds, at every position, with those found before. Method global fits
-polynomials of all components to all readings at once, ball bar included. Both work on the exact model, give standard
-uncertainties where the noise is known, and say what the readings cannot determine (which is no failure: exit code 0).
+run gives the components that it alone still holds, at every position, with those found before. Method global estimates
+all errors from all readings at once, ball bar included, with what may be expected of them ([prior] of the spec) and
+what nobody knows of instruments; noise, sizes of errors and outliers are found from the readings. Both work on the
+exact model, give standard uncertainties, and say what the readings cannot determine (which is no failure: exit code 0).
 Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or its residuals
 are far from the noise that is known, and the values are written as a misfit."""
 
 DEFAULT: Literal["convention"] = "convention"
+DEGREE = 7
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -61,6 +64,13 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
     )
     parser.add_argument("--method", choices=("paper", "global"), default="paper", help="(default %(default)s)")
+    parser.add_argument(
+        "--prior",
+        choices=("spec", "none"),
+        default="spec",
+        help="method global: spec (default) expects errors of the sizes of [prior], which readings correct; none is "
+        "plain least squares on polynomials, which --degree, --instruments, --robust and effects of the spec ask for",
+    )
     parser.add_argument(
         "--squareness",
         type=squareness_option,
@@ -95,7 +105,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--degree",
         type=degree_option,
-        default=7,
+        default=DEGREE,
         metavar="N",
         help="method global: highest power (%(default)s), or auto: of each component as held-out readings ask for",
     )
@@ -196,6 +206,8 @@ def _identify(
     if args.method == "paper":
         options = PaperOptions(args.squareness, known, noise.um, args.curves)
         return identify_paper(model, observed, options)
+    if args.prior == "spec" and not model.effects:
+        return identify_estimated(model, observed, EstimateOptions(args.squareness, known, noise))
     return identify_global(
         model,
         observed,
@@ -216,6 +228,15 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     found = []
     if args.method == "global" and args.squareness == FROM_ANGLES:
         found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method paper", "convention or known"))
+    if args.method == "global" and args.prior == "spec":
+        of_least_squares = {
+            "--degree": args.degree != DEGREE,
+            "--instruments": args.instruments != KINDS,
+            "--robust": bool(args.robust),
+        }
+        for option, used in of_least_squares.items():
+            if used:
+                found.append(Fault(option, "", "goes with plain least squares", "--prior none"))
     if args.squareness == "known" and args.known is None:
         found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
     if args.method == "paper":
@@ -224,6 +245,7 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
             "--degree auto": args.degree == AUTO_DEGREE,
             "--instruments": args.instruments != KINDS,
             "--robust": bool(args.robust),
+            "--prior": args.prior != "spec",
         }
         for option, used in of_global.items():
             if used:

@@ -11,10 +11,11 @@ import numpy as np
 
 from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.rows import Rows
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.set_up import ball_columns
 from trueaxis.identify.global_fit.design import Design
-from trueaxis.identify.global_fit.instruments import ball_columns, instruments
+from trueaxis.identify.global_fit.instruments import instruments
 from trueaxis.identify.global_fit.layout import Layout, layout
-from trueaxis.identify.observations import Observations
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 

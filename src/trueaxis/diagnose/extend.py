@@ -12,13 +12,13 @@ import numpy as np
 from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.observations import Observations, observations
 from trueaxis.identify.global_fit.method import identify_global
 from trueaxis.identify.global_fit.result import GlobalOptions
-from trueaxis.identify.observations import Observations, observations
 from trueaxis.identify.words import enumerated
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
-from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
+from trueaxis.runtime.curves import Curve, LegendreCurve, PolynomialCurve, TableCurve, polynomial_of
 from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 from trueaxis.runtime.model import MachineModel
@@ -119,6 +119,7 @@ def _sum(given: Curve, change: Curve) -> Curve:
         return TableCurve(given.positions, tuple(values.tolist()))
     if isinstance(change, TableCurve):
         return _sum(change, given)
+    given, change = (polynomial_of(one) if isinstance(one, LegendreCurve) else one for one in (given, change))
     total: dict[int, float] = {}
     for curve in (given, change):
         for power, coefficient in zip(curve.powers, curve.coefficients, strict=True):

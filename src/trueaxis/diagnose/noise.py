@@ -16,7 +16,7 @@ from scipy.special import betaln, chdtri
 from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, place_of
 from trueaxis.diagnose.whiten import differenced, ramp, solved, tridiagonal, whitened
-from trueaxis.identify.global_fit.instruments import STRAIGHT
+from trueaxis.estimation.set_up import STRAIGHT
 from trueaxis.spec.machine import LINEAR
 
 LAG = 2  # harmonic of a circle by which servo lag makes two feeds differ

@@ -15,7 +15,7 @@ from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows, as_slice
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.identify.first_order import sensed
+from trueaxis.estimation.first_order import sensed
 from trueaxis.measure.machine import View
 from trueaxis.measure.reading_context import reading_context_of
 from trueaxis.measure.reading_model import measuring_frame, sensed_directions

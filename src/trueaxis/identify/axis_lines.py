@@ -5,7 +5,7 @@ from itertools import combinations
 
 import numpy as np
 
-from trueaxis.identify.machine import LINEAR, IdentifiedMachine
+from trueaxis.estimation.machine import LINEAR, IdentifiedMachine
 from trueaxis.measure.machine import FloatArray, View
 
 

@@ -9,9 +9,9 @@ from typing import cast
 
 import numpy as np
 
+from trueaxis.estimation.set_up import is_straightness
 from trueaxis.faults import Fault
 from trueaxis.identify.expected_size import expected_size
-from trueaxis.identify.global_fit.instruments import is_straightness
 from trueaxis.measure.data import MeasuredData, readings_path
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import ideal_bar, ideal_reading, measuring_frame

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from trueaxis.identify.first_order import sensed, sensed_at_home
-from trueaxis.identify.machine import component_axes, units
+from trueaxis.estimation.first_order import sensed, sensed_at_home
+from trueaxis.estimation.machine import component_axes, units
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions
 from trueaxis.measure.setup import Run

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.estimation.machine import IdentifiedMachine, IntArray
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import pure_error
 from trueaxis.identify.expected_size import expected_size
-from trueaxis.identify.machine import IdentifiedMachine, IntArray
-from trueaxis.identify.observations import Observations
-from trueaxis.identify.repeats import pure_error
 from trueaxis.identify.weighting import INSTRUMENTS, LEAST_FREEDOM
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Run

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.identify.machine import IntArray
+from trueaxis.estimation.machine import IntArray
 from trueaxis.identify.polynomial import OptimalFit, PolynomialFit, Samples, fit_optimal, fit_terms
 from trueaxis.measure.machine import FloatArray
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from trueaxis.identify.global_fit.instruments import is_straightness
-from trueaxis.identify.machine import IdentifiedMachine
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.set_up import is_straightness
 from trueaxis.identify.report import ComponentReport
 from trueaxis.identify.words import enumerated
 from trueaxis.runtime.errors import ErrorValues

@@ -39,18 +39,19 @@ def report_text(report: IdentificationReport) -> str:
         lines.append(f"left out (this method cannot use ball-bar runs): {', '.join(report.left_out)}")
     if report.noise_um is None:
         lines.append("standard uncertainties are not given: the noise is unknown (--noise-um gives it)")
-    lines += ["", "solved, in this order:"]
+    if report.blocks:
+        lines += ["", "solved, in this order:"]
     lines += [line for number, block in enumerate(report.blocks, 1) for line in _block(number, block)]
     if report.locations:
         lines += ["", "location errors:"]
         lines += [_location(location) for location in report.locations]
-    lines += ["", "motion errors over the measured positions:"]
+    lines += ["", "motion errors over the measured positions:" if report.blocks else "motion errors over the travel:"]
     lines += [_component(component) for component in report.components]
     if report.effects:
         lines += ["", "effects (U: expanded uncertainty, k = 2):"]
         lines += [line for one in report.effects for line in _effect(one)]
     if report.instruments:
-        lines += ["", "instruments as they are (--instruments ideal takes them for perfect):"]
+        lines += ["", "unknowns of the instruments:"]
         lines += [line for one in report.instruments for line in _instrument(one)]
     if report.orders is not None:
         lines += ["", *_orders(report.orders)]
@@ -177,7 +178,9 @@ def _with_u(u: float | None, unit: str) -> str:
 
 
 def _small(value: float, unit: str) -> tuple[float, str]:
-    """In micrometres or microradians."""
+    """In micrometres, microradians or parts per million."""
+    if unit == "1":
+        return value * MICRO, "ppm"
     return (value * 1e3, "um") if unit == "mm" else (value * MICRO, "urad")
 
 

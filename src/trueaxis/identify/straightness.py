@@ -6,7 +6,7 @@ lines. A slope common to both is then part of the squareness alone.
 
 import numpy as np
 
-from trueaxis.identify.machine import LINEAR
+from trueaxis.estimation.machine import LINEAR
 from trueaxis.measure.machine import FloatArray
 
 

@@ -6,10 +6,10 @@ from typing import Literal
 
 import numpy as np
 
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import pure_error
 from trueaxis.faults import Fault, Faults, InputError
-from trueaxis.identify.machine import IntArray
-from trueaxis.identify.observations import Observations
-from trueaxis.identify.repeats import pure_error
 from trueaxis.measure.machine import FloatArray
 
 Repeats = Literal["", "instrument", "run"]

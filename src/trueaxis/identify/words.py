@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.identify.machine import LINEAR
+from trueaxis.estimation.machine import LINEAR
 from trueaxis.measure.machine import FloatArray
 
 

@@ -7,7 +7,7 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.identify.machine import LINEAR, IdentifiedMachine
+from trueaxis.estimation.machine import LINEAR, IdentifiedMachine
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import column
 from trueaxis.measure.setup import Instrument, PointOn, Run, Vector

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.identify.machine import IntArray, units
+from trueaxis.estimation.machine import IntArray, units
 from trueaxis.identify.paper.steps import SolvedStep
 from trueaxis.identify.words import Share, enumerated, slope_unit, split_apart, together, unit_of
 from trueaxis.measure.machine import FloatArray

@@ -3,8 +3,8 @@
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.estimation.machine import units
 from trueaxis.identify.global_fit.layout import Layout
-from trueaxis.identify.machine import units
 from trueaxis.identify.words import unit_of
 from trueaxis.measure.machine import FloatArray
 from trueaxis.plan.convention import Settled

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.estimation.machine import IdentifiedMachine, IntArray
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.global_fit.instruments import KINDS, Instruments, InstrumentUnknown, instruments
-from trueaxis.identify.machine import IdentifiedMachine, IntArray
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.words import enumerated
 from trueaxis.measure.machine import FloatArray
 from trueaxis.plan.lines import line_kind, misplaced, path_line

@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.identify.machine import IdentifiedMachine
+from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions, ideal_bar
 from trueaxis.measure.setup import Run

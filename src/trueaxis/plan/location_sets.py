@@ -10,7 +10,7 @@ from itertools import product
 
 import numpy as np
 
-from trueaxis.identify.machine import LINEAR, IdentifiedMachine, scales, units
+from trueaxis.estimation.machine import LINEAR, IdentifiedMachine, scales, units
 from trueaxis.identify.words import enumerated
 from trueaxis.measure.machine import FloatArray
 from trueaxis.plan.report import LocationSet, Redundant

@@ -4,12 +4,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from trueaxis.estimation.machine import IdentifiedMachine, lever
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.layout import layout
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
-from trueaxis.identify.machine import IdentifiedMachine, lever
 from trueaxis.identify.notes import dimension_notes
-from trueaxis.identify.observations import Observations
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import Run
 from trueaxis.plan import expected

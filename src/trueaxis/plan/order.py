@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.observations import Observations
 from trueaxis.faults import InputError
-from trueaxis.identify.machine import IdentifiedMachine
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper.equations import equations
 from trueaxis.identify.paper.grid import Grid, grid_and_cells
 from trueaxis.identify.paper.points import points_remark

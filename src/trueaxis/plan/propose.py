@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.global_fit.layout import Layout, layout
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
-from trueaxis.identify.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Instrument
 from trueaxis.plan import expected

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.layout import Layout
-from trueaxis.identify.machine import IntArray
-from trueaxis.identify.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Run
 from trueaxis.plan.instruments import Assumptions, Unknowns, instrument_unknowns

@@ -6,28 +6,34 @@ from fractions import Fraction
 from functools import lru_cache
 
 import numpy as np
+import numpy.typing as npt
 from numpy.polynomial import legendre
 
-from trueaxis.runtime.curves import Curve, FloatArray, PolynomialCurve
+FloatArray = npt.NDArray[np.float64]
 
 UNMEASURED_DEGREE = 3  # a curve that no reading holds may have any shape: low orders move the tool as much as high ones
 
 
 @dataclass(frozen=True)
 class LegendreBasis:
-    """Legendre polynomials on [low, high], each less its value at position 0: b_k(0) = 0, k = 1 .. degree.
+    """Legendre polynomials on [low, high], each less its value at home: b_k(home) = 0, k = 1 .. degree.
 
-    The first is the position divided by half the range. low, high: mm or deg.
+    The first is the position from home divided by half the range. low, high, home: mm or deg.
     """
 
     low: float
     high: float
     degree: int
+    home: float = 0.0
 
     def __call__(self, positions: FloatArray) -> FloatArray:
         """(degree, n): the basis functions at positions (n,)."""
         values = legendre.legvander(self._scaled(positions), self.degree)
-        return np.ascontiguousarray((values - _at_zero(self))[:, 1:].T)
+        return np.ascontiguousarray((values - _at_home(self))[:, 1:].T)
+
+    def clamped(self, positions: FloatArray) -> FloatArray:
+        """(degree, n): the same, with the values at the ends beyond the range."""
+        return self(np.clip(positions, self.low, self.high))
 
     @property
     def count(self) -> int:
@@ -87,11 +93,6 @@ class PowerBasis:
 Basis = LegendreBasis | HatBasis | PowerBasis
 
 
-def basis_of_curve(curve: Curve) -> HatBasis | PowerBasis:
-    """The functions whose coefficients are the numbers of the curve."""
-    return PowerBasis(curve.powers) if isinstance(curve, PolynomialCurve) else HatBasis(curve.positions)
-
-
 def unmeasured_basis(travel: Mapping[str, tuple[float, float]], component: str) -> LegendreBasis:
     """Functions that stand for a component of which nothing is known; travel: of every axis, mm or deg."""
     return axis_basis(travel[component[2]], UNMEASURED_DEGREE)
@@ -102,9 +103,15 @@ def axis_basis(travel: tuple[float, float], degree: int) -> LegendreBasis:
     return LegendreBasis(min(travel[0], 0.0), max(travel[1], 0.0), degree)
 
 
+def travel_basis(travel: tuple[float, float], degree: int) -> LegendreBasis:
+    """Over the travel, zero at home: at 0, or at the end of the travel next to it."""
+    low, high = travel
+    return LegendreBasis(low, high, degree, home=min(max(0.0, low), high))
+
+
 @lru_cache(maxsize=64)
-def _at_zero(basis: LegendreBasis) -> FloatArray:
-    return np.asarray(legendre.legvander(basis._scaled(np.zeros(1)), basis.degree))
+def _at_home(basis: LegendreBasis) -> FloatArray:
+    return np.asarray(legendre.legvander(basis._scaled(np.array([basis.home])), basis.degree))
 
 
 @lru_cache(maxsize=64)

@@ -319,7 +319,11 @@ def _is_basis(basis: Basis) -> bool:
     if isinstance(basis, PowerBasis):
         return all(0 <= power <= MOST_TERMS for power in basis.powers)
     if isinstance(basis, LegendreBasis):
-        return -LARGEST_END < basis.low < basis.high < LARGEST_END and 0 <= basis.degree <= MOST_TERMS
+        return (
+            -LARGEST_END < basis.low <= basis.home <= basis.high < LARGEST_END
+            and basis.low < basis.high
+            and 0 <= basis.degree <= MOST_TERMS
+        )
     positions = np.array(basis.positions)
     return bool((np.abs(positions) < LARGEST_END).all() and (np.diff(positions) > 0.0).all() and positions.size)
 
@@ -330,7 +334,9 @@ def _names(names: Sequence[Any]) -> tuple[str, ...]:
 
 def _basis_object(basis: Basis) -> dict[str, Any]:
     if isinstance(basis, LegendreBasis):
-        return {"basis": "legendre", "range": [basis.low, basis.high], "degree": basis.degree}
+        return {
+            "basis": "legendre", "range": [basis.low, basis.high], "degree": basis.degree, "home": basis.home
+        }  # fmt: skip
     if isinstance(basis, HatBasis):
         return {"basis": "table", "positions": list(basis.positions)}
     return {"basis": "polynomial", "powers": list(basis.powers)}
@@ -340,7 +346,7 @@ def _basis(tree: Mapping[str, Any]) -> Basis:
     """Raises KeyError, TypeError or ValueError where the object is damaged."""
     if tree["basis"] == "legendre":
         low, high = (float(end) for end in tree["range"])
-        return LegendreBasis(low, high, int(tree["degree"]))
+        return LegendreBasis(low, high, int(tree["degree"]), float(tree.get("home", 0.0)))
     if tree["basis"] == "table":
         return HatBasis(tuple(float(position) for position in tree["positions"]))
     if tree["basis"] == "polynomial":

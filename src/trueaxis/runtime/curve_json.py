@@ -1,19 +1,27 @@
 """Error curves to and from the objects of an error-values file."""
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from trueaxis.faults import Faults
-from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
+from trueaxis.runtime.bases import travel_basis
+from trueaxis.runtime.curves import Curve, LegendreCurve, PolynomialCurve, TableCurve
 from trueaxis.runtime.strict_json import JsonPath, key_path, number, numbers, shown
 
 LEAST_SPACING = 1e-6  # mm, deg: of the positions of a table; nothing is positioned closer
 LARGEST_U = 1e6  # of any value in its unit: what is less certain is not known, which null says
 HIGHEST_POWER = 99  # a power of a travel of 1000 mm then still is a finite number
 
-_KEYS = {"polynomial": ("powers", "coefficients"), "table": ("positions", "values")}
+MOST_TERMS = 99  # of a Legendre basis, as of a polynomial
+
+_KEYS = {
+    "polynomial": ("powers", "coefficients"),
+    "legendre": ("range", "coefficients"),
+    "table": ("positions", "values"),
+}
 
 
 def read_curve(value: Any, path: JsonPath, faults: Faults) -> Curve | None:
@@ -25,9 +33,9 @@ def read_curve(value: Any, path: JsonPath, faults: Faults) -> Curve | None:
     basis = value.get("basis")
     if not isinstance(basis, str) or basis not in _KEYS:
         problem = "is missing" if "basis" not in value else f"{shown(basis)} is not a basis"
-        faults.add(key_path((*path, "basis")), problem, 'give "polynomial" or "table"')
+        faults.add(key_path((*path, "basis")), problem, 'give "polynomial", "legendre" or "table"')
         return None
-    known = ("basis", *_KEYS[basis], "u", *(("measured",) if basis == "polynomial" else ()))
+    known = ("basis", *_KEYS[basis], "u", *(() if basis == "table" else ("measured",)))
     for key in value:
         if key not in known:
             faults.add(key_path((*path, key)), f"is not a key of a {basis}", f"known: {', '.join(known)}")
@@ -36,7 +44,10 @@ def read_curve(value: Any, path: JsonPath, faults: Faults) -> Curve | None:
         faults.add(key_path((*path, key)), "is missing")
     if missing:
         return None
-    curve = _polynomial(value, path, faults) if basis == "polynomial" else _table(value, path, faults)
+    readers: dict[str, Callable[[dict[str, Any], JsonPath, Faults], Curve | None]] = {
+        "polynomial": _polynomial, "legendre": _legendre, "table": _table,
+    }  # fmt: skip
+    curve = readers[basis](value, path, faults)
     return curve if len(faults.found) == before else None
 
 
@@ -63,9 +74,16 @@ def curve_object(curve: Curve) -> dict[str, Any]:
         }
         if curve.u is not None:
             found["u"] = [u_value(curve.u[i]) for i in order]
-        if curve.measured is not None:
-            found["measured"] = [float(end) for end in curve.measured]
-        return found
+        return found | _measured(curve)
+    if isinstance(curve, LegendreCurve):
+        found = {
+            "basis": "legendre",
+            "range": [float(curve.basis.low), float(curve.basis.high)],
+            "coefficients": [float(one) for one in curve.coefficients],
+        }
+        if curve.u is not None:
+            found["u"] = [u_value(u) for u in curve.u]
+        return found | _measured(curve)
     found = {
         "basis": "table",
         "positions": [float(position) for position in curve.positions],
@@ -74,6 +92,10 @@ def curve_object(curve: Curve) -> dict[str, Any]:
     if curve.u is not None:
         found["u"] = [u_value(u) for u in curve.u]
     return found
+
+
+def _measured(curve: PolynomialCurve | LegendreCurve) -> dict[str, Any]:
+    return {} if curve.measured is None else {"measured": [float(end) for end in curve.measured]}
 
 
 def u_value(u: float) -> float | None:
@@ -89,6 +111,20 @@ def _polynomial(value: dict[str, Any], path: JsonPath, faults: Faults) -> Polyno
     if _same_length(value, ("powers", "coefficients", "u"), path, faults):
         return PolynomialCurve(powers, coefficients, u, measured)
     return None
+
+
+def _legendre(value: dict[str, Any], path: JsonPath, faults: Faults) -> LegendreCurve | None:
+    ends = numbers(value["range"], (*path, "range"), faults)
+    coefficients = numbers(value["coefficients"], (*path, "coefficients"), faults)
+    u = _uncertainties(value, path, faults)
+    measured = _range(value, path, faults)
+    same = _same_length(value, ("coefficients", "u"), path, faults)
+    if len(coefficients) > MOST_TERMS:
+        faults.add(key_path((*path, "coefficients")), f"are {len(coefficients)}", f"at most {MOST_TERMS}")
+    if len(ends) != 2 or not ends[1] - ends[0] >= LEAST_SPACING:
+        faults.add(key_path((*path, "range")), "is no range", "[lowest, highest] position of the travel, mm or deg")
+        return None
+    return LegendreCurve(travel_basis(ends, len(coefficients)), coefficients, u, measured) if same else None
 
 
 def _range(value: dict[str, Any], path: JsonPath, faults: Faults) -> tuple[float, float] | None:

@@ -7,6 +7,8 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.runtime.bases import HatBasis, LegendreBasis, PowerBasis
+
 FloatArray = npt.NDArray[np.float64]
 
 
@@ -57,7 +59,43 @@ class TableCurve:
         return self.positions[0], self.positions[-1]
 
 
-Curve = PolynomialCurve | TableCurve
+@dataclass(frozen=True, slots=True)
+class LegendreCurve:
+    """Sum of Legendre polynomials over the travel of an axis, zero at its home; beyond the travel the end values hold.
+
+    basis: of the axis position, mm or deg; coefficients: of its functions, mm or rad; u, measured: as of a polynomial.
+    """
+
+    basis: LegendreBasis
+    coefficients: tuple[float, ...]
+    u: tuple[float, ...] | None = None
+    measured: tuple[float, float] | None = None
+
+    def __call__(self, positions: FloatArray) -> FloatArray:
+        """Values, of the shape of `positions`."""
+        at = np.asarray(positions, dtype=np.float64)
+        return (np.array(self.coefficients) @ self.basis.clamped(at.ravel())).reshape(at.shape)
+
+
+Curve = PolynomialCurve | TableCurve | LegendreCurve
+
+
+def basis_of_curve(curve: Curve) -> HatBasis | PowerBasis | LegendreBasis:
+    """The functions whose coefficients are the numbers of the curve."""
+    match curve:
+        case PolynomialCurve():
+            return PowerBasis(curve.powers)
+        case TableCurve():
+            return HatBasis(curve.positions)
+        case LegendreCurve():
+            return curve.basis
+
+
+def polynomial_of(curve: LegendreCurve) -> PolynomialCurve:
+    """The same within the travel in plain powers; beyond it, the polynomial goes on."""
+    at_home = float((np.array(curve.coefficients) @ curve.basis(np.zeros(1)))[0])
+    powers = np.array(curve.coefficients) @ curve.basis.powers
+    return PolynomialCurve(tuple(range(powers.size + 1)), (at_home, *powers.tolist()), None, curve.measured)
 
 
 def evaluate_components(
@@ -73,10 +111,13 @@ def evaluate_components(
     """
     values = np.zeros((len(components), positions.shape[1]))
     polynomials: dict[int, list[int]] = {}
+    legendre: dict[tuple[int, LegendreBasis], list[int]] = {}
     for row, (component, axis) in enumerate(zip(components, axis_of_component, strict=True)):
         curve = curves.get(component)
         if isinstance(curve, PolynomialCurve):
             polynomials.setdefault(axis, []).append(row)
+        elif isinstance(curve, LegendreCurve):
+            legendre.setdefault((axis, curve.basis), []).append(row)
         elif curve is not None:
             values[row] = curve(positions[axis])
     for axis, rows in polynomials.items():
@@ -86,7 +127,15 @@ def evaluate_components(
             found *= positions[axis]
             found += coefficients
         values[rows] = found
+    for (axis, basis), rows in legendre.items():
+        values[rows] = _stacked(tuple(curves[components[row]] for row in rows)) @ basis.clamped(positions[axis])
     return values
+
+
+@lru_cache(maxsize=64)
+def _stacked(curves: tuple[LegendreCurve, ...]) -> FloatArray:
+    """(n_curves, degree): their coefficients."""
+    return np.array([one.coefficients for one in curves])
 
 
 @lru_cache(maxsize=64)

@@ -12,10 +12,10 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect
 from trueaxis.faults import Fault, InputError
-from trueaxis.runtime.bases import Basis, basis_of_curve, unmeasured_basis
+from trueaxis.runtime.bases import Basis, unmeasured_basis
 from trueaxis.runtime.context import Context
 from trueaxis.runtime.covariance import Covariance, digest_of_values, read_covariance
-from trueaxis.runtime.curves import Curve, FloatArray
+from trueaxis.runtime.curves import Curve, FloatArray, basis_of_curve
 from trueaxis.runtime.effect_terms import component_term
 from trueaxis.runtime.effect_values import EffectValues, identity
 from trueaxis.runtime.errors import ErrorValues

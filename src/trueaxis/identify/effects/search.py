@@ -10,12 +10,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.estimation.machine import IntArray
 from trueaxis.identify.effects.amplitudes import amplitude_names, basis_vectors, searched_names
 from trueaxis.identify.effects.grids import Point, finer, grid_of
 from trueaxis.identify.effects.signature import Ground, is_in, of_term, reaches, rows_of
 from trueaxis.identify.effects.unknowns import EffectUnknown
 from trueaxis.identify.effects.variable_projection import explained
-from trueaxis.identify.machine import IntArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.effect_terms import component_axis
 

@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.identify.first_order import sensed, sensed_at_home
-from trueaxis.identify.machine import IntArray
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.first_order import sensed, sensed_at_home
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_context import run_reading_context
 from trueaxis.measure.reading_model import expected_readings, home_positions

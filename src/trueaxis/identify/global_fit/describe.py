@@ -4,11 +4,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.estimation.machine import units
 from trueaxis.identify.global_fit.describe_effects import effect_shares, effect_unknowns
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.measured_range import measured_ranges
 from trueaxis.identify.global_fit.result import OPEN, GlobalResult
-from trueaxis.identify.machine import units
 from trueaxis.identify.report import ComponentReport, InstrumentReport, Known, LocationReport
 from trueaxis.identify.words import Share, enumerated, slope_unit, split_apart, together, unit_of
 from trueaxis.measure.machine import FloatArray

@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.effects.amplitudes import searched_names
 from trueaxis.identify.effects.faults import check_columns
 from trueaxis.identify.effects.search import Others, searched_start
@@ -17,9 +19,7 @@ from trueaxis.identify.global_fit.layout import Layout, layout
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE, ROUNDING, Factors, Gauge, factors, gauge
 from trueaxis.identify.global_fit.robust import scale_of, weights
 from trueaxis.identify.global_fit.solve import CONVERGED, Solution, solve, solve_curved
-from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.null_space import reduced
-from trueaxis.identify.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.effect_values import EffectValues, identity
 from trueaxis.runtime.errors import ErrorValues

@@ -15,15 +15,22 @@ from typing import Literal, cast
 
 import numpy as np
 
-from trueaxis.identify.machine import IdentifiedMachine, lever
-from trueaxis.identify.observations import Observations
-from trueaxis.measure.machine import FloatArray, View
-from trueaxis.measure.reading_model import column, home_positions, measuring_frame, sensed_directions
+from trueaxis.estimation.machine import IdentifiedMachine, lever
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.set_up import (
+    STRAIGHT,
+    along_line,
+    ball_of,
+    carried,
+    is_straightness,
+    relative_motion,
+)
+from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.reading_model import home_positions, sensed_directions
 from trueaxis.measure.setup import Frame, PointOn, Run
 
 Kind = Literal["offset", "slope", "centre", "length", "zero"]
 KINDS: tuple[Kind, ...] = ("offset", "slope", "centre", "length", "zero")
-STRAIGHT = 1e-6  # share of a motion that may lie along the sensed direction or beside the line of the motion
 COORDINATES = "xyz"
 
 
@@ -73,7 +80,7 @@ class Instruments:
         for unknown, value in zip(self.unknowns, values, strict=True):
             for index in unknown.runs:
                 if unknown.kind == "centre" and runs[index].instrument == "ballbar":
-                    _, at = _ball(moved[index])
+                    _, at = ball_of(moved[index])
                     point = np.array(at.point)
                     point[unknown.coordinate] += value * unknown.size
                     there = PointOn(at.on, tuple(point.tolist()))
@@ -107,17 +114,6 @@ def instruments(machine: IdentifiedMachine, observed: Observations, kinds: Itera
     return Instruments(tuple(found))
 
 
-def is_straightness(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> bool:
-    """Whether the run senses across a motion on a straight line, of the target relative to the reference."""
-    if run.instrument != "laser" or run.direction is None:
-        return False
-    moved = _relative_motion(machine, run, positions)
-    sizes = np.linalg.svd(moved, compute_uv=False)
-    across = float(np.abs(np.array(run.direction) @ moved).max(initial=0.0))
-    longest = float(np.linalg.norm(moved, axis=0).max(initial=0.0))
-    return bool(longest > 0.0 and across <= STRAIGHT * longest and sizes[1:].max(initial=0.0) <= STRAIGHT * sizes[0])
-
-
 def _candidates(machine: IdentifiedMachine, observed: Observations) -> list[InstrumentUnknown]:
     found: list[InstrumentUnknown] = []
     present = [index for index in range(len(observed.runs)) if (observed.run == index).any()]
@@ -127,7 +123,7 @@ def _candidates(machine: IdentifiedMachine, observed: Observations) -> list[Inst
     for index in present:
         run = observed.runs[index]
         if run.instrument == "ballbar":
-            balls.setdefault(_ball(run)[1], []).append(index)
+            balls.setdefault(ball_of(run)[1], []).append(index)
             lengths.setdefault(cast(float, run.length), []).append(index)
         elif run.instrument == "probe":
             spheres.setdefault((run.target, run.reference, run.frame), []).append(index)
@@ -141,7 +137,7 @@ def _candidates(machine: IdentifiedMachine, observed: Observations) -> list[Inst
         of = f"the bar of {length:g} mm ({_ids(observed, runs)})"
         found.append(InstrumentUnknown("length", of, "mm", tuple(runs)))
     for (_, _, frame), runs in spheres.items():
-        _, sphere = _ball(observed.runs[runs[0]])
+        _, sphere = ball_of(observed.runs[runs[0]])
         of = f"the probe ({_ids(observed, runs)})"
         found += [InstrumentUnknown("zero", of, "mm", tuple(runs), k) for k in range(3)]
         if sphere.on not in (frame, "bed"):
@@ -153,65 +149,18 @@ def _candidates(machine: IdentifiedMachine, observed: Observations) -> list[Inst
 def _column(machine: IdentifiedMachine, run: Run, unknown: InstrumentUnknown, positions: FloatArray) -> FloatArray:
     """(n,): derivative of the readings of a run by the unknown, per mm or rad."""
     if unknown.kind == "slope":
-        return _along(_relative_motion(machine, run, positions))
+        return along_line(relative_motion(machine, run, positions))
     if unknown.kind in ("offset", "length"):
         return np.ones(positions.shape[1])
     direction = sensed_directions(machine, run, positions)
     if unknown.kind == "zero":
         return cast(FloatArray, direction[unknown.coordinate])
-    sign, ball = _ball(run)
-    turned = _carried(machine, run, ball, unknown.coordinate, positions)
+    sign, ball = ball_of(run)
+    turned = carried(machine, run, ball, unknown.coordinate, positions)
     home = home_positions(run, machine.axes)
     if home is not None:
-        turned = turned - _carried(machine, run, ball, unknown.coordinate, home)
+        turned = turned - carried(machine, run, ball, unknown.coordinate, home)
     return cast(FloatArray, sign * np.einsum("in,in->n", direction, turned))
-
-
-def _along(moved: FloatArray) -> FloatArray:
-    """(n,): signed way along the line of the motion, towards growing coordinates, from home."""
-    farthest = moved[:, int(np.linalg.norm(moved, axis=0).argmax())]
-    size = float(np.linalg.norm(farthest))
-    if size == 0.0:
-        return np.zeros(moved.shape[1])
-    line = farthest / size
-    line = line * np.sign(line[int(np.abs(line).argmax())])
-    return cast(FloatArray, line @ moved)
-
-
-def _relative_motion(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
-    """(3, n): ideal displacement of the target relative to the reference since home, mm, measuring frame."""
-    home = cast(FloatArray, home_positions(run, machine.axes))
-    frame = measuring_frame(run)
-    total = np.zeros((3, positions.shape[1]))
-    for end, sign in ((run.target, 1.0), (run.reference, -1.0)):
-        if end.on != frame:
-            view = cast(View, f"{end.on}_in_{frame}")
-            point = column(end.point)
-            total += sign * (machine.view_ideal(view, positions, point) - machine.view_ideal(view, home, point))
-    return total
-
-
-def _ball(run: Run) -> tuple[float, PointOn]:
-    """The ball or sphere whose place was set up, and the sign of its coordinates in a reading: the workpiece's."""
-    return (1.0, run.target) if run.target.on == "workpiece" else (-1.0, run.reference)
-
-
-def _carried(machine: IdentifiedMachine, run: Run, ball: PointOn, coordinate: int, positions: FloatArray) -> FloatArray:
-    """(3, n): a unit vector of the body that carries the ball as the measuring frame sees it."""
-    frame, unit = measuring_frame(run), np.zeros((3, 1))
-    unit[coordinate] = 1.0
-    if ball.on == frame:
-        return np.repeat(unit, positions.shape[1], axis=1)
-    view = cast(View, f"{ball.on}_in_{frame}")
-    return machine.view_ideal(view, positions, unit) - machine.view_ideal(view, positions, np.zeros((3, 1)))
-
-
-def ball_columns(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
-    """(n, 3): derivative of the readings of a ball-bar run by the place of its ball on the workpiece (or bed)."""
-    sign, ball = _ball(run)
-    direction = sensed_directions(machine, run, positions)
-    carried = (_carried(machine, run, ball, coordinate, positions) for coordinate in range(3))
-    return np.stack([sign * np.einsum("in,in->n", direction, one) for one in carried], axis=1)
 
 
 def _point(end: PointOn) -> str:

@@ -5,10 +5,10 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from trueaxis.estimation.machine import IdentifiedMachine, IntArray, component_axes, scales
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.effects.unknowns import EffectUnknowns
 from trueaxis.identify.global_fit.instruments import Instruments
-from trueaxis.identify.machine import IdentifiedMachine, IntArray, component_axes, scales
-from trueaxis.identify.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions
 from trueaxis.runtime.bases import LegendreBasis, axis_basis

@@ -4,6 +4,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.observations import Observations
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.effects.unknowns import EffectUnknowns
 from trueaxis.identify.fit_quality import NotConvergedError, run_residuals, stands_still
@@ -27,9 +29,7 @@ from trueaxis.identify.global_fit.result import AUTO_DEGREE, HIGHEST_AUTO, OPEN,
 from trueaxis.identify.global_fit.robust import variance_factor
 from trueaxis.identify.global_fit.solve import Solution, residuals, solve_robust
 from trueaxis.identify.global_fit.write_up import identification, residuals_of
-from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise, noise
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.report import Identification
 from trueaxis.identify.weighting import NoiseModel, Weighting, weighting
 from trueaxis.measure.columns import BoolArray

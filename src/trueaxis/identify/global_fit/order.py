@@ -14,10 +14,10 @@ import numpy as np
 import numpy.typing as npt
 import scipy.linalg
 
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.repeats import DECIMALS
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.layout import Layout
-from trueaxis.identify.machine import IntArray
-from trueaxis.identify.repeats import DECIMALS
 from trueaxis.measure.machine import FloatArray
 
 MOST_PARTS = 10

@@ -8,13 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.global_fit.instruments import KINDS, Kind
 from trueaxis.identify.global_fit.layout import Layout
 from trueaxis.identify.global_fit.least_squares import Factors, Gauge
 from trueaxis.identify.global_fit.order import Orders
 from trueaxis.identify.global_fit.robust import Robust
 from trueaxis.identify.noise import Noise
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.weighting import GroupNoise, Repeats
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.effect_values import EffectValues

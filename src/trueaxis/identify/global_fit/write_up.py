@@ -6,12 +6,12 @@ from dataclasses import replace
 import numpy as np
 import scipy.linalg
 
+from trueaxis.estimation.machine import lever
 from trueaxis.identify.fit_quality import Residuals, expected_sizes, known_noise, quality
 from trueaxis.identify.global_fit import describe, describe_effects
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
 from trueaxis.identify.global_fit.result import GlobalResult
 from trueaxis.identify.global_fit.robust import DOUBTED, TUNING
-from trueaxis.identify.machine import lever
 from trueaxis.identify.notes import dimension_notes, weak_notes
 from trueaxis.identify.report import (
     BlockReport,

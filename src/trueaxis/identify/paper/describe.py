@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trueaxis.identify.machine import lever, units
+from trueaxis.estimation.machine import lever, units
 from trueaxis.identify.null_space import reduced
 from trueaxis.identify.paper.grid import IntArray
 from trueaxis.identify.paper.points import points_remark

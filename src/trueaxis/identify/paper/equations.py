@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
-from trueaxis.identify.first_order import sensed, sensed_at_home
-from trueaxis.identify.machine import IdentifiedMachine, scales
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.first_order import sensed, sensed_at_home
+from trueaxis.estimation.machine import IdentifiedMachine, scales
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.paper.grid import BoolArray, Cells, Grid
 from trueaxis.measure.machine import FloatArray
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.identify.machine import IdentifiedMachine, component_axes
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.machine import IdentifiedMachine, component_axes
+from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions
 

@@ -5,6 +5,8 @@ from dataclasses import replace
 import numpy as np
 from scipy.sparse import csr_array
 
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.observations import Observations
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.fit_quality import (
     FitQuality,
@@ -15,10 +17,8 @@ from trueaxis.identify.fit_quality import (
     quality,
     stands_still,
 )
-from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise, noise
 from trueaxis.identify.notes import alignment_notes, dimension_notes, weak_notes
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper import describe
 from trueaxis.identify.paper.covariance import covariance_of
 from trueaxis.identify.paper.effects import without_effects

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.fit_quality import FitQuality
-from trueaxis.identify.machine import IdentifiedMachine
 from trueaxis.identify.noise import Noise
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper.equations import Equations
 from trueaxis.identify.paper.grid import BoolArray, Cells, Grid
 from trueaxis.identify.paper.solution import Response, Solution

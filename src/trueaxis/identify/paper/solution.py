@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.sparse import csc_array, csr_array
 
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.observations import Observations
 from trueaxis.identify.fit_quality import RESOLUTION
-from trueaxis.identify.machine import IdentifiedMachine
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper.equations import Equations
 from trueaxis.identify.paper.grid import BoolArray, Cells, Grid
 from trueaxis.identify.paper.squareness import Squareness

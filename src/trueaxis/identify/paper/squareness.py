@@ -6,8 +6,8 @@ from typing import Literal, Protocol
 
 import numpy as np
 
+from trueaxis.estimation.machine import LINEAR, IdentifiedMachine
 from trueaxis.identify.axis_lines import AxisLine, angle_matrix, axis_lines
-from trueaxis.identify.machine import LINEAR, IdentifiedMachine
 from trueaxis.identify.paper.grid import BoolArray, Grid, IntArray
 from trueaxis.identify.straightness import is_straightness, slope_weights
 from trueaxis.measure.machine import FloatArray

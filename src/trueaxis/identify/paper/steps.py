@@ -10,8 +10,8 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array, hstack
 
 from trueaxis.blocks import solution_order
+from trueaxis.estimation.observations import Observations
 from trueaxis.faults import Faults
-from trueaxis.identify.observations import Observations
 from trueaxis.identify.paper.equations import Equations
 from trueaxis.identify.paper.grid import BoolArray, Cells, Grid, IntArray
 from trueaxis.identify.paper.pseudo_inverse import PseudoInverse, TooLargeError, pseudo_inverse

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trueaxis.identify.machine import IdentifiedMachine
+from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import column, home_positions, run_terms, sensed_directions
 from trueaxis.measure.setup import Run

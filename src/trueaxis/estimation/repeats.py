@@ -3,8 +3,8 @@
 import numpy as np
 import polars as pl
 
-from trueaxis.identify.machine import IntArray
-from trueaxis.identify.observations import Observations
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 
 DECIMALS = 6  # of mm and deg, within which commanded positions are the same

@@ -1,0 +1,66 @@
+"""What is straightness and what squareness: no reading since home tells, a convention does.
+
+A straight line of a straightness curve and a squareness move every tool point alike, seen from home. By convention the
+least-squares line of every straightness over the travel is level (ISO 230-1) and the squareness takes its slope: a
+linear map of values and covariance.
+"""
+
+import numpy as np
+
+from trueaxis.estimation.layout import Layout
+from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.uncertainty import derivative, home_of
+from trueaxis.spec.machine import LINEAR
+
+POSITIONS, SEED = 40, 3
+NOTHING = 1e-9  # of the largest singular value: combinations that move no tool point
+
+
+def covariance_of(layout: Layout, root: FloatArray) -> Covariance:
+    """Of the machine's values alone; root: (n_unknowns, r) or (of_machine, r)."""
+    return Covariance(
+        machine=layout.model.name,
+        components=layout.components,
+        bases=layout.bases,
+        locations=layout.locations,
+        root=root[: layout.of_machine],
+        open=np.zeros((layout.of_machine, 0)),
+    )
+
+
+def levelling(layout: Layout) -> FloatArray:
+    """(n_unknowns, n_unknowns): the map to values whose straightness lines are level.
+
+    The first Legendre coefficient is the slope of the least-squares line: the polynomials are orthogonal.
+    """
+    n = layout.count
+    offsets = layout.offsets
+    slopes = [
+        int(first)
+        for name, first in zip(layout.components, offsets[:-1].tolist(), strict=True)
+        if name[1] in LINEAR and name[2] in LINEAR and name[1] != name[2]
+    ]
+    angles = [
+        int(offsets[-1]) + place
+        for place, name in enumerate(layout.locations)
+        if layout.model.machine.parameter_unit(name) == "rad"
+    ]
+    chosen = [*slopes, *angles]
+    if not slopes or not angles:
+        return np.eye(n)
+    model, draw = layout.model, np.random.default_rng(SEED)
+    positions = np.array([draw.uniform(*model.travel[axis], POSITIONS) for axis in model.axes])
+    known, tool = covariance_of(layout, np.zeros((n, 0))), np.zeros((3, 1))
+    moved = derivative(model, known, positions, tool) - derivative(model, known, home_of(model), tool)
+    columns = moved[:, chosen].transpose(0, 2, 1).reshape(-1, len(chosen)) * layout.sizes[chosen]
+    _, singular, right = np.linalg.svd(columns, full_matrices=True)
+    null = np.zeros((n, 0))
+    rank = int(np.count_nonzero(singular > NOTHING * singular.max(initial=0.0)))
+    if rank < len(chosen):
+        null = np.zeros((n, len(chosen) - rank))
+        null[chosen] = right[rank:].T * layout.sizes[chosen][:, np.newaxis]
+    in_units = null[slopes] / layout.sizes[slopes][:, np.newaxis]
+    found = np.eye(n)
+    found[:, slopes] -= null @ np.linalg.pinv(in_units, rcond=NOTHING) / layout.sizes[slopes]
+    return found

@@ -1,0 +1,142 @@
+"""What nobody knows of an instrument and its set-up, as unknowns beside those of the machine.
+
+Of one run (own):
+  zero     what the reading was when it was set to zero; of a straightness run the offset of its reference line
+  drift    what the reading creeps by over the run
+  slope    of the reference line of a straightness run
+  centre   of a ball bar's ball on the workpiece, beyond what its runs share: it may have been set up anew
+Of several runs (shared):
+  centre   of the ball at one point of the set-up; of a probed sphere
+  length   of a ball bar of one nominal length
+  scale    of a laser: wavelength, air
+  cosine   of one alignment of a laser: it reads short by half the square of its angle
+Every unknown belongs to a class, whose size is estimated about the one given here: where runs were set up anew, or a
+scale was calibrated, is then found out.
+"""
+
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.set_up import (
+    along_line,
+    ball_columns,
+    ball_of,
+    carried,
+    is_straightness,
+    relative_motion,
+)
+from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.reading_context import along
+from trueaxis.measure.reading_model import home_positions, sensed_directions
+from trueaxis.measure.setup import Run
+
+# mm, rad or 1: one standard deviation of each class, before the data have their say
+OWN_SIZES: Mapping[str, float] = {
+    "laser zero": 3e-3,
+    "laser drift": 1e-3,
+    "straightness zero": 0.1,
+    "straightness slope": 50e-6,
+    "straightness drift": 1e-3,
+    "probe zero": 3e-3,
+    "probe drift": 1e-3,
+    "ballbar zero": 2e-3,
+    "ballbar drift": 1e-3,
+    "ballbar centre of a run": 2e-3,
+}
+SHARED_SIZES: Mapping[str, float] = {
+    "ballbar centre": 50e-3,
+    "ballbar length": 20e-3,
+    "laser scale": 1e-6,
+    "laser cosine": 0.5e-6,
+    "probe sphere": 50e-3,
+    "probe origin": 50e-3,
+}
+# By what a class may be larger or smaller, one standard deviation. Set-ups differ by orders of magnitude, and many runs
+# tell; a laser is calibrated and aligned as its makers say, and one value tells nothing of a size.
+SET_UP_FACTOR, CALIBRATED_FACTOR = 10.0, 2.0
+CALIBRATED = ("laser scale", "laser cosine")
+
+
+@dataclass(frozen=True, slots=True)
+class SharedUnknown:
+    """An unknown of several runs. of: what tells it from others of its class; coordinate: of a centre, else 0;
+    runs: indices.
+    """
+
+    kind: str
+    of: Hashable
+    runs: tuple[int, ...]
+    coordinate: int = 0
+
+
+def own_kinds(run: Run, straightness: bool) -> tuple[str, ...]:
+    """Classes of the unknowns of a run, in the order of the columns of `own_columns`."""
+    if run.instrument == "ballbar":
+        return ("ballbar zero", "ballbar drift", *(["ballbar centre of a run"] * 3))
+    if straightness:
+        return ("straightness zero", "straightness drift", "straightness slope")
+    return (f"{run.instrument} zero", f"{run.instrument} drift")
+
+
+def own_columns(
+    machine: IdentifiedMachine, run: Run, straightness: bool, positions: FloatArray, passed: FloatArray
+) -> FloatArray:
+    """(n, k): derivative of the readings by each of `own_kinds`, per mm or rad; passed: (n,), share of the run."""
+    columns = [np.ones(positions.shape[1]), passed - 0.5]
+    if run.instrument == "ballbar":
+        columns += list(ball_columns(machine, run, positions).T)
+    elif straightness:
+        columns.append(along_line(relative_motion(machine, run, positions)))
+    return np.stack(columns, axis=1)
+
+
+def shared_unknowns(runs: Sequence[Run], present: Sequence[int], straightness: Sequence[bool]) -> list[SharedUnknown]:
+    """All unknowns that runs share, in a fixed order."""
+    members: dict[tuple[str, Hashable, int], list[int]] = {}
+    for index in present:
+        run = runs[index]
+        if run.instrument == "ballbar":
+            keys: list[tuple[str, Hashable, int]] = [("ballbar centre", ball_of(run)[1], k) for k in range(3)]
+            keys.append(("ballbar length", run.length, 0))
+        elif run.instrument == "probe":
+            keys = [("probe origin", (run.target, run.reference, run.frame), k) for k in range(3)]
+            sphere = ball_of(run)[1]
+            if sphere.on not in (run.frame, "bed"):
+                keys += [("probe sphere", sphere, k) for k in range(3)]
+        elif straightness[index]:
+            keys = []
+        else:
+            keys = [("laser scale", run.instrument, 0)]
+            keys.append(("laser cosine", (run.target, run.reference, run.direction), 0))
+        for key in keys:
+            members.setdefault(key, []).append(index)
+    return [SharedUnknown(kind, of, tuple(runs_of), k) for (kind, of, k), runs_of in members.items()]
+
+
+def shared_column(machine: IdentifiedMachine, run: Run, unknown: SharedUnknown, positions: FloatArray) -> FloatArray:
+    """(n,): derivative of the readings of a run by a shared unknown, per mm or per 1."""
+    if unknown.kind in ("laser scale", "laser cosine"):
+        return along(machine, run, positions)
+    if unknown.kind == "ballbar length":
+        return np.ones(positions.shape[1])
+    if unknown.kind == "ballbar centre":
+        return np.asarray(ball_columns(machine, run, positions)[:, unknown.coordinate])
+    direction = sensed_directions(machine, run, positions)
+    if unknown.kind == "probe origin":
+        return np.asarray(direction[unknown.coordinate])
+    sign, ball = ball_of(run)
+    turned = carried(machine, run, ball, unknown.coordinate, positions)
+    home = home_positions(run, machine.axes)
+    if home is not None:
+        turned = turned - carried(machine, run, ball, unknown.coordinate, home)
+    return np.asarray(sign * np.einsum("in,in->n", direction, turned))
+
+
+def straight_runs(
+    machine: IdentifiedMachine, runs: Sequence[Run], run: np.ndarray, positions: FloatArray
+) -> list[bool]:
+    """Of every run, whether it is one of straightness."""
+    return [is_straightness(machine, one, positions[:, run == index]) for index, one in enumerate(runs)]

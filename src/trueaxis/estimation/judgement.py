@@ -1,0 +1,76 @@
+"""What of an estimate is told by the readings, and what rests on the prior."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from trueaxis.estimation.estimate import Estimate
+from trueaxis.measure.machine import FloatArray
+
+Determined = Literal["data", "partly", "prior"]
+SAMPLES = 33  # positions of a travel at which a curve is judged
+TENTH, NINE_TENTHS = 0.1, 0.9  # of the prior: below the one the prior hardly matters, above the other nothing else does
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judged:
+    """A curve over the travel, or one value, mm or rad.
+
+    largest: largest absolute value; u: largest standard uncertainty, and its two parts there, by the noise of the
+    readings and by the prior; determined: by what.
+    """
+
+    largest: float
+    u: float
+    u_readings: float
+    u_prior: float
+    determined: Determined
+
+
+def judged_component(found: Estimate, component: str) -> Judged:
+    """Of a component that was estimated."""
+    layout = found.layout
+    place = layout.components.index(component)
+    basis = layout.bases[place]
+    first = int(layout.offsets[place])
+    rows = slice(first, first + basis.degree)
+    change = np.zeros((SAMPLES, layout.count))
+    change[:, rows] = basis(np.linspace(basis.low, basis.high, SAMPLES)).T
+    return _judged(found, change)
+
+
+def judged_location(found: Estimate, name: str) -> Judged:
+    """Of a location error that was estimated."""
+    change = np.zeros((1, found.layout.count))
+    change[0, int(found.layout.offsets[-1]) + found.layout.locations.index(name)] = 1.0
+    return _judged(found, change)
+
+
+def _judged(found: Estimate, change: FloatArray) -> Judged:
+    """change: (m, n), the values to judge by the unknowns.
+
+    The posterior covariance is K R K' + (1 - K J) A (1 - K J)': with 1 - K J = Sigma A^-1 the second part is
+    Sigma A^-1 Sigma.
+    """
+    values = np.abs(change @ found.unknowns)
+    spread = change @ found.spread
+    by_prior = (spread @ found.spread.T) / found.scale
+    u = np.linalg.norm(spread, axis=1)
+    u_prior = np.minimum(np.linalg.norm(by_prior, axis=1), u)
+    prior = np.linalg.norm(change * found.scale, axis=1)
+    u_readings = np.sqrt(np.maximum(u**2 - u_prior**2, 0.0))
+    rms = [float(np.sqrt(np.mean(one**2))) for one in (u, u_readings, u_prior, prior)]
+    determined: Determined = "partly"
+    if rms[2] < rms[1] or rms[2] < TENTH * rms[3]:
+        determined = "data"
+    elif rms[0] > NINE_TENTHS * rms[3]:
+        determined = "prior"
+    at = int(np.argmax(u))
+    return Judged(
+        largest=float(values.max()),
+        u=float(u[at]),
+        u_readings=float(u_readings[at]),
+        u_prior=float(u_prior[at]),
+        determined=determined,
+    )

@@ -1,0 +1,90 @@
+"""The noise of an instrument: white noise and a slow part that follows an Ornstein-Uhlenbeck process in time.
+
+With D the matrix that takes away what is left of the slow part of the reading before, D V D' of the covariance V of a
+run is tridiagonal, its Cholesky factor bidiagonal: time and memory grow with the number of readings alone.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import cholesky_banded
+from scipy.linalg.lapack import dtbtrs
+
+from trueaxis.measure.machine import FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Noise:
+    """white, slow: standard deviations, mm; lasts: time constant of the slow part, in typical steps of its runs."""
+
+    white: float
+    slow: float = 0.0
+    lasts: float = 1.0
+
+    @property
+    def sigma(self) -> float:
+        """Standard deviation of a reading."""
+        return float(np.hypot(self.white, self.slow))
+
+
+class Whitening:
+    """The inverse root of the covariance of one run's noise, applied to its rows piece by piece, in their order.
+
+    steps: (n,), time since the reading before in typical steps, the first one is not used; scale: by what the noise of
+    this run is larger than that of its instrument.
+    """
+
+    def __init__(self, noise: Noise, steps: FloatArray, scale: float = 1.0) -> None:
+        kept = np.exp(-np.maximum(steps, 0.0) / noise.lasts) if noise.slow > 0.0 else np.zeros(steps.size)
+        kept[:1] = 0.0
+        white, slow = (scale * noise.white) ** 2, (scale * noise.slow) ** 2
+        band = np.zeros((2, steps.size))
+        band[0] = white * (1.0 + kept**2) + slow * (1.0 - kept**2)
+        band[1, :-1] = -white * kept[1:]
+        self._kept = kept
+        self._factor = np.asarray(cholesky_banded(band, lower=True, check_finite=False))
+        self._at = 0
+        self._before: FloatArray | None = None
+        self._solved: FloatArray | None = None
+
+    @property
+    def log_root(self) -> float:
+        """Half the logarithm of the determinant of the covariance."""
+        return float(np.log(self._factor[0]).sum())
+
+    def __call__(self, columns: FloatArray) -> FloatArray:
+        """The next rows (m, k), whitened."""
+        rows = slice(self._at, self._at + columns.shape[0])
+        self._at = rows.stop
+        if columns.size == 0:  # LAPACK's wrapper writes beyond arrays without columns
+            return columns.copy()
+        found = columns.copy()
+        found[1:] -= self._kept[rows][1:, np.newaxis] * columns[:-1]
+        if self._before is not None and self._solved is not None:
+            found[0] -= self._kept[rows.start] * self._before
+            found[0] -= self._factor[1, rows.start - 1] * self._solved
+        self._before = columns[-1].copy()
+        solved, _ = dtbtrs(np.ascontiguousarray(self._factor[:, rows]), found, uplo="L", trans="N")
+        self._solved = np.asarray(solved)[-1].copy()
+        return np.asarray(solved)
+
+    def weighed(self, column: FloatArray) -> FloatArray:
+        """(n,): the inverse of the covariance times a column of all rows."""
+        white = self(column[:, np.newaxis])
+        found, _ = dtbtrs(self._factor, white, uplo="L", trans="T")
+        found = np.asarray(found)[:, 0]
+        found[:-1] -= self._kept[1:] * found[1:]
+        return found
+
+    def weights(self) -> FloatArray:
+        """(n,): diagonal of the inverse of the covariance: one over the variance of a reading given the others."""
+        root, below = self._factor
+        inverse = np.zeros(root.size)  # diagonal of (L L')^-1, and of its first subdiagonal
+        beside = np.zeros(root.size)
+        for k in range(root.size - 1, -1, -1):
+            following = inverse[k + 1] if k + 1 < root.size else 0.0
+            inverse[k] = 1.0 / root[k] ** 2 + (below[k] / root[k]) ** 2 * following
+            beside[k] = -below[k] / root[k] * following
+        found = inverse.copy()
+        found[:-1] += self._kept[1:] ** 2 * inverse[1:] - 2.0 * self._kept[1:] * beside[:-1]
+        return found

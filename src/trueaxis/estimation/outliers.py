@@ -1,0 +1,64 @@
+"""Readings that no noise explains: single ones, or two neighbours, that their repeats do not share."""
+
+import numpy as np
+from scipy.stats import norm
+
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.noise import Noise, Whitening
+from trueaxis.measure.columns import BoolArray
+from trueaxis.measure.machine import FloatArray
+
+EXPECTED = 0.05  # good readings that are taken for outliers, of a whole data set
+NEIGHBOURS = 2  # more than two spoilt readings in a row are not chance
+SHARED = 0.5  # of a deviation, that its repeats show as well: then it is structure
+MOST = 0.1  # of a run: where more are off, the model is
+
+
+def spoilt(
+    noise: Noise, scale: float, steps: FloatArray, residual: FloatArray, repeats: IntArray, readings: int
+) -> BoolArray:
+    """(n,): outliers of one run. residual: (n,), mm; repeats: (n,), the same number where the same place was read;
+    readings: of the whole data set.
+    """
+    limit = float(norm.isf(0.5 * EXPECTED / max(readings, 1)))
+    found = np.zeros(residual.size, dtype=bool)
+    for _ in range(int(MOST * residual.size) + 1):
+        good = np.flatnonzero(~found)
+        if good.size < 3:
+            break
+        between = np.add.reduceat(steps, good) if good.size else steps
+        between = np.diff(np.cumsum(steps)[good], prepend=0.0)
+        off = Whitening(noise, between, scale).weighed(residual[good])
+        z = np.abs(off) / np.sqrt(Whitening(noise, between, scale).weights())
+        peaks = (z > limit) & (z >= _largest_around(z))
+        peaks &= ~_shared(residual[good], repeats[good])
+        if not peaks.any():
+            break
+        found[good[peaks]] = True
+    return found & ~_long(found) if found.mean() <= MOST else np.zeros(residual.size, dtype=bool)
+
+
+def _largest_around(z: FloatArray) -> FloatArray:
+    padded = np.pad(z, 2, constant_values=-np.inf)
+    return np.asarray(np.max([padded[k : k + z.size] for k in range(5)], axis=0))
+
+
+def _shared(residual: FloatArray, repeats: IntArray) -> BoolArray:
+    """(n,): whether the repeats of a reading deviate like it."""
+    found = np.zeros(residual.size, dtype=bool)
+    order = np.argsort(repeats, kind="stable")
+    for mine in np.split(order, np.flatnonzero(np.diff(repeats[order])) + 1):
+        if mine.size > 1:
+            own = residual[mine]
+            others = np.array([np.median(np.delete(own, k)) for k in range(own.size)])
+            found[mine] = others * np.sign(own) > SHARED * np.abs(own)
+    return found
+
+
+def _long(found: BoolArray) -> BoolArray:
+    """(n,): those of more than NEIGHBOURS in a row."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], found.astype(np.int8), [0]])))
+    long = np.zeros(found.size, dtype=bool)
+    for first, last in edges.reshape(-1, 2):
+        long[first:last] = last - first > NEIGHBOURS
+    return long

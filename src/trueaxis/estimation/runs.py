@@ -1,0 +1,74 @@
+"""The readings of each run in the order in which they were taken, and which of them count."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trueaxis.estimation.jacobian import RunRows
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import places
+from trueaxis.measure.columns import BoolArray
+from trueaxis.measure.machine import FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class MeasuredRun:
+    """rows: of all readings; at: (n,), their places in the observations; reading: (n,), mm; repeats: (n,), the same
+    number where the same place was read; good: (n,), which count.
+    """
+
+    rows: RunRows
+    at: IntArray
+    reading: FloatArray
+    repeats: IntArray
+    good: BoolArray
+
+    @property
+    def instrument(self) -> str:
+        """Kind of the instrument."""
+        return self.rows.run.instrument
+
+    def kept(self) -> RunRows:
+        """The rows that count."""
+        if self.good.all():
+            return self.rows
+        time = np.cumsum(self.rows.steps)[self.good]
+        return replace(
+            self.rows,
+            positions=np.ascontiguousarray(self.rows.positions[:, self.good]),
+            passed=self.rows.passed[self.good],
+            steps=np.diff(time, prepend=0.0),
+        )
+
+
+def measured_runs(observed: Observations) -> list[MeasuredRun]:
+    """Every run that has readings. By time where all of a run's rows have one that rises, else by their order."""
+    found = []
+    same = places(observed)
+    time = None if observed.context is None else observed.context.time
+    for index in np.unique(observed.run).tolist():
+        rows = np.flatnonzero(observed.run == index)
+        if observed.seq is not None:
+            rows = rows[np.argsort(observed.seq[rows], kind="stable")]
+        at = np.arange(rows.size, dtype=np.float64)
+        if time is not None and np.isfinite(time[rows]).all() and (np.diff(time[rows]) > 0.0).all():
+            at = time[rows] - time[rows[0]]
+        steps = np.diff(at, prepend=0.0)
+        typical = float(np.median(steps[1:])) if rows.size > 1 else 1.0
+        found.append(
+            MeasuredRun(
+                rows=RunRows(
+                    index=index,
+                    run=observed.runs[index],
+                    positions=np.ascontiguousarray(observed.positions[:, rows]),
+                    passed=at / (at[-1] or 1.0),
+                    steps=steps / typical,
+                ),
+                at=rows,
+                reading=observed.reading[rows],
+                repeats=same[rows],
+                good=np.ones(rows.size, dtype=bool),
+            )
+        )
+    return found

@@ -1,0 +1,70 @@
+"""The geometry of a set-up: which line a target moves on, where a ball bar's ball stands and how it is carried."""
+
+from typing import cast
+
+import numpy as np
+
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.measure.machine import FloatArray, View
+from trueaxis.measure.reading_model import column, home_positions, measuring_frame, sensed_directions
+from trueaxis.measure.setup import PointOn, Run
+
+STRAIGHT = 1e-6  # share of a motion that may lie along the sensed direction or beside the line of the motion
+
+
+def is_straightness(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> bool:
+    """Whether the run senses across a motion on a straight line, of the target relative to the reference."""
+    if run.instrument != "laser" or run.direction is None:
+        return False
+    moved = relative_motion(machine, run, positions)
+    sizes = np.linalg.svd(moved, compute_uv=False)
+    across = float(np.abs(np.array(run.direction) @ moved).max(initial=0.0))
+    longest = float(np.linalg.norm(moved, axis=0).max(initial=0.0))
+    return bool(longest > 0.0 and across <= STRAIGHT * longest and sizes[1:].max(initial=0.0) <= STRAIGHT * sizes[0])
+
+
+def relative_motion(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
+    """(3, n): ideal displacement of the target relative to the reference since home, mm, measuring frame."""
+    home = cast(FloatArray, home_positions(run, machine.axes))
+    frame = measuring_frame(run)
+    total = np.zeros((3, positions.shape[1]))
+    for end, sign in ((run.target, 1.0), (run.reference, -1.0)):
+        if end.on != frame:
+            view = cast(View, f"{end.on}_in_{frame}")
+            point = column(end.point)
+            total += sign * (machine.view_ideal(view, positions, point) - machine.view_ideal(view, home, point))
+    return total
+
+
+def along_line(moved: FloatArray) -> FloatArray:
+    """(n,): signed way along the line of the motion, towards growing coordinates, from home."""
+    farthest = moved[:, int(np.linalg.norm(moved, axis=0).argmax())]
+    size = float(np.linalg.norm(farthest))
+    if size == 0.0:
+        return np.zeros(moved.shape[1])
+    line = farthest / size
+    line = line * np.sign(line[int(np.abs(line).argmax())])
+    return cast(FloatArray, line @ moved)
+
+
+def ball_of(run: Run) -> tuple[float, PointOn]:
+    """The ball or sphere whose place was set up, and the sign of its coordinates in a reading: the workpiece's."""
+    return (1.0, run.target) if run.target.on == "workpiece" else (-1.0, run.reference)
+
+
+def carried(machine: IdentifiedMachine, run: Run, ball: PointOn, coordinate: int, positions: FloatArray) -> FloatArray:
+    """(3, n): a unit vector of the body that carries the ball as the measuring frame sees it."""
+    frame, unit = measuring_frame(run), np.zeros((3, 1))
+    unit[coordinate] = 1.0
+    if ball.on == frame:
+        return np.repeat(unit, positions.shape[1], axis=1)
+    view = cast(View, f"{ball.on}_in_{frame}")
+    return machine.view_ideal(view, positions, unit) - machine.view_ideal(view, positions, np.zeros((3, 1)))
+
+
+def ball_columns(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
+    """(n, 3): derivative of the readings of a ball-bar run by the place of its ball on the workpiece (or bed)."""
+    sign, ball = ball_of(run)
+    direction = sensed_directions(machine, run, positions)
+    turned = (carried(machine, run, ball, coordinate, positions) for coordinate in range(3))
+    return np.stack([sign * np.einsum("in,in->n", direction, one) for one in turned], axis=1)

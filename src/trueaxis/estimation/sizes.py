@@ -1,0 +1,96 @@
+"""The sizes of errors and instrument unknowns, about what was expected of them.
+
+Every class of unknowns has a size, every component one of its own about that of its class, and the curves have a shape.
+The logarithms have normal priors.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from trueaxis.estimation.curve_prior import FALLING_FACTOR, SHAPE, WAVES_FACTOR, CurvePrior
+from trueaxis.estimation.instruments import CALIBRATED, CALIBRATED_FACTOR, OWN_SIZES, SET_UP_FACTOR, SHARED_SIZES
+from trueaxis.estimation.layout import Layout
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.posterior import Posterior
+from trueaxis.measure.machine import FloatArray
+
+CLASS_FACTOR = 4.0  # by which a size may be other than expected, one standard deviation
+COMPONENT_FACTOR = 1.6  # by which the sizes of components of one class differ
+
+
+class Sizes:
+    """All sizes as one vector of standard normal numbers, zero where everything is as expected."""
+
+    def __init__(self, layout: Layout, kinds: Sequence[Sequence[str]]) -> None:
+        self.layout = layout
+        classes = list(dict.fromkeys(layout.kinds))
+        own = list(dict.fromkeys(kind for of_run in kinds for kind in of_run))
+        self.names = (*classes, *(f"of {name}" for name in layout.components), *own, *SHAPE)
+        self._own_at = {kind: len(classes) + len(layout.components) + place for place, kind in enumerate(own)}
+        factors = [
+            *(_factor(kind) if kind in SHARED_SIZES else CLASS_FACTOR for kind in classes),
+            *([COMPONENT_FACTOR] * len(layout.components)),
+            *map(_factor, own),
+        ]
+        self.spread = np.log([*factors, WAVES_FACTOR, FALLING_FACTOR])
+        degrees = [basis.degree for basis in layout.bases]
+        one_each = layout.count - sum(degrees)
+        of_class = [classes.index(kind) for kind in layout.kinds]
+        self._class: IntArray = np.repeat(of_class, [*degrees, *([1] * one_each)]).astype(np.int64)
+        self._component: IntArray = np.repeat(np.arange(len(degrees)) + len(classes), degrees).astype(np.int64)
+        self._priors = [CurvePrior(basis) for basis in layout.bases]
+
+    def scale(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """(n,): logarithms of the prior sizes of the scaled unknowns, and (2, n) derivatives by the shape."""
+        value = x * self.spread
+        log = value[self._class]
+        curves = self._component.size
+        log[:curves] += value[self._component]
+        slope = np.zeros((len(SHAPE), log.size))
+        weights = [prior.log_weights(value[-len(SHAPE) :]) for prior in self._priors]
+        if weights:
+            log[:curves] += np.concatenate([of for of, _ in weights])
+            slope[:, :curves] = np.hstack([of for _, of in weights])
+        return log, slope
+
+    def factors(self, x: FloatArray) -> dict[str, float]:
+        """Estimated over expected size, by class, by component (`of EXX`) and of the shape of curves."""
+        return dict(zip(self.names, np.exp(x * self.spread).tolist(), strict=True))
+
+    def own_scale(self, kinds: Sequence[str], x: FloatArray) -> FloatArray:
+        """(k,): prior standard deviations of a run's own unknowns, mm or rad."""
+        return np.array(
+            [OWN_SIZES[kind] * np.exp(x[self._own_at[kind]] * self.spread[self._own_at[kind]]) for kind in kinds]
+        )
+
+    def information(self, posterior: Posterior, slope: FloatArray) -> FloatArray:
+        """Expected Fisher information of x with the prior's, 1: what the readings tell of the sizes at all.
+
+        In units of the sizes, 2 (1 - Sigma)_kl^2 for every pair of unknowns; those of single runs by themselves.
+        """
+        unit = posterior.spread / posterior.scale[:, np.newaxis]
+        told = (np.eye(unit.shape[0]) - unit @ unit.T) ** 2
+        member = np.zeros((unit.shape[0], self.spread.size))
+        rows = np.arange(unit.shape[0])
+        member[rows, self._class] += 1.0
+        member[rows[: self._component.size], self._component] += 1.0
+        member[:, -len(SHAPE) :] = slope.T
+        found = 2.0 * member.T @ told @ member
+        for kind, value in posterior.own_told:
+            found[self._own_at[kind], self._own_at[kind]] += 2.0 * value
+        return np.asarray(np.eye(self.spread.size) + found * np.outer(self.spread, self.spread))
+
+    def gradient(self, expected: FloatArray, own: Sequence[tuple[str, float]], slope: FloatArray) -> FloatArray:
+        """Of the logarithm of the marginal likelihood by x. expected: (n,), E[u^2] - 1; own: the same, by class."""
+        found = np.zeros(self.spread.size)
+        np.add.at(found, self._class, expected)
+        np.add.at(found, self._component, expected[: self._component.size])
+        for kind, value in own:
+            found[self._own_at[kind]] += value
+        found[-len(SHAPE) :] = slope @ expected
+        return found * self.spread
+
+
+def _factor(kind: str) -> float:
+    return CALIBRATED_FACTOR if kind in CALIBRATED else SET_UP_FACTOR

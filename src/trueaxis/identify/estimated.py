@@ -1,0 +1,243 @@
+"""`identify --method global`: the estimate of all errors from all readings, as values, covariance and report."""
+
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+
+from trueaxis.estimation.estimate import Estimate, estimate
+from trueaxis.estimation.first_order import sensed
+from trueaxis.estimation.gauge import covariance_of
+from trueaxis.estimation.judgement import NINE_TENTHS, Determined, Judged, judged_component, judged_location
+from trueaxis.estimation.machine import lever
+from trueaxis.estimation.observations import Observations
+from trueaxis.faults import Fault, InputError
+from trueaxis.identify.fit_quality import (
+    FitQuality,
+    NotConvergedError,
+    Residuals,
+    expected_sizes,
+    known_noise,
+    quality,
+    run_residuals,
+)
+from trueaxis.identify.notes import dimension_notes
+from trueaxis.identify.report import (
+    ComponentReport,
+    Identification,
+    IdentificationReport,
+    InstrumentReport,
+    Known,
+    LocationReport,
+    NoiseGroupReport,
+)
+from trueaxis.identify.weighting import NoiseModel, weighting
+from trueaxis.identify.words import enumerated, unit_of
+from trueaxis.runtime.curves import Curve, LegendreCurve
+from trueaxis.runtime.errors import ErrorValues, Undetermined
+from trueaxis.runtime.model import MachineModel
+
+Choice = Literal["convention", "known"]
+KNOWN: dict[Determined, Known] = {"data": "determined", "partly": "partly", "prior": "undetermined"}
+ORIGINS: dict[Determined, str] = {
+    "data": "from the readings",
+    "partly": "from the readings and the prior",
+    "prior": "undetermined: from the prior alone",
+}
+RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
+FAR = 3.0  # times the size of [prior], from where on a size is reported
+
+
+@dataclass(frozen=True, slots=True)
+class EstimateOptions:
+    """squareness: what parts it from straightness; known: values taken as they are, dimensions too; noise: what is
+    known of it.
+    """
+
+    squareness: Choice = "convention"
+    known: ErrorValues | None = None
+    noise: NoiseModel = field(default_factory=NoiseModel)
+
+
+def identify_estimated(model: MachineModel, observed: Observations, options: EstimateOptions) -> Identification:
+    """Values, report and covariance.
+
+    Raises InputError where no reading holds an error, or where the noise that is given does not fit the runs;
+    NotConvergedError where the estimate does not stand still.
+    """
+    given = replace(options.known or ErrorValues(model.name), u={}, undetermined=(), covariance=None, fit=None)
+    if options.squareness == "known":
+        zeros = dict.fromkeys(model.location_errors, 0.0)
+        given = replace(given, parameters={**zeros, **given.parameters})
+    noise = _given_noise(observed, options.noise)
+    try:
+        found = estimate(model, observed, given, noise)
+    except ValueError as error:
+        raise InputError([Fault(observed.source, "", str(error), "runs that move an axis")]) from error
+    residuals = _residuals(model, observed, found, noise)
+    if not found.converged:
+        raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
+    judged = quality(residuals, observed.runs)
+    found = found.levelled() if options.squareness == "convention" else found
+    components = {name: judged_component(found, name) for name in found.layout.components}
+    locations = {name: judged_location(found, name) for name in found.layout.locations}
+    silent = [name for name, one in (*components.items(), *locations.items()) if one.determined == "prior"]
+    left_open = (
+        (Undetermined(f"{enumerated(silent)}: no reading tells them, they rest on [prior]", tuple(silent)),)
+        if silent
+        else ()
+    )
+    values = replace(
+        found.values,
+        motion_errors={**_curves(model, observed, found), **given.motion_errors},
+        u={name: one.u for name, one in locations.items()},
+        undetermined=left_open,
+        fit=judged.fit,
+    )
+    report = _report(model, observed, found, components, locations, judged, options)
+    report = replace(report, undetermined=left_open, notes=(*dimension_notes(model, given), *_notes(model, found)))
+    return Identification(values, report, covariance_of(found.layout, found.spread))
+
+
+def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float] | None:
+    weights = weighting(observed, model)
+    if weights.sigma is None:
+        return None
+    each = weights.sigma / weights.roots
+    return {int(index): float(each[observed.run == index][0]) for index in np.unique(observed.run)}
+
+
+def _residuals(
+    model: MachineModel, observed: Observations, found: Estimate, noise: dict[int, float] | None
+) -> Residuals:
+    good = ~found.outliers
+    known = known_noise(observed, None)
+    if noise is not None:
+        known = np.array([noise.get(index, np.nan) for index in range(len(observed.runs))])[observed.run]
+    return Residuals(
+        observed.run,
+        good.astype(np.float64),
+        np.where(good, found.residual, 0.0) ** 2,
+        known,
+        expected_sizes(model, observed.runs, observed.run, observed.positions),
+        int(found.freedom),
+    )
+
+
+def _curves(model: MachineModel, observed: Observations, found: Estimate) -> dict[str, Curve]:
+    measured = _measured(model, observed)
+    curves: dict[str, Curve] = {}
+    u = np.linalg.norm(found.spread, axis=1)
+    for place, name in enumerate(found.layout.components):
+        first = int(found.layout.offsets[place])
+        curve = found.values.motion_errors[name]
+        assert isinstance(curve, LegendreCurve)
+        mine = u[first : first + curve.basis.degree]
+        curves[name] = replace(curve, u=tuple(mine.tolist()), measured=measured.get(name))
+    return curves
+
+
+def _measured(model: MachineModel, observed: Observations) -> dict[str, tuple[float, float]]:
+    """Lowest and highest position at which a reading holds each component."""
+    found: dict[str, tuple[float, float]] = {}
+    for index in np.unique(observed.run).tolist():
+        positions = np.ascontiguousarray(observed.positions[:, observed.run == index])
+        held = np.abs(sensed(model, observed.runs[index], positions)) > 0.0
+        for row, name in enumerate(model.components):
+            at = positions[model.axes.index(name[2]), held[row]]
+            if at.size and np.ptp(positions[model.axes.index(name[2])]) > 0.0:
+                low, high = found.get(name, (np.inf, -np.inf))
+                found[name] = (min(low, float(at.min())), max(high, float(at.max())))
+    return found
+
+
+def _report(
+    model: MachineModel,
+    observed: Observations,
+    found: Estimate,
+    components: dict[str, Judged],
+    locations: dict[str, Judged],
+    judged: FitQuality,
+    options: EstimateOptions,
+) -> IdentificationReport:
+    _layout, good = found.layout, ~found.outliers
+    unit = {name: model.machine.parameter_unit(name) for name in model.location_errors}
+    scale = np.array([found.scales.get(index, np.nan) for index in range(len(observed.runs))])
+    sigma = {name: one.sigma for name, one in found.noise.items()}
+    each = np.array([sigma.get(run.instrument, np.nan) for run in observed.runs]) * scale
+    estimated = options.noise == NoiseModel()
+    return IdentificationReport(
+        machine=model.name,
+        method="global",
+        squareness=RULES[options.squareness],
+        readings=observed.reading.size,
+        left_out=(),
+        lever=lever(model),
+        rank_tolerance=0.0,
+        blocks=(),
+        iterations=found.rounds + found.steps,
+        last_change=found.last_change,
+        residual_rms_um=float(np.sqrt(np.mean(found.residual[good] ** 2))) * 1e3,
+        freedom=int(found.freedom),
+        noise_um=float(np.sqrt(np.mean(each[observed.run] ** 2))) * 1e3,
+        noise_origin="estimated with the errors, by restricted maximum likelihood" if estimated else "given",
+        locations=tuple(_location(found, name, locations.get(name), unit[name]) for name in model.location_errors),
+        components=tuple(_component(name, components.get(name)) for name in model.components),
+        undetermined=(),
+        quality=judged,
+        instruments=_instruments(observed, found),
+        noise_groups=_noise_groups(found) if estimated else (),
+    )
+
+
+def _location(found: Estimate, name: str, judged: Judged | None, unit: str) -> LocationReport:
+    value = found.values.parameters.get(name, 0.0)
+    if judged is None:
+        return LocationReport(name, value, None, unit, "given")
+    return LocationReport(name, value, judged.u, unit, ORIGINS[judged.determined])
+
+
+def _component(name: str, judged: Judged | None) -> ComponentReport:
+    if judged is None:
+        return ComponentReport(name, "given", 0.0, None, unit_of(name))
+    return ComponentReport(name, KNOWN[judged.determined], judged.largest, judged.u, unit_of(name))
+
+
+def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentReport, ...]:
+    layout = found.layout
+    u = np.linalg.norm(found.spread, axis=1)
+    reports = []
+    for place, unknown in enumerate(layout.shared, layout.of_machine):
+        if u[place] > NINE_TENTHS * found.scale[place]:
+            continue  # the readings say nothing of it
+        letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
+        runs = ", ".join(observed.runs[index].id for index in unknown.runs)
+        unit = "1" if unknown.kind in ("laser scale", "laser cosine") else "mm"
+        value = float(found.unknowns[place])
+        reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
+    return tuple(reports)
+
+
+def _noise_groups(found: Estimate) -> tuple[NoiseGroupReport, ...]:
+    groups = []
+    for name, one in found.noise.items():
+        slow = f", of it slow {one.slow * 1e3:.3g}" if one.slow > 0.0 else ""
+        groups.append(NoiseGroupReport(f"{name}{slow}", one.sigma * 1e3, None))
+    return tuple(groups)
+
+
+def _notes(model: MachineModel, found: Estimate) -> tuple[str, ...]:
+    notes = []
+    expected = {
+        "translation": (model.prior.translation * 1e3, "translation_um"),
+        "rotation": (model.prior.rotation * 1e6, "rotation_urad"),
+        "location rad": (model.prior.location_angle * 1e6, "location_urad"),
+        "location mm": (model.prior.location_length * 1e3, "location_um"),
+    }
+    for kind, (size, key) in expected.items():
+        factor = found.factors.get(kind, 1.0)
+        if not 1.0 / FAR <= factor <= FAR:
+            notes.append(f"[prior] {key} = {size:g}: these readings ask for {size * factor:.3g}")
+    if found.outliers.any():
+        notes.append(f"{int(found.outliers.sum())} readings are left out as outliers")
+    return tuple(notes)
