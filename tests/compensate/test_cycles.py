@@ -1,5 +1,6 @@
 """Canned cycles, written out, against an independent control that runs the cycles themselves."""
 
+import re
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -52,6 +53,20 @@ def test_each_cycle(bench: Bench, code: str, level: str, mode: str) -> None:
     assert distance.min(axis=1).max() <= 0.0011
 
 
+@pytest.mark.parametrize(("plane", "letters"), [("G17", "XYZ"), ("G18", "ZXY"), ("G19", "YZX")])
+def test_the_axis_across_the_plane_drills(bench: Bench, plane: str, letters: str) -> None:
+    first, second, across = letters
+    program = (
+        f"G21 G90 {plane}\nG0 {first}0. {second}0. {across}20.\n"
+        f"G98 G83 {first}1. {second}2. {across}-3. R1. Q3. F60\nG99 {second}5.\nG80\n"
+    )
+    text = bench.run(program).decode().replace(first, "a").replace(second, "b").replace(across, "c")
+    blocks = [sorted(re.findall(r"[abc]-?[.\d]+|G[01](?!\d)", line)) for line in text.splitlines()[2:-1]]
+    hole = ["G1 c-2.000", "G0 c1.000", "G0 c-1.746", "G1 c-3.000"]
+    wanted = ["G0 a1.000 b2.000", "G0 c1.000", *hole, "G0 c20.000", "G0 b5.000", "G0 c1.000", *hole, "G0 c1.000"]
+    assert [" ".join(block) for block in blocks] == wanted
+
+
 def test_the_text_of_a_cycle(bench: Bench) -> None:
     program = (
         "G21 G90 G17\nG0 X0. Y0. Z20.\nN7 G98 G82 X1. Y2. Z-3. R1. P250 F60 M8 (hole)\nX5. M9\n/ X6.\nG80 (done)\n"
@@ -78,7 +93,7 @@ def test_boring_stops_the_spindle(bench: Bench) -> None:
         ("G81 X1. Z3. R2. F9", "Z is not below R", {}),
         ("G81 Z-1. R2. F9\nR3.", "whether it drills differs by control", {}),
         ("G86 X1. Z-1. R2. F9", "spindle is not known to turn", {}),
-        ("G18 G81 X1. Z-1. R2. F9", "another plane than G17", {}),
+        ("G18 G81 X1. Z-1. R2. F9", "G81 without Z and R", {}),
         ("G93 G81 X1. Z-1. R2. F9", "under G93", {}),
         ("G81 X1. Z-1. R2. L0", "no number of repeats", {}),
         ("G81 X1. Z-1. R2. L1.5", "no number of repeats", {}),

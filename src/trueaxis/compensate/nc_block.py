@@ -181,8 +181,7 @@ def _axis(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     if letter not in machine_axes:
         meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
         return
-    is_data = meaning.data_code is not None or (meaning.drilling and letter == "Z")
-    (meaning.data if is_data else meaning.axes)[letter] = word.value
+    (meaning.axes if meaning.data_code is None else meaning.data)[letter] = word.value
     _number(word, meaning)
 
 

@@ -28,7 +28,6 @@ from trueaxis.compensate.nc_text import due_at_end
 from trueaxis.compensate.settings import Settings
 
 MOST_REPEATS = 10_000
-_XY = 170
 _OF_CYCLE = frozenset("XYZRQPLK")
 _OUT = frozenset({*codes.CYCLES, 980, 990})  # codes that are not written with the motions
 WRITTEN_OUT = "a canned cycle is written out as G0 and G1"
@@ -50,7 +49,8 @@ class CycleReader:
         """The motions of a block while a canned cycle is in force; its text where it drills nothing."""
         cycle = self._cycle(body, block, meaning)
         self._state.cycle, self._state.motion = cycle, None
-        named = {axis for axis in "XYZ" if axis in meaning.axes or axis in meaning.data}
+        named = set(meaning.axes)
+        meaning.axes.pop(self._depth, None)
         if not named and meaning.cycle is None and not (meaning.data or meaning.parameters or meaning.positions):
             return [line]
         if meaning.complaints:
@@ -67,6 +67,11 @@ class CycleReader:
         self._holes(cycle, meaning, writer)
         return writer.finished()
 
+    @property
+    def _depth(self) -> str:
+        """The axis that drills: across the plane in force."""
+        return codes.PLANES[self._state.plane][2]
+
     def _cycle(self, body: str, block: Block, meaning: Meaning) -> Cycle:
         """The cycle in force with the words of a block taken in."""
         state = self._state
@@ -79,22 +84,22 @@ class CycleReader:
         texts = {word.letter: body[word.start + 1 : word.end].strip() for word in block.words}
         return replace(
             cycle,
-            z=meaning.data.get("Z", cycle.z),
+            z=meaning.axes.get(self._depth, cycle.z),
             r=meaning.data.get("R", cycle.r),
             peck=meaning.parameters.get("Q", cycle.peck),
             dwell=texts.get("P", cycle.dwell),
         )
 
     def _level(self) -> float | None:
-        """Where Z stands, mm, machine coordinates; None where a word could not name that for certain."""
-        row = self._state.row.get("Z")
+        """Where the drilling axis stands, mm, machine coordinates; None where no word could name that for certain."""
+        row = self._state.row.get(self._depth)
         if row is None or self._state.commanded.of([row]) < Commanded.STOPPED:
             return None
         return self._state.position[row]
 
     def _frame(self) -> Hashable:
-        """The frame of Z."""
-        row = self._state.row.get("Z")
+        """The frame of the axis that drills."""
+        row = self._state.row.get(self._depth)
         return None if row is None else self._state.frames.ids[row]
 
     def _problem(self, cycle: Cycle, named: set[str], meaning: Meaning) -> tuple[str, str] | None:
@@ -104,9 +109,8 @@ class CycleReader:
         name = cycle.name
         problems = (
             (not {"X", "Y", "Z"} <= state.row.keys(), f"{name} on a machine without X, Y and Z", "write it out"),
-            (state.plane != _XY, f"{name} in another plane than G17 is not followed", "write it out"),
             (state.feed_mode == "time", f"{name} under G93", "G94"),
-            (bool(set(meaning.axes) - {"X", "Y"}), f"{name} with a rotary axis", "turn it in a block before"),
+            (bool(set(meaning.axes) - set("XYZ")), f"{name} with a rotary axis", "turn it in a block before"),
             (bool(meaning.centre), f"I or J in a block of {name}", "the words of a cycle alone"),
             (bool(meaning.uncertain_codes), f"{meaning.uncertain_codes} in a block of {name}", "a block of its own"),
             (not named, f"{name} without X, Y or Z: whether it drills differs by control", "X or Y in the block"),
@@ -125,8 +129,8 @@ class CycleReader:
 
     def _levels(self, cycle: Cycle, meaning: Meaning, writer: "_Writer") -> tuple[float, float, float] | None:
         """R, Z and where the cycle ends, machine coordinates, mm; None after a fault."""
-        state, row = self._state, self._state.row["Z"]
-        scale = state.scale("Z")
+        state, row = self._state, self._state.row[self._depth]
+        scale = state.scale(self._depth)
         initial = cycle.initial if cycle.frame == self._frame() else None
         if state.absolute:
             shift = state.shift[row] if state.shift else 0.0
@@ -158,18 +162,18 @@ class CycleReader:
         if levels is None:
             return
         r, bottom, clear = levels
-        peck = cycle.peck * state.scale("Z")
+        peck = cycle.peck * state.scale(self._depth)
         for _ in range(self._repeats(meaning) or 1):
             level = self._level()
             if level is not None and level < r:
-                writer.go(Kind.RAPID, {"Z": r})
+                writer.go(Kind.RAPID, {self._depth: r})
             if not writer.across(meaning):
                 return
             if self._level() != r:
-                writer.go(Kind.RAPID, {"Z": r})
+                writer.go(Kind.RAPID, {self._depth: r})
             for what, z in steps(cycle.code, r, bottom, clear, peck, bool(cycle.dwell)):
                 if what in (RAPID, FEED):
-                    writer.go(Kind.LINE if what == FEED else Kind.RAPID, {"Z": z})
+                    writer.go(Kind.LINE if what == FEED else Kind.RAPID, {self._depth: z})
                 else:
                     dwell = f"G4{state.gap}P{cycle.dwell}"
                     writer.say({DWELL: dwell, SPINDLE_STOP: "M5", SPINDLE_START: state.spindle}[what])

@@ -22,8 +22,8 @@ class Meaning:
     words. undotted: letters of axis and arc words other than 0 without a decimal point. parameters: values of P Q L E.
     system: the work offset that it selects; data_code: a code (times ten) whose axis words are data: `data`, by letter,
     R too. length_code: G43 or G49 (times ten); length_of: the H word of G43. cycle: a canned cycle that it begins (code
-    times ten); drilling: whether its axis words are those of a cycle, with Z and R in `data`; at_initial_level: G98, or
-    G99. tool: the T word, as `T2`. changes_tool: whether the block may change the tool, see tool_changes.
+    times ten); drilling: whether its axis words are those of a cycle, with R in `data`; at_initial_level: G98, or G99.
+    tool: the T word, as `T2`. changes_tool: whether the block may change the tool, see tool_changes.
     """
 
     motion: int | None = None
