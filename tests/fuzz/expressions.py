@@ -2,6 +2,7 @@
 
 import ast
 import operator
+import re
 from collections.abc import Callable, Mapping
 from random import Random
 from typing import Any
@@ -67,7 +68,9 @@ def value(text: str, values: Mapping[str, float], draw: Random | None = None) ->
     """
     with mpmath.workdps(60):
         try:
-            found = _value(ast.parse(text.replace("^", "**"), mode="eval").body, values, draw)
+            # Python takes no zeros before a whole number, which mean nothing here
+            plain = re.sub(r"(?<![\w.])0+(?=\d)", "", text.replace("^", "**"))
+            found = _value(ast.parse(plain, mode="eval").body, values, draw)
         except (ArithmeticError, ValueError):
             return None
         return None if isinstance(found, mpmath.mpc) or not mpmath.isfinite(found) else found

@@ -94,7 +94,7 @@ def test_every_fault_of_the_options_is_told_and_nothing_written(
     options = ["--method", "global", "--squareness", "sect36", "--report", str(out), "--known", str(tmp_path / "none")]
     assert identify(tmp_path / "nowhere", out, *options) == 2
     told = capsys.readouterr().err
-    for words in ("goes with --method paper", "is both --out and --report", "nowhere", "none"):
+    for words in ("goes with --method stepwise", "is both --out and --report", "nowhere", "none"):
         assert words in told
     assert not out.exists()
 

@@ -118,10 +118,10 @@ def print_table(seeds: Sequence[int], machines: int, curves: str) -> None:
 
 
 def print_estimates(seeds: Sequence[int], machines: int, curves: str) -> None:
-    """A line per design, root mean squares over its machines, then a line per ingredient with medians of its designs."""
+    """A line per design, root mean squares over its machines, then a line per ingredient, medians of its designs."""
     print("                            from home, um                                machine datum")
     print(
-        "seed  axes  readings  runs   true  estimate  oracle  ratio      u  coverage  ratio  worse than nothing, at most"
+        "seed  axes  readings  runs   true  estimate  oracle  ratio      u  coverage  ratio  worse than nothing; most"
     )
     rows: list[tuple[Design, float, float, float]] = []
     for seed in seeds:
@@ -135,11 +135,11 @@ def print_estimates(seeds: Sequence[int], machines: int, curves: str) -> None:
         ratio, beside = mean["error"] / mean["oracle"], mean["machine_error"] / mean["machine_oracle"]
         rows.append((one.design, ratio, mean["error"] / mean["true"], coverage))
         not_converged = sum(not found.found.converged for found in each)
+        plan, axes = one.design.plan, len(one.design.machine.axes)
         print(
-            f"{seed:4d}  {len(one.design.machine.axes):4d}  {one.design.plan.count:8d}  {len(one.design.plan.runs):4d}  "
-            f"{mean['true']:5.1f}  {mean['error']:8.2f}  {mean['oracle']:6.2f}  {ratio:5.2f}  {mean['u']:5.2f}  "
-            f"{coverage:8.3f}  {beside:5.2f}  {worse} of {machines}, {most:.2f}"
-            + (f"; {not_converged} not converged" if not_converged else ""),
+            f"{seed:4d}  {axes:4d}  {plan.count:8d}  {len(plan.runs):4d}  {mean['true']:5.1f}  {mean['error']:8.2f}  "
+            f"{mean['oracle']:6.2f}  {ratio:5.2f}  {mean['u']:5.2f}  {coverage:8.3f}  {beside:5.2f}  "
+            f"{worse} of {machines}, {most:.2f}" + (f"; {not_converged} not converged" if not_converged else ""),
             flush=True,
         )
     print("\ningredient            designs  estimate/oracle  estimate/true  coverage (medians)")

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Literal
 from trueaxis.commands.arguments import file_to_write
 from trueaxis.commands.identify_options import (
     FROM_ANGLES,
+    STEPWISE,
     degree_option,
     instruments_option,
+    method_option,
     noise_option,
     squareness_option,
 )
@@ -43,13 +45,13 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Find the motion and location errors of a machine from readings. Method paper goes point by point and step by step: each
-run gives the components that it alone still holds, at every position, with those found before. Method global estimates
-all errors from all readings at once, ball bar included, with what may be expected of them ([prior] of the spec) and
-what nobody knows of instruments; noise, sizes of errors and outliers are found from the readings. Both work on the
-exact model, give standard uncertainties, and say what the readings cannot determine (which is no failure: exit code 0).
-Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or its residuals
-are far from the noise that is known, and the values are written as a misfit."""
+Find the motion and location errors of a machine from readings. Method stepwise, the paper's, goes point by point and
+step by step: each run gives the components that it alone still holds, at every position, with those found before.
+Method global estimates all errors from all readings at once, ball bar included, with what may be expected of them
+([prior] of the spec) and what nobody knows of instruments; noise, sizes of errors and outliers are found from the
+readings. Both work on the exact model, give standard uncertainties, and say what the readings cannot determine (which
+is no failure: exit code 0). Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing
+is written; or its residuals are far from the noise that is known, and the values are written as a misfit."""
 
 DEFAULT: Literal["convention"] = "convention"
 DEGREE = 7
@@ -63,7 +65,13 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
     )
-    parser.add_argument("--method", choices=("paper", "global"), default="paper", help="(default %(default)s)")
+    parser.add_argument(
+        "--method",
+        type=method_option,
+        default=STEPWISE,
+        metavar="stepwise|global",
+        help="(default stepwise; paper is another name of it)",
+    )
     parser.add_argument(
         "--prior",
         choices=("spec", "none"),
@@ -78,7 +86,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         metavar="convention|known|from-angles",
         help="what gives the squareness: convention (default) the slope of the straightness, whose least-squares lines "
         "become level as in ISO 230-1; known the file --known (zero where it is silent); from-angles the yaw and pitch "
-        "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method paper; sect36 is its old name)",
+        "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method stepwise; sect36 is its old name)",
     )
     parser.add_argument(
         "--known",
@@ -99,8 +107,8 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--curves",
         choices=("table", "polynomial", "held-out"),
         default="table",
-        help="method paper: components as tables of the measured positions, polynomials by the paper's procedure, or "
-        "polynomials whose order held-out positions choose (%(default)s)",
+        help="method stepwise: components as tables of the measured positions, polynomials by the paper's procedure, "
+        "or polynomials whose order held-out positions choose (%(default)s)",
     )
     parser.add_argument(
         "--degree",
@@ -203,7 +211,7 @@ def _identify(
     args: argparse.Namespace, model: MachineModel, observed: Observations, known: ErrorValues | None
 ) -> Identification:
     noise: NoiseModel = args.noise_um
-    if args.method == "paper":
+    if args.method == STEPWISE:
         options = PaperOptions(args.squareness, known, noise.um, args.curves)
         return identify_paper(model, observed, options)
     if args.prior == "spec" and not model.effects:
@@ -227,7 +235,7 @@ def _identify(
 def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     found = []
     if args.method == "global" and args.squareness == FROM_ANGLES:
-        found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method paper", "convention or known"))
+        found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method stepwise", "convention or known"))
     if args.method == "global" and args.prior == "spec":
         of_least_squares = {
             "--degree": args.degree != DEGREE,
@@ -239,7 +247,7 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
                 found.append(Fault(option, "", "goes with plain least squares", "--prior none"))
     if args.squareness == "known" and args.known is None:
         found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
-    if args.method == "paper":
+    if args.method == STEPWISE:
         of_global = {
             "--noise-um": bool(args.noise_um.by_group or args.noise_um.repeats),
             "--degree auto": args.degree == AUTO_DEGREE,

@@ -9,8 +9,18 @@ from trueaxis.identify.global_fit.result import AUTO_DEGREE
 from trueaxis.identify.weighting import NoiseModel, Repeats
 
 HIGHEST_DEGREE = 30
+STEPWISE = "stepwise"
 FROM_ANGLES: Literal["from-angles"] = "from-angles"
 _REPEATS: dict[str, Repeats] = {"repeats": "instrument", "repeats-by-run": "run"}
+
+
+def method_option(text: str) -> str:
+    """A method; `paper` is another name of `stepwise`."""
+    if text in (STEPWISE, "paper"):
+        return STEPWISE
+    if text == "global":
+        return text
+    raise argparse.ArgumentTypeError(f"{text!r} is not stepwise (or paper) or global")
 
 
 def noise_option(text: str) -> NoiseModel:

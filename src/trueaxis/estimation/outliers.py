@@ -26,12 +26,11 @@ def spoilt(
         good = np.flatnonzero(~found)
         if good.size < 3:
             break
-        between = np.add.reduceat(steps, good) if good.size else steps
         between = np.diff(np.cumsum(steps)[good], prepend=0.0)
         off = Whitening(noise, between, scale).weighed(residual[good])
         z = np.abs(off) / np.sqrt(Whitening(noise, between, scale).weights())
+        z[_shared(residual[good], repeats[good])] = 0.0
         peaks = (z > limit) & (z >= _largest_around(z))
-        peaks &= ~_shared(residual[good], repeats[good])
         if not peaks.any():
             break
         found[good[peaks]] = True

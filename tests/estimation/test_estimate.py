@@ -1,0 +1,116 @@
+"""The estimate on worlds: random designs and shops with exact rotations that share no code with the package."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.worlds.estimates import TOOL, World, deviations, outcome, rms_um, world
+from tests.worlds.readings import measure
+from tests.worlds.truth import draw_machine, random_points
+from trueaxis.estimation.estimate import Estimate, estimate
+from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.spec.machine import LINEAR
+
+SMALL = 36  # a design of three axes, 20 runs, ball bars alone, with outliers
+
+
+@pytest.fixture(scope="module")
+def small(tmp_path_factory: pytest.TempPathFactory) -> World:
+    return world(SMALL, tmp_path_factory.mktemp("world"))
+
+
+def given(one: World) -> ErrorValues:
+    return ErrorValues(one.model.name, {name: one.model.errors.parameters[name] for name in one.model.dimensions})
+
+
+def estimated(one: World, seed: int) -> Estimate:
+    data = measure(one.design, draw_machine(one.design.machine, seed), seed)
+    return estimate(one.model, replace(one.plan, reading=data.reading.copy()), given(one))
+
+
+def test_it_is_nearly_as_good_as_what_knows_noise_and_sizes(small: World) -> None:
+    each = [outcome(small, seed) for seed in range(4)]
+    error, oracle, true = (
+        np.sqrt(np.mean([getattr(one, name) ** 2 for one in each])) for name in ("error", "oracle", "true")
+    )
+    assert error < 1.6 * oracle  # few readings: sizes that it does not know cost that
+    assert error < true
+    assert all(one.found.converged for one in each)
+    assert 0.8 <= np.mean([one.coverage for one in each]) <= 1.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [9, 12])
+def test_it_is_on_thorough_plans(seed: int, tmp_path: Path) -> None:
+    one = world(seed, tmp_path)
+    each = [outcome(one, seed) for seed in range(3)]
+    error, oracle, true = (
+        np.sqrt(np.mean([getattr(one, name) ** 2 for one in each])) for name in ("error", "oracle", "true")
+    )
+    assert error < 1.6 * oracle
+    assert error < 0.15 * true
+
+
+def test_outliers_are_found_and_no_others(small: World) -> None:
+    spoilt = set(small.design.shop.outliers.tolist())
+    assert spoilt
+    found = set(np.flatnonzero(estimated(small, 1).outliers).tolist())
+    assert len(found & spoilt) >= 0.6 * len(spoilt)
+    assert len(found - spoilt) <= 1
+
+
+def test_the_convention_levels_and_changes_nothing_seen_from_home(small: World) -> None:
+    found = estimated(small, 2)
+    level = found.levelled()
+    positions = np.array(list(random_points(small.design.machine, 2, 60).values()))
+    axes = list(random_points(small.design.machine, 2, 1))
+    positions = positions[[axes.index(axis) for axis in small.model.axes]]
+    before, after = (deviations(small.model.with_values(one.values), positions, home=True) for one in (found, level))
+    assert rms_um(before) > 1.0
+    assert rms_um(after - before) < 1e-3 * rms_um(before)  # what is of second order in the errors
+    layout = found.layout
+    straight = [
+        int(first)
+        for name, first in zip(layout.components, layout.offsets[:-1], strict=True)
+        if name[1] in LINEAR and name[2] in LINEAR and name[1] != name[2]
+    ]
+    seen = [row for row in straight if not np.isclose(level.unknowns[row], found.unknowns[row], rtol=1e-9, atol=1e-12)]
+    assert seen
+    np.testing.assert_allclose(level.unknowns[seen], 0.0, atol=1e-9)
+
+
+def test_the_order_of_readings_and_of_runs_does_not_matter(small: World) -> None:
+    data = measure(small.design, draw_machine(small.design.machine, 3), 3)
+    observed = replace(small.plan, reading=data.reading.copy())
+    turned = observed.of(np.random.default_rng(1).permutation(data.reading.size))
+    one, other = (estimate(small.model, readings, given(small)) for readings in (observed, turned))
+    np.testing.assert_allclose(other.unknowns, one.unknowns, rtol=1e-6, atol=1e-12)
+
+
+def test_unread_errors_keep_their_prior(small: World) -> None:
+    """One line of one axis: all the rest is as likely as before, and u says so."""
+    first = int(small.plan.run[0])
+    rows = np.flatnonzero(small.plan.run == first)
+    data = measure(small.design, draw_machine(small.design.machine, 4), 4)
+    alone = replace(small.plan, reading=data.reading.copy()).of(rows)
+    found = estimate(small.model, alone, given(small))
+    assert found.converged
+    assert np.isfinite(found.spread).all()
+    u = np.linalg.norm(found.spread, axis=1)
+    assert np.median(u[: found.layout.of_machine] / found.scale[: found.layout.of_machine]) > 0.8
+    assert np.abs(found.unknowns).max() < 1.0
+    assert TOOL.shape == (3, 1)
+
+
+def test_readings_that_hold_nothing_are_refused(small: World) -> None:
+    everything = dict.fromkeys(small.model.location_errors, 0.0)
+    known = replace(
+        given(small),
+        parameters={**given(small).parameters, **everything},
+        motion_errors=dict.fromkeys(small.model.components, PolynomialCurve((1,), (0.0,))),
+    )
+    with pytest.raises(ValueError, match="no reading holds an error of the machine"):
+        estimate(small.model, small.plan, known)

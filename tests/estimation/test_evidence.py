@@ -1,0 +1,121 @@
+"""The marginal likelihood of the sizes against a dense normal density, and its derivative against differences."""
+
+from types import SimpleNamespace
+from typing import cast
+
+import numpy as np
+import pytest
+from scipy.stats import multivariate_normal
+
+from trueaxis.estimation.curve_prior import CurvePrior
+from trueaxis.estimation.evidence import _batches, _evidence, averaged, best_sizes
+from trueaxis.estimation.instruments import OWN_SIZES
+from trueaxis.estimation.layout import Layout
+from trueaxis.estimation.reduce import OwnBlock, Reduced, triangle_of
+from trueaxis.estimation.sizes import Sizes
+from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.bases import travel_basis
+
+KINDS = [("laser zero", "laser drift"), ("laser zero", "laser drift"), ("ballbar zero", "ballbar drift")]
+DEGREE, RUN = 5, 12
+
+
+class Problem:
+    """Two curves, an angle and a scale, read in three runs, all written down as matrices; noise 1."""
+
+    def __init__(self, seed: int) -> None:
+        draw = np.random.default_rng(seed)
+        bases = (travel_basis((-100.0, 300.0), DEGREE), travel_basis((0.0, 200.0), DEGREE))
+        layout = SimpleNamespace(
+            components=("EXX", "EYX"),
+            bases=bases,
+            kinds=("translation", "translation", "location rad", "laser scale"),
+            count=2 * DEGREE + 2,
+        )
+        self.sizes = Sizes(cast(Layout, layout), KINDS)
+        self.jacobian = 30.0 * draw.standard_normal((3 * RUN, layout.count))
+        self.own = [draw.standard_normal((RUN, 2)) / np.array([OWN_SIZES[k] for k in kinds]) for kinds in KINDS]
+        self.readings = 20.0 * draw.standard_normal(3 * RUN)
+        blocks, rest = [], []
+        for index, own in enumerate(self.own):
+            rows = slice(index * RUN, (index + 1) * RUN)
+            t = triangle_of([np.column_stack([own, self.jacobian[rows], self.readings[rows]])])
+            blocks.append(
+                OwnBlock(index=index, kinds=KINDS[index], own=t[:2, :2], others=t[:2, 2:-1], readings=t[:2, -1])
+            )
+            rest.append(t[2:, 2:])
+        n = layout.count
+        folded = triangle_of([*rest, np.zeros((n + 1, n + 1))])
+        self.reduced = Reduced(
+            triangle=folded[:n, :n], readings=folded[:n, n], rest=float(folded[n, n] ** 2), blocks=tuple(blocks),
+            count=3 * RUN, log_root=0.0,
+        )  # fmt: skip
+
+    def value(self, x: FloatArray) -> float:
+        return _evidence(self.sizes, self.reduced, _batches(self.reduced.blocks), x)[0]
+
+    def dense(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Prior standard deviations, and the covariance of the readings."""
+        scale = np.exp(self.sizes.scale(x)[0])
+        covariance = np.eye(3 * RUN) + (self.jacobian * scale**2) @ self.jacobian.T
+        for index, (own, kinds) in enumerate(zip(self.own, KINDS, strict=True)):
+            rows = slice(index * RUN, (index + 1) * RUN)
+            covariance[rows, rows] += (own * self.sizes.own_scale(kinds, x) ** 2) @ own.T
+        return scale, covariance
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_it_is_the_density_of_the_readings(seed: int) -> None:
+    problem, draw = Problem(seed), np.random.default_rng(seed)
+    for x in 0.6 * draw.standard_normal((5, problem.sizes.spread.size)):
+        _, covariance = problem.dense(x)
+        expected = multivariate_normal(cov=covariance).logpdf(problem.readings) + 1.5 * RUN * np.log(2.0 * np.pi)
+        assert problem.value(x) == pytest.approx(expected, abs=1e-7)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_its_derivative_is_that_of_differences(seed: int) -> None:
+    problem, draw = Problem(seed), np.random.default_rng(seed)
+    x = 0.6 * draw.standard_normal(problem.sizes.spread.size)
+    slope = _evidence(problem.sizes, problem.reduced, _batches(problem.reduced.blocks), x)[1]
+    for place in range(x.size):
+        step = np.eye(x.size)[place] * 1e-5
+        assert slope[place] == pytest.approx((problem.value(x + step) - problem.value(x - step)) / 2e-5, abs=1e-5)
+
+
+def test_mean_and_covariance_are_those_of_the_normal_distribution() -> None:
+    problem = Problem(1)
+    x = np.full(problem.sizes.spread.size, 0.2)
+    posterior = _evidence(problem.sizes, problem.reduced, _batches(problem.reduced.blocks), x)[2]
+    scale, covariance = problem.dense(x)
+    gain = (problem.jacobian * scale**2).T @ np.linalg.inv(covariance)
+    np.testing.assert_allclose(posterior.mean, gain @ problem.readings, atol=1e-9)
+    expected = np.diag(scale**2) - gain @ (problem.jacobian * scale**2)
+    np.testing.assert_allclose(posterior.spread @ posterior.spread.T, expected, atol=1e-9)
+    for index, (own, kinds) in enumerate(zip(self_own := problem.own, KINDS, strict=True)):
+        rows = slice(index * RUN, (index + 1) * RUN)
+        cross = np.zeros((2, 3 * RUN))
+        cross[:, rows] = (own * problem.sizes.own_scale(kinds, x) ** 2).T
+        mean = cross @ np.linalg.solve(covariance, problem.readings)
+        np.testing.assert_allclose(posterior.own[index].mean, mean, rtol=1e-6, atol=1e-12)
+    assert len(self_own) == 3
+
+
+def test_uncertain_sizes_widen_the_posterior() -> None:
+    problem = Problem(2)
+    x, best = best_sizes(problem.sizes, problem.reduced, np.zeros(problem.sizes.spread.size))
+    wide = averaged(problem.sizes, problem.reduced, x)
+    assert np.linalg.norm(wide.spread) > np.linalg.norm(best.spread)
+
+
+@pytest.mark.parametrize("travel", [(-100.0, 300.0), (0.0, 500.0), (-900.0, -200.0)])
+@pytest.mark.parametrize("shape", [(0.0, 0.0), (0.6, -0.4)])
+def test_a_curve_of_the_prior_has_its_size(travel: tuple[float, float], shape: tuple[float, float]) -> None:
+    basis = travel_basis(travel, 10)
+    log, slope = CurvePrior(basis).log_weights(np.array(shape))
+    at = np.linspace(*travel, 4001)
+    assert np.mean(np.exp(2.0 * log) @ basis(at) ** 2) == pytest.approx(1.0, abs=2e-3)
+    for place in range(2):
+        step = np.eye(2)[place] * 1e-6
+        ahead, behind = (CurvePrior(basis).log_weights(np.array(shape) + sign * step)[0] for sign in (1, -1))
+        np.testing.assert_allclose(slope[place], (ahead - behind) / 2e-6, atol=1e-6)
