@@ -296,6 +296,10 @@ def test_files_and_options(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
         ("a.var", "5221 1.0\n5230 30.0\n", "G54 is turned"),
         ("a.var", "5161 1.0\n", "holds no work offset"),
         ("a.var", "5221 1e9\n", "beyond"),
+        ("a.var", "5220 1e400\n5221 1.0\n", "5220 is inf, no work offset"),
+        ("a.var", "5220 1.5\n5221 1.0\n", "5220 is 1.5, no work offset"),
+        ("a.var", "5210 1\n5211 1e400\n5221 1.0\n", "G92 X is not finite"),
+        ("a.var", "5221 1.0\n5230 1e400\n", "G54 is turned"),
     ],
 )
 def test_faults_of_files(tmp_path: Path, name: str, text: str, words: str) -> None:

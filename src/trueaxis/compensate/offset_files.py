@@ -107,21 +107,28 @@ def _from_var(text: str, faults: Faults) -> Offsets:
             faults.add(
                 f"line {number}", f"{shown(line)} is no parameter of LinuxCNC", "a number and its value, or TOML"
             )
-    systems = {}
+    systems = _systems(values, faults)
+    shift = {axis: values.get(_G92 + row, 0.0) for row, axis in enumerate(_AXES)} if values.get(_G92_ON) else {}
+    ranges = {"G92": {axis: (v, v) for axis, v in shift.items()}, **systems}
+    for name, axis, value in ((name, axis, value) for name, of in ranges.items() for axis, value in of.items()):
+        if problem := problem_of(value):
+            faults.add("", f"{name} {axis} {problem}")
+    in_force = values.get(_IN_FORCE, 1.0)
+    if in_force not in range(1, 1 + len(NUMBERED)):
+        faults.add("", f"parameter {_IN_FORCE} is {in_force:g}, no work offset", f"1 to {len(NUMBERED)}")
+        return Offsets()
+    return Offsets(systems, shift, NUMBERED[int(in_force) - 1])
+
+
+def _systems(values: dict[int, float], faults: Faults) -> dict[str, dict[str, Range]]:
+    """The work offsets of LinuxCNC's parameters."""
+    systems: dict[str, dict[str, Range]] = {}
     for place, name in enumerate(NUMBERED):
         first = _SYSTEMS + _EACH * place
         if values.get(first + _TURN):
-            faults.add(
-                "", f"{name} is turned (parameter {first + _TURN})", "positions of a turned frame are not followed"
-            )
+            faults.add("", f"{name} is turned (parameter {first + _TURN})", "turned frames are not followed")
         if any(first + row in values for row in range(len(_AXES))):
             systems[name] = {axis: (v, v) for row, axis in enumerate(_AXES) for v in [values.get(first + row, 0.0)]}
     if not systems:
         faults.add("", "holds no work offset", f"LinuxCNC's parameters {_SYSTEMS} and on, or TOML in a file .toml")
-    for name, of_axes in systems.items():
-        for axis, value in of_axes.items():
-            if problem := problem_of(value):
-                faults.add("", f"{name} {axis} {problem}")
-    shift = {axis: values.get(_G92 + row, 0.0) for row, axis in enumerate(_AXES)} if values.get(_G92_ON) else {}
-    place = int(values.get(_IN_FORCE, 1.0)) - 1
-    return Offsets(systems, shift, NUMBERED[place] if 0 <= place < len(NUMBERED) else None)
+    return systems
