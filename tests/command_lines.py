@@ -8,8 +8,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import polars as pl
 
+from tests.instrument_files.writers import rtl
 from tests.machines import DMU60P, ROOT
 
 KERNELS = ROOT / "generated"
@@ -29,6 +31,9 @@ COMMANDS: Mapping[str, str] = {
     "fit": "fit m.toml --errors tables.json --out {out}/f.json --picture {out}/f.png",
     "compensate": "compensate m.toml --errors e.json part.nc --out {out}/c.nc --report {out}/c.json",
     "diagnose": "diagnose m.toml --errors e.json --data regular --out {out}/d --noise-um 0.3",
+    "init": "init {out}/new.toml --structure FXYZ --travel X=0:1 Y=0:1 Z=0:1",
+    "import": "import x.rtl --machine m.toml --out {out}/imported --map target.point=0,0,0 at.Y=0 at.Z=0",
+    "export": "export m.toml --errors e.json --format siemens-enc --out {out}/enc.ini",
     "evaluate": "evaluate test.csv --out {out}/t.json --picture {out}/t.png",
 }
 
@@ -43,6 +48,7 @@ def prepare(folder: Path) -> None:
     pl.DataFrame({"X": [270.0], "Y": [350.0], "Z": [150.0]}).write_parquet(folder / "points.parquet")
     rows = [f"{t},{c},{d},{t + 0.001 * c * d}" for t in (0, 100, 200) for c in (1, 2, 3, 4, 5) for d in (1, -1)]
     (folder / "test.csv").write_text("\n".join(["target,cycle,direction,measured", *rows]) + "\n")
+    (folder / "x.rtl").write_text(rtl([0.0, 100.0, 200.0], np.array([[0.0, 1.5, -2.0]]), axis="X"))
     regular = f"simulate m.toml --errors e.json --data {REGULAR} --out regular --noise-um 0.3"
     identify = "identify m.toml --data data --out tables.json"
     for words in (COMMANDS["simulate"].format(out="."), identify, regular):
@@ -52,7 +58,7 @@ def prepare(folder: Path) -> None:
 
 def words_of(words: Sequence[str]) -> list[str]:
     """With the kernels of the repository where the command takes some."""
-    without = words[0] in ("derive", "fit", "evaluate", "demo")
+    without = words[0] in ("init", "derive", "fit", "evaluate", "demo")
     return list(words) if without else [*words, "--kernels", str(KERNELS)]
 
 

@@ -31,6 +31,8 @@ def arguments(command: str, folder: Path, **given: Path) -> list[str]:
         if not action.required:
             continue
         path = str(given.get(action.dest, folder / f"{action.dest}.txt"))
+        if action.choices:
+            path = str(next(iter(action.choices)))
         words += [action.option_strings[-1], path] if action.option_strings else [path]
     return words
 

@@ -140,11 +140,14 @@ READERS = {
     "compensate": ("m.toml", "e.json", "part.nc"),
     "diagnose": ("m.toml", "e.json", "regular/readings.csv"),
     "evaluate": ("test.csv",),
+    "import": ("m.toml", "x.rtl"),
+    "export": ("m.toml", "e.json"),
     "derive": ("m.toml",),
 }
 FIRST_OUTPUT = {
     "predict": "p.csv", "simulate": "data/setup.toml", "plan": "plan.json", "identify": "i.json", "fit": "f.json",
     "compensate": "c.nc", "diagnose": "d/diagnosis.json", "evaluate": "t.json", "derive": "generated/dmu60p/kernels.py",
+    "import": "imported/setup.toml", "export": "enc.ini",
 }  # fmt: skip
 
 

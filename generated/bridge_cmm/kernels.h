@@ -1,16 +1,38 @@
 /* Generated from machines/bridge_cmm.toml, do not edit; regenerate with: trueaxis derive machines/bridge_cmm.toml
- * Kernels of Bridge coordinate measuring machine: geometric error model in C17.
+ * SPDX-License-Identifier: MIT
+ * Kernels of Bridge coordinate measuring machine: geometric error model in C17, for C17 and C++17.
  * Spec: sha256 316443eb7e27d6b078d5a40b3776dd9c4bae13a4f2e33b47e425a6d867458069
+ * Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
  *
  * Every function computes n points; row k of an array that has a value per point holds point i at [k * stride + i],
- * n <= stride. Arrays must not overlap. Lengths mm, angles rad, rotary axes deg. Rows and units: kernels.c.
+ * n <= stride. Arrays must not overlap. Lengths mm, angles rad.
+ *
+ * positions: x mm, y mm, z mm
+ * errors: EXX mm, EYX mm, EZX mm, EAX rad, EBX rad, ECX rad, EXY mm, EYY mm, EZY mm, EAY rad, EBY rad, ECY rad, EXZ
+ *     mm, EYZ mm, EZZ mm, EAZ rad, EBZ rad, ECZ rad
+ * parameters: q_Px mm, q_Py mm, q_Pz mm, EC0X rad, EA0Z rad, EB0Z rad
  */
 #ifndef BRIDGE_CMM_KERNELS_H
 #define BRIDGE_CMM_KERNELS_H
 
 #include <stddef.h>
 
+/* C++ has no `restrict`; its compilers have a word of their own. */
+#ifndef TRUEAXIS_RESTRICT
+#if !defined(__cplusplus)
+#define TRUEAXIS_RESTRICT restrict
+#elif defined(__GNUC__) || defined(__clang__) || defined(_MSC_VER)
+#define TRUEAXIS_RESTRICT __restrict
+#else
+#define TRUEAXIS_RESTRICT
+#endif
+#endif
+
 #define TRUEAXIS_KERNEL_ABI 2
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* The ABI that these kernels were compiled with. */
 int bridge_cmm_kernel_abi(void);
@@ -18,353 +40,491 @@ int bridge_cmm_kernel_abi(void);
 /* SHA-256 of the parsed spec that they were derived from. */
 const char *bridge_cmm_spec_hash(void);
 
-/* Ideal position of a tool point in the workpiece frame. */
+/*
+ * Ideal position of a tool point in the workpiece frame.
+ * Source: Eqs. (1)-(4) without errors. Operations: 6 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out ideal: 3 rows of stride, mm; tool point in the workpiece frame, without errors (px py pz)
+ */
 void bridge_cmm_tool_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal);
 
-/* Deviation of a tool point in the workpiece frame, exact. */
+/*
+ * Deviation of a tool point in the workpiece frame, exact.
+ * Source: Eqs. (1)-(4). Operations: 70 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_tool_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Deviation of a tool point in the workpiece frame, to first order in the errors. */
+/*
+ * Deviation of a tool point in the workpiece frame, to first order in the errors.
+ * Source: Eqs. (1)-(4). Operations: 59 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_tool_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Sensitivity of a tool point in the workpiece frame to every error, at the error-free machine. */
+/*
+ * Sensitivity of a tool point in the workpiece frame to every error, at the error-free machine.
+ * Source: Eqs. (1)-(4), first order. Operations: 10 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
+ *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
+ */
 void bridge_cmm_tool_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity);
 
-/* Ideal position of a tool point in the bed frame. */
+/*
+ * Ideal position of a tool point in the bed frame.
+ * Source: Eqs. (1)-(4) without errors. Operations: 6 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out ideal: 3 rows of stride, mm; tool point in the bed frame, without errors (px py pz)
+ */
 void bridge_cmm_tool_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal);
 
-/* Deviation of a tool point in the bed frame, exact. */
+/*
+ * Deviation of a tool point in the bed frame, exact.
+ * Source: Eqs. (1)-(4). Operations: 70 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_tool_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Deviation of a tool point in the bed frame, to first order in the errors. */
+/*
+ * Deviation of a tool point in the bed frame, to first order in the errors.
+ * Source: Eqs. (1)-(4). Operations: 59 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; tool point in the bed frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_tool_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Sensitivity of a tool point in the bed frame to every error, at the error-free machine. */
+/*
+ * Sensitivity of a tool point in the bed frame to every error, at the error-free machine.
+ * Source: Eqs. (1)-(4), first order. Operations: 10 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
+ *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
+ */
 void bridge_cmm_tool_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity);
 
-/* Ideal position of a workpiece point in the bed frame. */
+/*
+ * Ideal position of a workpiece point in the bed frame.
+ * Source: Eqs. (1)-(4) without errors. Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
+ * out ideal: 3 rows of stride, mm; workpiece point in the bed frame, without errors (px py pz)
+ */
 void bridge_cmm_workpiece_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal);
 
-/* Deviation of a workpiece point in the bed frame, exact. */
+/*
+ * Deviation of a workpiece point in the bed frame, exact.
+ * Source: Eqs. (1)-(4). Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_workpiece_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Deviation of a workpiece point in the bed frame, to first order in the errors. */
+/*
+ * Deviation of a workpiece point in the bed frame, to first order in the errors.
+ * Source: Eqs. (1)-(4). Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; workpiece point in the bed frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_workpiece_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Sensitivity of a workpiece point in the bed frame to every error, at the error-free machine. */
+/*
+ * Sensitivity of a workpiece point in the bed frame to every error, at the error-free machine.
+ * Source: Eqs. (1)-(4), first order. Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the workpiece frame (rx ry rz)
+ * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
+ *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
+ */
 void bridge_cmm_workpiece_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity);
 
-/* Ideal position of a bed point in the workpiece frame. */
+/*
+ * Ideal position of a bed point in the workpiece frame.
+ * Source: Eqs. (1)-(4) without errors. Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
+ * out ideal: 3 rows of stride, mm; bed point in the workpiece frame, without errors (px py pz)
+ */
 void bridge_cmm_bed_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal);
 
-/* Deviation of a bed point in the workpiece frame, exact. */
+/*
+ * Deviation of a bed point in the workpiece frame, exact.
+ * Source: Eqs. (1)-(4). Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_bed_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Deviation of a bed point in the workpiece frame, to first order in the errors. */
+/*
+ * Deviation of a bed point in the workpiece frame, to first order in the errors.
+ * Source: Eqs. (1)-(4). Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; bed point in the workpiece frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_bed_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Sensitivity of a bed point in the workpiece frame to every error, at the error-free machine. */
+/*
+ * Sensitivity of a bed point in the workpiece frame to every error, at the error-free machine.
+ * Source: Eqs. (1)-(4), first order. Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the bed frame (rx ry rz)
+ * out sensitivity: 63 rows of stride, mm/mm, mm/rad; derivative of the deviation by each component error, then by each
+ *     location error (dx_EXX dx_EYX .. dz_EB0Z, last index fastest)
+ */
 void bridge_cmm_bed_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity);
 
-/* Actual position of the tool point in the workpiece frame, exact. */
+/*
+ * Actual position of the tool point in the workpiece frame, exact.
+ * Source: Eq. (4). Operations: 74 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
+ */
 void bridge_cmm_tool_in_workpiece_position(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position);
 
-/* Actual position of the tool point in the workpiece frame, to first order. */
+/*
+ * Actual position of the tool point in the workpiece frame, to first order.
+ * Source: Eq. (4). Operations: 63 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * out position: 3 rows of stride, mm; actual position P_T^W of the tool point in the workpiece frame (px py pz)
+ */
 void bridge_cmm_tool_in_workpiece_position_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position);
 
-/* Deviation of the tool point under polynomial error curves, exact. */
+/*
+ * Deviation of the tool point under polynomial error curves, exact.
+ * Source: Eqs. (1)-(4), (44). Operations: 301 per point, 3 once per call.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in curves: 126 values, mm/mm^k, rad/mm^k; coefficients of the powers 1 to 7 of the axis position, per component
+ *     error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 values, mm; point in the tool frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_tool_in_workpiece_deviation_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Deviation of the tool point under polynomial error curves, to first order, constants folded once per call. */
+/*
+ * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
+ * Source: Eqs. (1)-(4), (44). Operations: 206 per point, 267 once per call.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in curves: 126 values, mm/mm^k, rad/mm^k; coefficients of the powers 1 to 7 of the axis position, per component
+ *     error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 values, mm; point in the tool frame (rx ry rz)
+ * out deviation: 3 rows of stride, mm; tool point in the workpiece frame, actual minus ideal (dx dy dz)
+ */
 void bridge_cmm_tool_in_workpiece_deviation_first_order_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation);
 
-/* Positioning error of a ball bar between a tool ball and a workpiece ball, exact. */
+/*
+ * Positioning error of a ball bar between a tool ball and a workpiece ball, exact.
+ * Source: Eqs. (5), (6). Operations: 107 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in point: 3 rows of stride, mm; point in the tool frame (rx ry rz)
+ * in ball: 3 rows of stride, mm; point in the workpiece frame (bx by bz)
+ * in length: 1 rows of stride, mm; ideal length of the ball bar (length)
+ * out error: 4 rows of stride, mm; positioning error E, then its components E_x, E_y, E_z (e ex ey ez)
+ */
 void bridge_cmm_ballbar_error(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    const double *restrict ball,
-    const double *restrict length,
-    double *restrict error);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    const double *TRUEAXIS_RESTRICT ball,
+    const double *TRUEAXIS_RESTRICT length,
+    double *TRUEAXIS_RESTRICT error);
 
-/* Moves of the linear axes that displace the ideal tool point by the given vector. */
+/*
+ * Moves of the linear axes that displace the ideal tool point by the given vector.
+ * Source: Eqs. (53)-(55), inverse. Operations: 0 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in deviation: 3 rows of stride, mm; displacement of the tool point in the workpiece frame (dx dy dz)
+ * out moves: 3 rows of stride, mm; moves of X Y Z (move_x move_y move_z)
+ */
 void bridge_cmm_correction(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict deviation,
-    double *restrict moves);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT deviation,
+    double *TRUEAXIS_RESTRICT moves);
 
-/* Motion equation of X: displacement of the tool point since home, to first order. */
+/*
+ * Motion equation of X: displacement of the tool point since home, to first order.
+ * Source: Eqs. (7)-(11). Operations: 18 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
+ * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
+ */
 void bridge_cmm_motion_X(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement);
 
-/* Motion equation of Y: displacement of the tool point since home, to first order. */
+/*
+ * Motion equation of Y: displacement of the tool point since home, to first order.
+ * Source: Eqs. (7)-(11). Operations: 16 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
+ * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
+ */
 void bridge_cmm_motion_Y(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement);
 
-/* Motion equation of Z: displacement of the tool point since home, to first order. */
+/*
+ * Motion equation of Z: displacement of the tool point since home, to first order.
+ * Source: Eqs. (7)-(11). Operations: 20 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
+ * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
+ */
 void bridge_cmm_motion_Z(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement);
 
-/* Motion equation of X and Y: displacement of the tool point since home, to first order. */
+/*
+ * Motion equation of X and Y: displacement of the tool point since home, to first order.
+ * Source: Eqs. (7)-(11). Operations: 37 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
+ * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
+ */
 void bridge_cmm_motion_XY(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement);
 
-/* Motion equation of X and Z: displacement of the tool point since home, to first order. */
+/*
+ * Motion equation of X and Z: displacement of the tool point since home, to first order.
+ * Source: Eqs. (7)-(11). Operations: 41 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
+ * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
+ */
 void bridge_cmm_motion_XZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement);
 
-/* Motion equation of Y and Z: displacement of the tool point since home, to first order. */
+/*
+ * Motion equation of Y and Z: displacement of the tool point since home, to first order.
+ * Source: Eqs. (7)-(11). Operations: 39 per point.
+ * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
+ * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
+ *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
+ * in parameters: 6 values, mm, rad; home positions and location errors (q_Px q_Py q_Pz EC0X EA0Z EB0Z)
+ * in tool_point: 3 rows of stride, mm; point in the tool frame (rTx rTy rTz)
+ * out displacement: 3 rows of stride, mm; tool point, displacement since home, in the bed frame (dx dy dz)
+ */
 void bridge_cmm_motion_YZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement);
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement);
 
-/* Term of the effect backlash: play or elastic wind-up in the drive (along the axis: lost motion) or in the guides (across: lateral play). */
-void bridge_cmm_effect_backlash(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect backlash_slope: lost motion that varies along the travel: a worn part of the screw, wind-up that depends on its free length. */
-void bridge_cmm_effect_backlash_slope(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect cyclic: a periodic error: pitch of the screw, its coupling, an eccentric encoder, interpolation of a scale. */
-void bridge_cmm_effect_cyclic(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect thermal_expansion: a scale or screw that grows with its temperature. */
-void bridge_cmm_effect_thermal_expansion(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect thermal_offset: a structure that bends or shifts with its temperature. */
-void bridge_cmm_effect_thermal_offset(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect warm_up: a screw or scale that warms up by its own friction. */
-void bridge_cmm_effect_warm_up(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect drift: something creeps while it is measured: temperature, foundation, fixture. */
-void bridge_cmm_effect_drift(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect servo_lag: following error of the position loop; only its difference between axes shows in a circle. */
-void bridge_cmm_effect_servo_lag(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect reversal_spike: friction that the position loop has to overcome at a reversal (quadrant glitch). */
-void bridge_cmm_effect_reversal_spike(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect cross_axis: a body that bends under another one: the component error of one axis depends on where another axis stands. */
-void bridge_cmm_effect_cross_axis(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect laser_cosine: the laser beam was not parallel to the motion: it reads short. */
-void bridge_cmm_effect_laser_cosine(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect laser_scale: wavelength of the laser: air temperature, pressure or humidity were not what was entered. */
-void bridge_cmm_effect_laser_scale(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect laser_step: something slipped or lost counts in the middle of a run. */
-void bridge_cmm_effect_laser_step(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect ballbar_length: the bar is longer than it is said to be (shorter, where the length is negative). */
-void bridge_cmm_effect_ballbar_length(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
-
-/* Term of the effect ballbar_lobes: form error of the balls or of the bar's sockets: three lobes. */
-void bridge_cmm_effect_ballbar_lobes(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term);
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -1,8 +1,11 @@
 # Generated from machines/bridge_cmm.toml, do not edit; regenerate with: trueaxis derive machines/bridge_cmm.toml
+# SPDX-License-Identifier: MIT
 """Kernels of Bridge coordinate measuring machine: geometric error model in NumPy.
 
 Arrays are float64 with the quantity first and the point last: positions (n_axes, n), errors (n_components, n),
-deviation (3, n). An array that is the same at all points may have n = 1. Lengths mm, angles rad, rotary axes deg.
+deviation (3, n). An array that is the same at all points may have n = 1. Lengths mm, angles rad. An array of another shape is a ValueError that names it.
+
+Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
 """
 
 import numpy as np
@@ -15,59 +18,18 @@ META = {'machine': 'bridge_cmm',
  'axes': ['X', 'Y', 'Z'],
  'position_units': ['mm', 'mm', 'mm'],
  'travel': {'X': [0.0, 900.0], 'Y': [0.0, 1200.0], 'Z': [-700.0, 0.0]},
- 'components': ['EXX',
-                'EYX',
-                'EZX',
-                'EAX',
-                'EBX',
-                'ECX',
-                'EXY',
-                'EYY',
-                'EZY',
-                'EAY',
-                'EBY',
-                'ECY',
-                'EXZ',
-                'EYZ',
-                'EZZ',
-                'EAZ',
-                'EBZ',
-                'ECZ'],
- 'component_units': ['mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad',
-                     'mm',
-                     'mm',
-                     'mm',
-                     'rad',
-                     'rad',
-                     'rad'],
- 'component_descriptions': ['positioning error of X',
-                            'straightness error of X in Y',
-                            'straightness error of X in Z',
-                            'roll error of X',
-                            'angular error of X about Y (pitch or yaw)',
-                            'angular error of X about Z (pitch or yaw)',
-                            'straightness error of Y in X',
-                            'positioning error of Y',
-                            'straightness error of Y in Z',
-                            'angular error of Y about X (pitch or yaw)',
-                            'roll error of Y',
-                            'angular error of Y about Z (pitch or yaw)',
-                            'straightness error of Z in X',
-                            'straightness error of Z in Y',
-                            'positioning error of Z',
-                            'angular error of Z about X (pitch or yaw)',
-                            'angular error of Z about Y (pitch or yaw)',
+ 'components': ['EXX', 'EYX', 'EZX', 'EAX', 'EBX', 'ECX', 'EXY', 'EYY', 'EZY', 'EAY', 'EBY', 'ECY', 'EXZ', 'EYZ',
+                'EZZ', 'EAZ', 'EBZ', 'ECZ'],
+ 'component_units': ['mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'mm', 'rad', 'rad', 'rad', 'mm', 'mm', 'mm',
+                     'rad', 'rad', 'rad'],
+ 'component_descriptions': ['positioning error of X', 'straightness error of X in Y', 'straightness error of X in Z',
+                            'roll error of X', 'angular error of X about Y (pitch or yaw)',
+                            'angular error of X about Z (pitch or yaw)', 'straightness error of Y in X',
+                            'positioning error of Y', 'straightness error of Y in Z',
+                            'angular error of Y about X (pitch or yaw)', 'roll error of Y',
+                            'angular error of Y about Z (pitch or yaw)', 'straightness error of Z in X',
+                            'straightness error of Z in Y', 'positioning error of Z',
+                            'angular error of Z about X (pitch or yaw)', 'angular error of Z about Y (pitch or yaw)',
                             'roll error of Z'],
  'parameters': ['q_Px', 'q_Py', 'q_Pz', 'EC0X', 'EA0Z', 'EB0Z'],
  'parameter_units': ['mm', 'mm', 'mm', 'rad', 'rad', 'rad'],
@@ -83,35 +45,7 @@ META = {'machine': 'bridge_cmm',
  'squareness': [{'axes': ['X', 'Y'], 'location_errors': {'EC0X': 1.0}},
                 {'axes': ['X', 'Z'], 'location_errors': {'EB0Z': 1.0}},
                 {'axes': ['Y', 'Z'], 'location_errors': {'EA0Z': -1.0}}],
- 'effects': {'kinds': {'backlash': {'place': 'component', 'context': ['direction'], 'parameters': ['width']},
-                       'backlash_slope': {'place': 'component',
-                                          'context': ['s', 'direction'],
-                                          'parameters': ['change']},
-                       'cyclic': {'place': 'component',
-                                  'context': ['q'],
-                                  'parameters': ['amplitude', 'phase', 'pitch']},
-                       'thermal_expansion': {'place': 'component',
-                                             'context': ['q', 'T'],
-                                             'parameters': ['coefficient']},
-                       'thermal_offset': {'place': 'component', 'context': ['T'], 'parameters': ['coefficient']},
-                       'warm_up': {'place': 'component', 'context': ['s', 't'], 'parameters': ['amplitude', 'tau']},
-                       'drift': {'place': 'component', 'context': ['t'], 'parameters': ['rate']},
-                       'servo_lag': {'place': 'component', 'context': ['v'], 'parameters': ['tau']},
-                       'reversal_spike': {'place': 'component',
-                                          'context': ['direction', 'd'],
-                                          'parameters': ['height', 'decay']},
-                       'cross_axis': {'place': 'component', 'context': ['s', 's_b'], 'parameters': ['k']},
-                       'laser_cosine': {'place': 'reading', 'context': ['along'], 'parameters': ['angle']},
-                       'laser_scale': {'place': 'reading', 'context': ['along'], 'parameters': ['k']},
-                       'laser_step': {'place': 'reading', 'context': ['t'], 'parameters': ['jump', 't_0']},
-                       'point_offset': {'place': 'point', 'context': [], 'parameters': ['x', 'y', 'z']},
-                       'ballbar_length': {'place': 'reading', 'context': ['theta'], 'parameters': ['length']},
-                       'ballbar_centre': {'place': 'point', 'context': [], 'parameters': ['x', 'y', 'z']},
-                       'ballbar_lobes': {'place': 'reading',
-                                         'context': ['theta'],
-                                         'parameters': ['amplitude', 'phase']},
-                       'squareness': {'place': 'location', 'context': [], 'parameters': ['angle']}},
-             'terms': []},
+ 'effects': {'kinds': {}, 'terms': []},
  'routines': {'tool_in_workpiece_ideal': {'inputs': [{'name': 'positions',
                                                       'shape': [3],
                                                       'per_point': True,
@@ -465,7 +399,7 @@ META = {'machine': 'bridge_cmm',
                                                                 {'name': 'curves',
                                                                  'shape': [18, 7],
                                                                  'per_point': False,
-                                                                 'unit': 'mm/mm^k, rad/mm^k (deg^k for rotary axes)'},
+                                                                 'unit': 'mm/mm^k, rad/mm^k'},
                                                                 {'name': 'parameters',
                                                                  'shape': [6],
                                                                  'per_point': False,
@@ -487,8 +421,7 @@ META = {'machine': 'bridge_cmm',
                                                                             {'name': 'curves',
                                                                              'shape': [18, 7],
                                                                              'per_point': False,
-                                                                             'unit': 'mm/mm^k, rad/mm^k (deg^k for '
-                                                                                     'rotary axes)'},
+                                                                             'unit': 'mm/mm^k, rad/mm^k'},
                                                                             {'name': 'parameters',
                                                                              'shape': [6],
                                                                              'per_point': False,
@@ -561,136 +494,34 @@ META = {'machine': 'bridge_cmm',
                                        {'name': 'tool_point', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'outputs': [{'name': 'displacement', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                             'operations': 39,
-                            'operations_per_call': 0},
-              'effect_backlash': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': '1'},
-                                             {'name': 'parameters', 'shape': [1], 'per_point': False, 'unit': 'u'}],
-                                  'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'u'}],
-                                  'operations': 2,
-                                  'operations_per_call': 0},
-              'effect_backlash_slope': {'inputs': [{'name': 'context',
-                                                    'shape': [2],
-                                                    'per_point': True,
-                                                    'unit': '1, 1'},
-                                                   {'name': 'parameters',
-                                                    'shape': [1],
-                                                    'per_point': False,
-                                                    'unit': 'u'}],
-                                        'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'u'}],
-                                        'operations': 4,
-                                        'operations_per_call': 0},
-              'effect_cyclic': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 'axis'},
-                                           {'name': 'parameters',
-                                            'shape': [3],
-                                            'per_point': False,
-                                            'unit': 'u, rad, axis'}],
-                                'outputs': [{'name': 'term', 'shape': [4], 'per_point': True, 'unit': 'u'}],
-                                'operations': 12,
-                                'operations_per_call': 0},
-              'effect_thermal_expansion': {'inputs': [{'name': 'context',
-                                                       'shape': [2],
-                                                       'per_point': True,
-                                                       'unit': 'axis, K'},
-                                                      {'name': 'parameters',
-                                                       'shape': [1],
-                                                       'per_point': False,
-                                                       'unit': 'u/axis/K'}],
-                                           'outputs': [{'name': 'term',
-                                                        'shape': [2],
-                                                        'per_point': True,
-                                                        'unit': 'u'}],
-                                           'operations': 2,
-                                           'operations_per_call': 0},
-              'effect_thermal_offset': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 'K'},
-                                                   {'name': 'parameters',
-                                                    'shape': [1],
-                                                    'per_point': False,
-                                                    'unit': 'u/K'}],
-                                        'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'u'}],
-                                        'operations': 1,
-                                        'operations_per_call': 0},
-              'effect_warm_up': {'inputs': [{'name': 'context', 'shape': [2], 'per_point': True, 'unit': '1, s'},
-                                            {'name': 'parameters', 'shape': [2], 'per_point': False, 'unit': 'u, s'}],
-                                 'outputs': [{'name': 'term', 'shape': [3], 'per_point': True, 'unit': 'u'}],
-                                 'operations': 7,
-                                 'operations_per_call': 0},
-              'effect_drift': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 's'},
-                                          {'name': 'parameters', 'shape': [1], 'per_point': False, 'unit': 'u/s'}],
-                               'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'u'}],
-                               'operations': 1,
-                               'operations_per_call': 0},
-              'effect_servo_lag': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 'axis/s'},
-                                              {'name': 'parameters', 'shape': [1], 'per_point': False, 'unit': 's'}],
-                                   'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'u'}],
-                                   'operations': 3,
-                                   'operations_per_call': 0},
-              'effect_reversal_spike': {'inputs': [{'name': 'context',
-                                                    'shape': [2],
-                                                    'per_point': True,
-                                                    'unit': '1, axis'},
-                                                   {'name': 'parameters',
-                                                    'shape': [2],
-                                                    'per_point': False,
-                                                    'unit': 'u, axis'}],
-                                        'outputs': [{'name': 'term', 'shape': [3], 'per_point': True, 'unit': 'u'}],
-                                        'operations': 7,
-                                        'operations_per_call': 0},
-              'effect_cross_axis': {'inputs': [{'name': 'context', 'shape': [2], 'per_point': True, 'unit': '1, 1'},
-                                               {'name': 'parameters', 'shape': [1], 'per_point': False, 'unit': 'u'}],
-                                    'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'u'}],
-                                    'operations': 3,
-                                    'operations_per_call': 0},
-              'effect_laser_cosine': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 'mm'},
-                                                 {'name': 'parameters',
-                                                  'shape': [1],
-                                                  'per_point': False,
-                                                  'unit': 'rad'}],
-                                      'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'mm'}],
-                                      'operations': 6,
-                                      'operations_per_call': 0},
-              'effect_laser_scale': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 'mm'},
-                                                {'name': 'parameters',
-                                                 'shape': [1],
-                                                 'per_point': False,
-                                                 'unit': '1'}],
-                                     'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'mm'}],
-                                     'operations': 1,
-                                     'operations_per_call': 0},
-              'effect_laser_step': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 's'},
-                                               {'name': 'parameters',
-                                                'shape': [2],
-                                                'per_point': False,
-                                                'unit': 'mm, s'}],
-                                    'outputs': [{'name': 'term', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                                    'operations': 3,
-                                    'operations_per_call': 0},
-              'effect_ballbar_length': {'inputs': [{'name': 'context',
-                                                    'shape': [1],
-                                                    'per_point': True,
-                                                    'unit': 'rad'},
-                                                   {'name': 'parameters',
-                                                    'shape': [1],
-                                                    'per_point': False,
-                                                    'unit': 'mm'}],
-                                        'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'mm'}],
-                                        'operations': 0,
-                                        'operations_per_call': 0},
-              'effect_ballbar_lobes': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 'rad'},
-                                                  {'name': 'parameters',
-                                                   'shape': [2],
-                                                   'per_point': False,
-                                                   'unit': 'mm, rad'}],
-                                       'outputs': [{'name': 'term', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
-                                       'operations': 7,
-                                       'operations_per_call': 0}}}
+                            'operations_per_call': 0}}}
 
 # Points per block: the intermediate rows of a block stay in the processor's second-level cache.
 BLOCK = 8192
 
 
-def _points(*arrays):
-    """The arrays broadcast to one number of points, and that number."""
-    n = np.broadcast_shapes(*(np.shape(array)[-1:] for array in arrays))[0]
-    return n, *(np.broadcast_to(array, (*np.shape(array)[:-1], n)) for array in arrays)
+def _points(**arrays):
+    """The arrays, each given as (array, rows), broadcast to one number of points, and that number."""
+    checked = {}
+    for name, (array, rows) in arrays.items():
+        array = np.asarray(array, dtype=np.float64)
+        if array.shape[:-1] != (rows,):
+            raise ValueError(f"{name} has the shape {array.shape}, not ({rows}, n)")
+        checked[name] = array
+    counts = {name: array.shape[1] for name, array in checked.items()}
+    n = next((count for count in counts.values() if count != 1), 1)
+    for name, count in counts.items():
+        if count not in (1, n):
+            raise ValueError(f"{name} has {count} points, not {n} or 1: the points of the arrays are {counts}")
+    return n, *(np.broadcast_to(array, (len(array), n)) for array in checked.values())
+
+
+def _constant(name, array, shape):
+    """An array that is the same at all points, of its shape."""
+    array = np.asarray(array, dtype=np.float64)
+    if array.shape != shape:
+        raise ValueError(f"{name} has the shape {array.shape}, not {shape}")
+    return array
 
 
 def _polynomial(s, *coefficients):
@@ -709,13 +540,18 @@ def tool_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): tool point in the workpiece frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     ideal = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -743,14 +579,20 @@ def tool_in_workpiece_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -821,14 +663,20 @@ def tool_in_workpiece_deviation_first_order(positions, errors, parameters, point
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -892,13 +740,18 @@ def tool_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EB0Z, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     sensitivity = np.zeros((63, n))
     # constants
     q_Px = float(parameters[0])
@@ -955,13 +808,18 @@ def tool_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): tool point in the bed frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     ideal = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -989,14 +847,20 @@ def tool_in_bed_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -1067,14 +931,20 @@ def tool_in_bed_deviation_first_order(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -1138,13 +1008,18 @@ def tool_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EB0Z, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     sensitivity = np.zeros((63, n))
     # constants
     q_Px = float(parameters[0])
@@ -1201,13 +1076,18 @@ def workpiece_in_bed_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): workpiece point in the bed frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     ideal = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1228,14 +1108,20 @@ def workpiece_in_bed_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1250,14 +1136,20 @@ def workpiece_in_bed_deviation_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): workpiece point in the bed frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1272,13 +1164,18 @@ def workpiece_in_bed_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the workpiece frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EB0Z, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     sensitivity = np.zeros((63, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1293,13 +1190,18 @@ def bed_in_workpiece_ideal(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         ideal (3, n): bed point in the workpiece frame, without errors [mm]
+            rows: px py pz
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     ideal = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1320,14 +1222,20 @@ def bed_in_workpiece_deviation(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): bed point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1342,14 +1250,20 @@ def bed_in_workpiece_deviation_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): bed point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     deviation = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1364,13 +1278,18 @@ def bed_in_workpiece_sensitivity(positions, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the bed frame [mm]
+            rows: rx ry rz
 
     Returns:
         sensitivity (3, 21, n): derivative of the deviation by each component error, then by each location error [mm/mm, mm/rad]
+            rows: dx_EXX dx_EYX .. dz_EB0Z, last index fastest
     """
-    n, positions, point = _points(positions, point)
+    n, positions, point = _points(positions=(positions, 3), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     sensitivity = np.zeros((63, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -1385,14 +1304,20 @@ def tool_in_workpiece_position(positions, errors, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         position (3, n): actual position P_T^W of the tool point in the workpiece frame [mm]
+            rows: px py pz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     position = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -1468,14 +1393,20 @@ def tool_in_workpiece_position_first_order(positions, errors, parameters, point)
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         position (3, n): actual position P_T^W of the tool point in the workpiece frame [mm]
+            rows: px py pz
     """
-    n, positions, errors, point = _points(positions, errors, point)
+    n, positions, errors, point = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     position = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -1544,14 +1475,22 @@ def tool_in_workpiece_deviation_curves(positions, curves, parameters, point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
-        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
+            rows: x y z
+        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k]
+            rows: EXX_1 EXX_2 .. ECZ_7, last index fastest
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3,): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions = _points(positions)
+    n, positions = _points(positions=(positions, 3))
+    curves = _constant("curves", curves, (18, 7))
+    parameters = _constant("parameters", parameters, (6,))
+    point = _constant("point", point, (3,))
     deviation = np.zeros((3, n))
     # constants
     EXX_1 = float(curves[0, 0])
@@ -1750,14 +1689,22 @@ def tool_in_workpiece_deviation_first_order_curves(positions, curves, parameters
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
-        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k (deg^k for rotary axes)]
+            rows: x y z
+        curves (18, 7): coefficients of the powers 1 to 7 of the axis position, per component error [mm/mm^k, rad/mm^k]
+            rows: EXX_1 EXX_2 .. ECZ_7, last index fastest
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3,): point in the tool frame [mm]
+            rows: rx ry rz
 
     Returns:
         deviation (3, n): tool point in the workpiece frame, actual minus ideal [mm]
+            rows: dx dy dz
     """
-    n, positions = _points(positions)
+    n, positions = _points(positions=(positions, 3))
+    curves = _constant("curves", curves, (18, 7))
+    parameters = _constant("parameters", parameters, (6,))
+    point = _constant("point", point, (3,))
     deviation = np.zeros((3, n))
     # constants
     EXX_1 = float(curves[0, 0])
@@ -2013,16 +1960,24 @@ def ballbar_error(positions, errors, parameters, point, ball, length):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         point (3, n): point in the tool frame [mm]
+            rows: rx ry rz
         ball (3, n): point in the workpiece frame [mm]
+            rows: bx by bz
         length (1, n): ideal length of the ball bar [mm]
+            rows: length
 
     Returns:
         error (4, n): positioning error E, then its components E_x, E_y, E_z [mm]
+            rows: e ex ey ez
     """
-    n, positions, errors, point, ball, length = _points(positions, errors, point, ball, length)
+    n, positions, errors, point, ball, length = _points(positions=(positions, 3), errors=(errors, 18), point=(point, 3), ball=(ball, 3), length=(length, 1))
+    parameters = _constant("parameters", parameters, (6,))
     error = np.zeros((4, n))
     # constants
     q_Px = float(parameters[0])
@@ -2112,12 +2067,15 @@ def correction(positions, deviation):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         deviation (3, n): displacement of the tool point in the workpiece frame [mm]
+            rows: dx dy dz
 
     Returns:
         moves (3, n): moves of X Y Z [mm]
+            rows: move_x move_y move_z
     """
-    n, positions, deviation = _points(positions, deviation)
+    n, positions, deviation = _points(positions=(positions, 3), deviation=(deviation, 3))
     moves = np.zeros((3, n))
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
@@ -2138,14 +2096,20 @@ def motion_X(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2181,14 +2145,20 @@ def motion_Y(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2223,14 +2193,20 @@ def motion_Z(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2267,14 +2243,20 @@ def motion_XY(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2320,14 +2302,20 @@ def motion_XZ(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2375,14 +2363,20 @@ def motion_YZ(positions, errors, parameters, tool_point):
 
     Arguments (float64):
         positions (3, n): commanded positions of X Y Z [mm]
+            rows: x y z
         errors (18, n): component errors at the point [mm, rad]
+            rows: EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY ECY EXZ EYZ EZZ EAZ EBZ ECZ
         parameters (6,): home positions and location errors [mm, rad]
+            rows: q_Px q_Py q_Pz EC0X EA0Z EB0Z
         tool_point (3, n): point in the tool frame [mm]
+            rows: rTx rTy rTz
 
     Returns:
         displacement (3, n): tool point, displacement since home, in the bed frame [mm]
+            rows: dx dy dz
     """
-    n, positions, errors, tool_point = _points(positions, errors, tool_point)
+    n, positions, errors, tool_point = _points(positions=(positions, 3), errors=(errors, 18), tool_point=(tool_point, 3))
+    parameters = _constant("parameters", parameters, (6,))
     displacement = np.zeros((3, n))
     # constants
     q_Px = float(parameters[0])
@@ -2420,397 +2414,3 @@ def motion_YZ(positions, errors, parameters, tool_point):
         w5 = -w4
         displacement[2, at] = EAY*w2 + EAZ*w2 + EBY*w5 + EBZ*w5 + EZY + EZZ + z
     return displacement
-
-
-def effect_backlash(context, parameters):
-    """Term of the effect backlash: play or elastic wind-up in the drive (along the axis: lost motion) or in the guides (across: lateral play).
-
-    Source: backlash = width/2*direction. Operations: 2 per point.
-
-    Arguments (float64):
-        context (1, n): direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1]
-        parameters (1,): width: lost motion: jump between the two directions of approach (u: unit of the component, axis: of its axis) [u]
-
-    Returns:
-        term (2, n): the term in u, then its derivative by width [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    width = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        direction = context[0, at]
-        # per point
-        term[1, at] = term_by_width = (0.5)*direction
-        term[0, at] = term_by_width*width
-    return term
-
-
-def effect_backlash_slope(context, parameters):
-    """Term of the effect backlash_slope: lost motion that varies along the travel: a worn part of the screw, wind-up that depends on its free length.
-
-    Source: backlash_slope = change*direction*(s - 1/2). Operations: 4 per point.
-
-    Arguments (float64):
-        context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) [1, 1]
-        parameters (1,): change: change of half the lost motion from one end of the travel to the other (u: unit of the component, axis: of its axis) [u]
-
-    Returns:
-        term (2, n): the term in u, then its derivative by change [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    change = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        s = context[0, at]
-        direction = context[1, at]
-        # per point
-        term[1, at] = term_by_change = direction*(s - 0.5)
-        term[0, at] = change*term_by_change
-    return term
-
-
-def effect_cyclic(context, parameters):
-    """Term of the effect cyclic: a periodic error: pitch of the screw, its coupling, an eccentric encoder, interpolation of a scale.
-
-    Source: cyclic = amplitude*cos(2*pi*q/pitch + phase). Operations: 12 per point.
-
-    Arguments (float64):
-        context (1, n): q: commanded position of the axis (u: unit of the component, axis: of its axis) [axis]
-        parameters (3,): amplitude: amplitude; phase: phase at position 0; pitch: period (u: unit of the component, axis: of its axis) [u, rad, axis]
-
-    Returns:
-        term (4, n): the term in u, then its derivative by amplitude, phase, pitch [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((4, n))
-    # constants
-    amplitude = float(parameters[0])
-    phase = float(parameters[1])
-    pitch = float(parameters[2])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        q = context[0, at]
-        # per point
-        w0 = 2*3.141592653589793*q
-        w1 = phase + w0/pitch
-        term[1, at] = term_by_amplitude = np.cos(w1)
-        term[0, at] = amplitude*term_by_amplitude
-        w2 = amplitude*np.sin(w1)
-        term[2, at] = -w2
-        term[3, at] = w0*w2/(pitch*pitch)
-    return term
-
-
-def effect_thermal_expansion(context, parameters):
-    """Term of the effect thermal_expansion: a scale or screw that grows with its temperature.
-
-    Source: thermal_expansion = coefficient*q*T. Operations: 2 per point.
-
-    Arguments (float64):
-        context (2, n): q: commanded position of the axis; T: temperature less 20 degC (u: unit of the component, axis: of its axis) [axis, K]
-        parameters (1,): coefficient: expansion per kelvin (u: unit of the component, axis: of its axis) [u/axis/K]
-
-    Returns:
-        term (2, n): the term in u, then its derivative by coefficient [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    coefficient = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        q = context[0, at]
-        T = context[1, at]
-        # per point
-        term[1, at] = term_by_coefficient = T*q
-        term[0, at] = coefficient*term_by_coefficient
-    return term
-
-
-def effect_thermal_offset(context, parameters):
-    """Term of the effect thermal_offset: a structure that bends or shifts with its temperature.
-
-    Source: thermal_offset = coefficient*T. Operations: 1 per point.
-
-    Arguments (float64):
-        context (1, n): T: temperature less 20 degC (u: unit of the component, axis: of its axis) [K]
-        parameters (1,): coefficient: displacement or rotation per kelvin (u: unit of the component, axis: of its axis) [u/K]
-
-    Returns:
-        term (2, n): the term in u, then its derivative by coefficient [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    coefficient = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        T = context[0, at]
-        # per point
-        term[0, at] = T*coefficient
-        term[1, at] = T
-    return term
-
-
-def effect_warm_up(context, parameters):
-    """Term of the effect warm_up: a screw or scale that warms up by its own friction.
-
-    Source: warm_up = amplitude*s*exp(-t/tau). Operations: 7 per point.
-
-    Arguments (float64):
-        context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; t: time of the reading (u: unit of the component, axis: of its axis) [1, s]
-        parameters (2,): amplitude: growth still to come at time 0, at the upper end of the travel; tau: time constant (u: unit of the component, axis: of its axis) [u, s]
-
-    Returns:
-        term (3, n): the term in u, then its derivative by amplitude, tau [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((3, n))
-    # constants
-    amplitude = float(parameters[0])
-    tau = float(parameters[1])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        s = context[0, at]
-        t = context[1, at]
-        # per point
-        term[1, at] = term_by_amplitude = s*np.exp(-t/tau)
-        term[0, at] = term_ = amplitude*term_by_amplitude
-        term[2, at] = t*term_/(tau*tau)
-    return term
-
-
-def effect_drift(context, parameters):
-    """Term of the effect drift: something creeps while it is measured: temperature, foundation, fixture.
-
-    Source: drift = rate*t. Operations: 1 per point.
-
-    Arguments (float64):
-        context (1, n): t: time of the reading (u: unit of the component, axis: of its axis) [s]
-        parameters (1,): rate: change per second (u: unit of the component, axis: of its axis) [u/s]
-
-    Returns:
-        term (2, n): the term in u, then its derivative by rate [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    rate = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        t = context[0, at]
-        # per point
-        term[0, at] = rate*t
-        term[1, at] = t
-    return term
-
-
-def effect_servo_lag(context, parameters):
-    """Term of the effect servo_lag: following error of the position loop; only its difference between axes shows in a circle.
-
-    Source: servo_lag = -tau*v. Operations: 3 per point.
-
-    Arguments (float64):
-        context (1, n): v: its velocity while the reading is taken, 0 where it stands (u: unit of the component, axis: of its axis) [axis/s]
-        parameters (1,): tau: time by which the axis follows behind its command, beyond that of the others (u: unit of the component, axis: of its axis) [s]
-
-    Returns:
-        term (2, n): the term in u, then its derivative by tau [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    tau = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        v = context[0, at]
-        # per point
-        term[0, at] = -tau*v
-        term[1, at] = -v
-    return term
-
-
-def effect_reversal_spike(context, parameters):
-    """Term of the effect reversal_spike: friction that the position loop has to overcome at a reversal (quadrant glitch).
-
-    Source: reversal_spike = height*direction*exp(-d/decay). Operations: 7 per point.
-
-    Arguments (float64):
-        context (2, n): direction: direction by which the axis came: +1, -1, 0 before it has moved; d: distance since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, axis]
-        parameters (2,): height: height right after the reversal; decay: way over which it dies away (u: unit of the component, axis: of its axis) [u, axis]
-
-    Returns:
-        term (3, n): the term in u, then its derivative by height, decay [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((3, n))
-    # constants
-    height = float(parameters[0])
-    decay = float(parameters[1])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        direction = context[0, at]
-        d = context[1, at]
-        # per point
-        term[1, at] = term_by_height = direction*np.exp(-d/decay)
-        term[0, at] = term_ = height*term_by_height
-        term[2, at] = d*term_/(decay*decay)
-    return term
-
-
-def effect_cross_axis(context, parameters):
-    """Term of the effect cross_axis: a body that bends under another one: the component error of one axis depends on where another axis stands.
-
-    Source: cross_axis = k*s*s_b^2. Operations: 3 per point.
-
-    Arguments (float64):
-        context (2, n): s: share of its travel, 0 at the lower end and 1 at the upper; s_b: share of its travel, 0 at the lower end and 1 at the upper (the other axis) (u: unit of the component, axis: of its axis) [1, 1]
-        parameters (1,): k: value at the far ends of both travels (u: unit of the component, axis: of its axis) [u]
-
-    Returns:
-        term (2, n): the term in u, then its derivative by k [u]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    k = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        s = context[0, at]
-        s_b = context[1, at]
-        # per point
-        term[1, at] = term_by_k = s*(s_b*s_b)
-        term[0, at] = k*term_by_k
-    return term
-
-
-def effect_laser_cosine(context, parameters):
-    """Term of the effect laser_cosine: the laser beam was not parallel to the motion: it reads short.
-
-    Source: laser_cosine = -angle^2/2*along. Operations: 6 per point.
-
-    Arguments (float64):
-        context (1, n): along: ideal displacement that the instrument senses, since home [mm]
-        parameters (1,): angle: angle between beam and motion [rad]
-
-    Returns:
-        term (2, n): the term in mm, then its derivative by angle [mm]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    angle = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        along = context[0, at]
-        # per point
-        term[0, at] = -0.5*along*(angle*angle)
-        term[1, at] = -along*angle
-    return term
-
-
-def effect_laser_scale(context, parameters):
-    """Term of the effect laser_scale: wavelength of the laser: air temperature, pressure or humidity were not what was entered.
-
-    Source: laser_scale = k*along. Operations: 1 per point.
-
-    Arguments (float64):
-        context (1, n): along: ideal displacement that the instrument senses, since home [mm]
-        parameters (1,): k: relative error of all laser distances [1]
-
-    Returns:
-        term (2, n): the term in mm, then its derivative by k [mm]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    k = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        along = context[0, at]
-        # per point
-        term[0, at] = along*k
-        term[1, at] = along
-    return term
-
-
-def effect_laser_step(context, parameters):
-    """Term of the effect laser_step: something slipped or lost counts in the middle of a run.
-
-    Source: laser_step = jump*step(t - t_0). Operations: 3 per point.
-
-    Arguments (float64):
-        context (1, n): t: time of the reading [s]
-        parameters (2,): jump: height of the jump; t_0: moment of the jump [mm, s]
-
-    Returns:
-        term (3, n): the term in mm, then its derivative by jump, t_0 [mm]
-    """
-    n, context = _points(context)
-    term = np.zeros((3, n))
-    # constants
-    jump = float(parameters[0])
-    t_0 = float(parameters[1])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        t = context[0, at]
-        # per point
-        term[1, at] = term_by_jump = np.heaviside(t - t_0, 1.0)
-        term[0, at] = jump*term_by_jump
-    return term
-
-
-def effect_ballbar_length(context, parameters):
-    """Term of the effect ballbar_length: the bar is longer than it is said to be (shorter, where the length is negative).
-
-    Source: ballbar_length = length. Operations: 0 per point.
-
-    Arguments (float64):
-        context (1, n): theta: polar angle of a ball bar in the plane of its circle [rad]
-        parameters (1,): length: actual minus nominal length of the bar [mm]
-
-    Returns:
-        term (2, n): the term in mm, then its derivative by length [mm]
-    """
-    n, context = _points(context)
-    term = np.zeros((2, n))
-    # constants
-    length = float(parameters[0])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        # per point
-        term[0, at] = length
-        term[1, at] = 1.0
-    return term
-
-
-def effect_ballbar_lobes(context, parameters):
-    """Term of the effect ballbar_lobes: form error of the balls or of the bar's sockets: three lobes.
-
-    Source: ballbar_lobes = amplitude*cos(3*theta + phase). Operations: 7 per point.
-
-    Arguments (float64):
-        context (1, n): theta: polar angle of a ball bar in the plane of its circle [rad]
-        parameters (2,): amplitude: amplitude; phase: phase at polar angle 0 [mm, rad]
-
-    Returns:
-        term (3, n): the term in mm, then its derivative by amplitude, phase [mm]
-    """
-    n, context = _points(context)
-    term = np.zeros((3, n))
-    # constants
-    amplitude = float(parameters[0])
-    phase = float(parameters[1])
-    for start in range(0, n, BLOCK):
-        at = slice(start, start + BLOCK)
-        theta = context[0, at]
-        # per point
-        w0 = phase + 3*theta
-        term[1, at] = term_by_amplitude = np.cos(w0)
-        term[0, at] = amplitude*term_by_amplitude
-        term[2, at] = -amplitude*np.sin(w0)
-    return term

@@ -1,9 +1,11 @@
 /* Generated from machines/dmu60p.toml, do not edit; regenerate with: trueaxis derive machines/dmu60p.toml
+ * SPDX-License-Identifier: MIT
  * Kernels of DECKEL MAHO DMU60P, translational axes: geometric error model in C17.
  * Spec: sha256 0190651706d05e74f47ba63b348c7b25aa718138f26d87af62dcbb754cacd8ee
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
- * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
+ * Arrays must not overlap. Lengths mm, angles rad.
+ * Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
  */
 #include "kernels.h"
 
@@ -18,9 +20,6 @@
 #define POINTS_ARE_INDEPENDENT
 #endif
 
-/* Points whose cosines and sines are computed ahead of their arithmetic. */
-enum { BLOCK = 512 };
-
 int dmu60p_kernel_abi(void)
 {
     return TRUEAXIS_KERNEL_ABI;
@@ -29,12 +28,6 @@ int dmu60p_kernel_abi(void)
 const char *dmu60p_spec_hash(void)
 {
     return "0190651706d05e74f47ba63b348c7b25aa718138f26d87af62dcbb754cacd8ee";
-}
-
-/* 1 from 0 upwards, 0 below; NaN stays NaN. */
-static double step(double value)
-{
-    return value >= 0.0 ? 1.0 : value < 0.0 ? 0.0 : value;
 }
 
 /*
@@ -48,10 +41,10 @@ static double step(double value)
  */
 void dmu60p_tool_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -88,11 +81,11 @@ void dmu60p_tool_in_workpiece_ideal(
  */
 void dmu60p_tool_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -177,11 +170,11 @@ void dmu60p_tool_in_workpiece_deviation(
  */
 void dmu60p_tool_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -252,10 +245,10 @@ void dmu60p_tool_in_workpiece_deviation_first_order(
  */
 void dmu60p_tool_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -356,10 +349,10 @@ void dmu60p_tool_in_workpiece_sensitivity(
  */
 void dmu60p_tool_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -392,11 +385,11 @@ void dmu60p_tool_in_bed_ideal(
  */
 void dmu60p_tool_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -461,11 +454,11 @@ void dmu60p_tool_in_bed_deviation(
  */
 void dmu60p_tool_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -525,10 +518,10 @@ void dmu60p_tool_in_bed_deviation_first_order(
  */
 void dmu60p_tool_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -626,10 +619,10 @@ void dmu60p_tool_in_bed_sensitivity(
  */
 void dmu60p_workpiece_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -661,11 +654,11 @@ void dmu60p_workpiece_in_bed_ideal(
  */
 void dmu60p_workpiece_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     /* once per call */
@@ -706,11 +699,11 @@ void dmu60p_workpiece_in_bed_deviation(
  */
 void dmu60p_workpiece_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)positions;
     /* once per call */
@@ -750,10 +743,10 @@ void dmu60p_workpiece_in_bed_deviation_first_order(
  */
 void dmu60p_workpiece_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)positions;
     /* once per call */
@@ -846,10 +839,10 @@ void dmu60p_workpiece_in_bed_sensitivity(
  */
 void dmu60p_bed_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -881,11 +874,11 @@ void dmu60p_bed_in_workpiece_ideal(
  */
 void dmu60p_bed_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)parameters;
     /* per point */
@@ -929,11 +922,11 @@ void dmu60p_bed_in_workpiece_deviation(
  */
 void dmu60p_bed_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     (void)parameters;
     /* per point */
@@ -968,10 +961,10 @@ void dmu60p_bed_in_workpiece_deviation_first_order(
  */
 void dmu60p_bed_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     (void)parameters;
     /* per point */
@@ -1061,11 +1054,11 @@ void dmu60p_bed_in_workpiece_sensitivity(
  */
 void dmu60p_tool_in_workpiece_position(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -1159,11 +1152,11 @@ void dmu60p_tool_in_workpiece_position(
  */
 void dmu60p_tool_in_workpiece_position_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -1235,8 +1228,8 @@ void dmu60p_tool_in_workpiece_position_first_order(
  * Deviation of the tool point under polynomial error curves, exact.
  * Source: Eqs. (1)-(4), (44). Operations: 329 per point, 3 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
- *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
+ * in curves: 126 values, mm/mm^k, rad/mm^k; coefficients of the powers 1 to 7 of the axis position, per component
+ *     error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
@@ -1244,11 +1237,11 @@ void dmu60p_tool_in_workpiece_position_first_order(
  */
 void dmu60p_tool_in_workpiece_deviation_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -1450,8 +1443,8 @@ void dmu60p_tool_in_workpiece_deviation_curves(
  * Deviation of the tool point under polynomial error curves, to first order, constants folded once per call.
  * Source: Eqs. (1)-(4), (44). Operations: 209 per point, 267 once per call.
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
- * in curves: 126 values, mm/mm^k, rad/mm^k (deg^k for rotary axes); coefficients of the powers 1 to 7 of the axis
- *     position, per component error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
+ * in curves: 126 values, mm/mm^k, rad/mm^k; coefficients of the powers 1 to 7 of the axis position, per component
+ *     error (EXX_1 EXX_2 .. ECZ_7, last index fastest)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in point: 3 values, mm; point in the tool frame (rx ry rz)
@@ -1459,11 +1452,11 @@ void dmu60p_tool_in_workpiece_deviation_curves(
  */
 void dmu60p_tool_in_workpiece_deviation_first_order_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -1732,13 +1725,13 @@ void dmu60p_tool_in_workpiece_deviation_first_order_curves(
  */
 void dmu60p_ballbar_error(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    const double *restrict ball,
-    const double *restrict length,
-    double *restrict error)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    const double *TRUEAXIS_RESTRICT ball,
+    const double *TRUEAXIS_RESTRICT length,
+    double *TRUEAXIS_RESTRICT error)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -1843,9 +1836,9 @@ void dmu60p_ballbar_error(
  */
 void dmu60p_correction(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict deviation,
-    double *restrict moves)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT deviation,
+    double *TRUEAXIS_RESTRICT moves)
 {
     (void)positions;
     /* per point */
@@ -1873,11 +1866,11 @@ void dmu60p_correction(
  */
 void dmu60p_motion_X(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -1919,11 +1912,11 @@ void dmu60p_motion_X(
  */
 void dmu60p_motion_Y(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -1964,11 +1957,11 @@ void dmu60p_motion_Y(
  */
 void dmu60p_motion_Z(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -2013,12 +2006,12 @@ void dmu60p_motion_Z(
  */
 void dmu60p_motion_XY(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -2076,11 +2069,11 @@ void dmu60p_motion_XY(
  */
 void dmu60p_motion_XZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[3];
@@ -2136,12 +2129,12 @@ void dmu60p_motion_XZ(
  */
 void dmu60p_motion_YZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -2202,12 +2195,12 @@ void dmu60p_motion_YZ(
  */
 void dmu60p_system_1(
     size_t n, size_t stride,
-    const double *restrict readings,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict points,
-    double *restrict unknowns)
+    const double *TRUEAXIS_RESTRICT readings,
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT points,
+    double *TRUEAXIS_RESTRICT unknowns)
 {
     (void)positions;
     (void)errors;
@@ -2261,12 +2254,12 @@ void dmu60p_system_1(
  */
 void dmu60p_system_2(
     size_t n, size_t stride,
-    const double *restrict readings,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict points,
-    double *restrict unknowns)
+    const double *TRUEAXIS_RESTRICT readings,
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT points,
+    double *TRUEAXIS_RESTRICT unknowns)
 {
     (void)positions;
     (void)errors;
@@ -2314,40 +2307,40 @@ void dmu60p_system_2(
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
- * in points: 9 values, mm; xyz of tool point 1, xyz of tool point 2, xyz of tool point 3 (rT1x rT1y rT1z rT2x rT2y
- *     rT2z rT3x rT3y rT3z)
+ * in points: 9 values, mm; xyz of tool point 1, xyz of tool point 2, xyz of tool point 3 (rT4x rT4y rT4z rT5x rT5y
+ *     rT5z rT6x rT6y rT6z)
  * out unknowns: 3 rows of stride, mm, rad; EZZ, EAZ, EBZ (found_EZZ found_EAZ found_EBZ)
  */
 void dmu60p_system_3(
     size_t n, size_t stride,
-    const double *restrict readings,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict points,
-    double *restrict unknowns)
+    const double *TRUEAXIS_RESTRICT readings,
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT points,
+    double *TRUEAXIS_RESTRICT unknowns)
 {
     (void)positions;
     (void)errors;
     /* once per call */
     const double q_Tx = parameters[3];
     const double q_Ty = parameters[4];
-    const double rT1x = points[0];
-    const double rT1y = points[1];
-    const double rT2x = points[3];
-    const double rT2y = points[4];
-    const double rT3x = points[6];
-    const double rT3y = points[7];
-    const double w0 = q_Tx*rT2y;
-    const double w1 = rT2y*rT3x;
-    const double w2 = q_Ty*rT2x;
-    const double w3 = -q_Tx*rT3y + q_Ty*rT3x;
-    const double w4 = rT1y*rT2x;
-    const double w5 = -rT1x*rT3y + rT1y*rT3x;
-    const double w6 = (1.0/(rT1x*rT2y + rT2x*rT3y - w1 - w4 + w5));
-    const double w8 = q_Tx*rT1y - q_Ty*rT1x;
-    const double w11 = -rT3x;
-    const double w12 = -rT3y;
+    const double rT4x = points[0];
+    const double rT4y = points[1];
+    const double rT5x = points[3];
+    const double rT5y = points[4];
+    const double rT6x = points[6];
+    const double rT6y = points[7];
+    const double w0 = q_Tx*rT5y;
+    const double w1 = rT5y*rT6x;
+    const double w2 = q_Ty*rT5x;
+    const double w3 = -q_Tx*rT6y + q_Ty*rT6x;
+    const double w4 = rT4y*rT5x;
+    const double w5 = -rT4x*rT6y + rT4y*rT6x;
+    const double w6 = (1.0/(rT4x*rT5y + rT5x*rT6y - w1 - w4 + w5));
+    const double w8 = q_Tx*rT4y - q_Ty*rT4x;
+    const double w11 = -rT6x;
+    const double w12 = -rT6y;
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2357,10 +2350,10 @@ void dmu60p_system_3(
         const double w7 = L1*w6;
         const double w9 = L2*w6;
         const double w10 = L3*w6;
-        unknowns[0 * stride + i] = w10*(rT1x*rT2y + w0 - w2 - w4 - w8) + w7*(rT2x*rT3y - w0 - w1 + w2 - w3) + w9*(w3
+        unknowns[0 * stride + i] = w10*(rT4x*rT5y + w0 - w2 - w4 - w8) + w7*(rT5x*rT6y - w0 - w1 + w2 - w3) + w9*(w3
             + w5 + w8);
-        unknowns[1 * stride + i] = w10*(-rT1x + rT2x) + w7*(-rT2x - w11) + w9*(rT1x + w11);
-        unknowns[2 * stride + i] = w10*(-rT1y + rT2y) + w7*(-rT2y - w12) + w9*(rT1y + w12);
+        unknowns[1 * stride + i] = w10*(-rT4x + rT5x) + w7*(-rT5x - w11) + w9*(rT4x + w11);
+        unknowns[2 * stride + i] = w10*(-rT4y + rT5y) + w7*(-rT5y - w12) + w9*(rT4y + w12);
     }
 }
 
@@ -2373,31 +2366,31 @@ void dmu60p_system_3(
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
- * in points: 6 values, mm; xyz of tool point 1, xyz of tool point 2 (rT1x rT1y rT1z rT2x rT2y rT2z)
+ * in points: 6 values, mm; xyz of tool point 1, xyz of tool point 2 (rT7x rT7y rT7z rT8x rT8y rT8z)
  * out unknowns: 2 rows of stride, mm, rad; EXZ, ECZ (found_EXZ found_ECZ)
  */
 void dmu60p_system_4(
     size_t n, size_t stride,
-    const double *restrict readings,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict points,
-    double *restrict unknowns)
+    const double *TRUEAXIS_RESTRICT readings,
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT points,
+    double *TRUEAXIS_RESTRICT unknowns)
 {
     /* once per call */
     const double q_Ty = parameters[4];
     const double q_Tz = parameters[5];
     const double eps_xz = parameters[8];
-    const double rT1y = points[1];
-    const double rT1z = points[2];
-    const double rT2y = points[4];
-    const double rT2z = points[5];
-    const double w0 = q_Ty + rT1y;
-    const double w1 = (1.0/(rT1y - rT2y));
-    const double w2 = -q_Ty - rT2y;
-    const double w3 = q_Tz + rT2z;
-    const double w6 = q_Tz + rT1z;
+    const double rT7y = points[1];
+    const double rT7z = points[2];
+    const double rT8y = points[4];
+    const double rT8z = points[5];
+    const double w0 = q_Ty + rT7y;
+    const double w1 = (1.0/(rT7y - rT8y));
+    const double w2 = -q_Ty - rT8y;
+    const double w3 = q_Tz + rT8z;
+    const double w6 = q_Tz + rT7z;
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2425,31 +2418,31 @@ void dmu60p_system_4(
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
- * in points: 6 values, mm; xyz of tool point 1, xyz of tool point 2 (rT1x rT1y rT1z rT2x rT2y rT2z)
+ * in points: 6 values, mm; xyz of tool point 1, xyz of tool point 2 (rT7x rT7y rT7z rT8x rT8y rT8z)
  * out unknowns: 2 rows of stride, mm, rad; EZX, EAX (found_EZX found_EAX)
  */
 void dmu60p_system_5(
     size_t n, size_t stride,
-    const double *restrict readings,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict points,
-    double *restrict unknowns)
+    const double *TRUEAXIS_RESTRICT readings,
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT points,
+    double *TRUEAXIS_RESTRICT unknowns)
 {
     (void)positions;
     /* once per call */
     const double q_Tx = parameters[3];
     const double q_Ty = parameters[4];
-    const double rT1x = points[0];
-    const double rT1y = points[1];
-    const double rT2x = points[3];
-    const double rT2y = points[4];
-    const double w0 = q_Ty + rT2y;
-    const double w1 = (1.0/(-rT1y + rT2y));
-    const double w2 = q_Ty + rT1y;
-    const double w3 = -q_Tx - rT1x;
-    const double w5 = -q_Tx - rT2x;
+    const double rT7x = points[0];
+    const double rT7y = points[1];
+    const double rT8x = points[3];
+    const double rT8y = points[4];
+    const double w0 = q_Ty + rT8y;
+    const double w1 = (1.0/(-rT7y + rT8y));
+    const double w2 = q_Ty + rT7y;
+    const double w3 = -q_Tx - rT7x;
+    const double w5 = -q_Tx - rT8x;
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2468,7 +2461,7 @@ void dmu60p_system_5(
 
 /*
  * EXY, EBY from the readings XY-1x, XY-2x.
- * Source: Sects. 3.2-3.5, closed form. Operations: 35 per point, 2 once per call.
+ * Source: Sects. 3.2-3.5, closed form. Operations: 34 per point, 2 once per call.
  * in readings: 2 rows of stride, mm; readings of XY-1x, XY-2x (L1 L2)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
@@ -2476,17 +2469,17 @@ void dmu60p_system_5(
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 12 values, mm; xyz of workpiece point 1, xyz of tool point 2, xyz of workpiece point 3, xyz of tool point
- *     4 (rW1x rW1y rW1z rT1x rT1y rT1z rW2x rW2y rW2z rT2x rT2y rT2z)
+ *     4 (rW4x rW4y rW4z rT9x rT9y rT9z rW5x rW5y rW5z rT10x rT10y rT10z)
  * out unknowns: 2 rows of stride, mm, rad; EXY, EBY (found_EXY found_EBY)
  */
 void dmu60p_system_6(
     size_t n, size_t stride,
-    const double *restrict readings,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict points,
-    double *restrict unknowns)
+    const double *TRUEAXIS_RESTRICT readings,
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT points,
+    double *TRUEAXIS_RESTRICT unknowns)
 {
     (void)positions;
     /* once per call */
@@ -2494,15 +2487,15 @@ void dmu60p_system_6(
     const double q_wz = parameters[2];
     const double q_Ty = parameters[4];
     const double q_Tz = parameters[5];
-    const double rW1y = points[1];
-    const double rW1z = points[2];
-    const double rT1y = points[4];
-    const double rT1z = points[5];
-    const double rW2y = points[7];
-    const double rW2z = points[8];
-    const double rT2y = points[10];
-    const double rT2z = points[11];
-    const double w0 = (1.0/(-rW1z + rW2z));
+    const double rW4y = points[1];
+    const double rW4z = points[2];
+    const double rT9y = points[4];
+    const double rT9z = points[5];
+    const double rW5y = points[7];
+    const double rW5z = points[8];
+    const double rT10y = points[10];
+    const double rT10z = points[11];
+    const double w0 = (1.0/(-rW4z + rW5z));
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2513,10 +2506,10 @@ void dmu60p_system_6(
         const double ECX = errors[5 * stride + i];
         const double ECY = errors[11 * stride + i];
         const double w1 = -EXX;
-        const double w2 = w0*(-EBX*(-q_Tz - rT1z) - ECX*(q_Ty + rT1y) - ECY*(-q_wy - rW1y) + L1 - w1);
-        const double w3 = -EBX*(-q_Tz - rT2z) - ECX*(q_Ty + rT2y) - ECY*(-q_wy - rW2y) + L2 - w1;
-        unknowns[0 * stride + i] = w0*w3*(-q_wz - rW1z) + w2*(q_wz + rW2z);
-        unknowns[1 * stride + i] = w0*w3 - w2;
+        const double w2 = w0*(-EBX*(-q_Tz - rT9z) - ECX*(q_Ty + rT9y) - ECY*(-q_wy - rW4y) + L1 - w1);
+        const double w3 = w0*(-EBX*(-q_Tz - rT10z) - ECX*(q_Ty + rT10y) - ECY*(-q_wy - rW5y) + L2 - w1);
+        unknowns[0 * stride + i] = w2*(q_wz + rW5z) + w3*(-q_wz - rW4z);
+        unknowns[1 * stride + i] = -w2 + w3;
     }
 }
 
@@ -2529,17 +2522,17 @@ void dmu60p_system_6(
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
- * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW1x rW1y rW1z rT1x rT1y rT1z)
+ * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW4x rW4y rW4z rT9x rT9y rT9z)
  * out unknowns: 1 rows of stride, mm, rad; EYX (found_EYX)
  */
 void dmu60p_system_7(
     size_t n, size_t stride,
-    const double *restrict readings,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict points,
-    double *restrict unknowns)
+    const double *TRUEAXIS_RESTRICT readings,
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT points,
+    double *TRUEAXIS_RESTRICT unknowns)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -2547,10 +2540,10 @@ void dmu60p_system_7(
     const double q_Tx = parameters[3];
     const double q_Tz = parameters[5];
     const double eps_xy = parameters[6];
-    const double rW1x = points[0];
-    const double rW1z = points[2];
-    const double rT1x = points[3];
-    const double rT1z = points[5];
+    const double rW4x = points[0];
+    const double rW4z = points[2];
+    const double rT9x = points[3];
+    const double rT9z = points[5];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2561,7 +2554,7 @@ void dmu60p_system_7(
         const double EYY = errors[7 * stride + i];
         const double EAY = errors[9 * stride + i];
         const double ECY = errors[11 * stride + i];
-        unknowns[0 * stride + i] = EAX*(q_Tz + rT1z) + EAY*(-q_wz - rW1z) + ECX*(-q_Tx - rT1x) + ECY*(q_wx + rW1x) +
+        unknowns[0 * stride + i] = EAX*(q_Tz + rT9z) + EAY*(-q_wz - rW4z) + ECX*(-q_Tx - rT9x) + ECY*(q_wx + rW4x) +
             EYY - L1 - eps_xy*x;
     }
 }
@@ -2575,17 +2568,17 @@ void dmu60p_system_7(
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
- * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW1x rW1y rW1z rT1x rT1y rT1z)
+ * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW6x rW6y rW6z rT11x rT11y rT11z)
  * out unknowns: 1 rows of stride, mm, rad; EYZ (found_EYZ)
  */
 void dmu60p_system_8(
     size_t n, size_t stride,
-    const double *restrict readings,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict points,
-    double *restrict unknowns)
+    const double *TRUEAXIS_RESTRICT readings,
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT points,
+    double *TRUEAXIS_RESTRICT unknowns)
 {
     /* once per call */
     const double q_wx = parameters[0];
@@ -2593,10 +2586,10 @@ void dmu60p_system_8(
     const double q_Tx = parameters[3];
     const double q_Tz = parameters[5];
     const double eps_yz = parameters[7];
-    const double rW1x = points[0];
-    const double rW1z = points[2];
-    const double rT1x = points[3];
-    const double rT1z = points[5];
+    const double rW6x = points[0];
+    const double rW6z = points[2];
+    const double rT11x = points[3];
+    const double rT11z = points[5];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2607,8 +2600,8 @@ void dmu60p_system_8(
         const double ECY = errors[11 * stride + i];
         const double EAZ = errors[15 * stride + i];
         const double ECZ = errors[17 * stride + i];
-        unknowns[0 * stride + i] = EAY*(-q_wz - rW1z) + EAZ*(q_Tz + rT1z) + ECY*(q_wx + rW1x) + ECZ*(-q_Tx - rT1x) +
-            EYY - L1 + eps_yz*z;
+        unknowns[0 * stride + i] = EAY*(-q_wz - rW6z) + EAZ*(q_Tz + rT11z) + ECY*(q_wx + rW6x) + ECZ*(-q_Tx - rT11x)
+            + EYY - L1 + eps_yz*z;
     }
 }
 
@@ -2621,17 +2614,17 @@ void dmu60p_system_8(
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
- * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW1x rW1y rW1z rT1x rT1y rT1z)
+ * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW6x rW6y rW6z rT11x rT11y rT11z)
  * out unknowns: 1 rows of stride, mm, rad; EZY (found_EZY)
  */
 void dmu60p_system_9(
     size_t n, size_t stride,
-    const double *restrict readings,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict points,
-    double *restrict unknowns)
+    const double *TRUEAXIS_RESTRICT readings,
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT points,
+    double *TRUEAXIS_RESTRICT unknowns)
 {
     (void)positions;
     /* once per call */
@@ -2639,10 +2632,10 @@ void dmu60p_system_9(
     const double q_wy = parameters[1];
     const double q_Tx = parameters[3];
     const double q_Ty = parameters[4];
-    const double rW1x = points[0];
-    const double rW1y = points[1];
-    const double rT1x = points[3];
-    const double rT1y = points[4];
+    const double rW6x = points[0];
+    const double rW6y = points[1];
+    const double rT11x = points[3];
+    const double rT11y = points[4];
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2652,424 +2645,7 @@ void dmu60p_system_9(
         const double EZZ = errors[14 * stride + i];
         const double EAZ = errors[15 * stride + i];
         const double EBZ = errors[16 * stride + i];
-        unknowns[0 * stride + i] = -EAY*(q_wy + rW1y) - EAZ*(-q_Ty - rT1y) - EBY*(-q_wx - rW1x) - EBZ*(q_Tx + rT1x)
-            + EZZ + L1;
-    }
-}
-
-/*
- * Term of the effect backlash: play or elastic wind-up in the drive (along the axis: lost motion) or in the guides
- * (across: lateral play).
- * Source: backlash = width/2*direction. Operations: 2 per point.
- * in context: 1 rows of stride, 1; direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit
- *     of the component, axis: of its axis) (direction)
- * in parameters: 1 values, u; width: lost motion: jump between the two directions of approach (u: unit of the
- *     component, axis: of its axis) (width)
- * out term: 2 rows of stride, u; the term in u, then its derivative by width (term term_by_width)
- */
-void dmu60p_effect_backlash(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double width = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double direction = context[0 * stride + i];
-        const double term_by_width = 0.5*direction;
-        term[0 * stride + i] = term_by_width*width;
-        term[1 * stride + i] = term_by_width;
-    }
-}
-
-/*
- * Term of the effect backlash_slope: lost motion that varies along the travel: a worn part of the screw, wind-up that
- * depends on its free length.
- * Source: backlash_slope = change*direction*(s - 1/2). Operations: 4 per point.
- * in context: 2 rows of stride, 1, 1; s: share of its travel, 0 at the lower end and 1 at the upper; direction:
- *     direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) (s
- *     direction)
- * in parameters: 1 values, u; change: change of half the lost motion from one end of the travel to the other (u: unit
- *     of the component, axis: of its axis) (change)
- * out term: 2 rows of stride, u; the term in u, then its derivative by change (term term_by_change)
- */
-void dmu60p_effect_backlash_slope(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double change = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double s = context[0 * stride + i];
-        const double direction = context[1 * stride + i];
-        const double term_by_change = direction*(s - 0.5);
-        term[0 * stride + i] = change*term_by_change;
-        term[1 * stride + i] = term_by_change;
-    }
-}
-
-/*
- * Term of the effect cyclic: a periodic error: pitch of the screw, its coupling, an eccentric encoder, interpolation
- * of a scale.
- * Source: cyclic = amplitude*cos(2*pi*q/pitch + phase). Operations: 12 per point.
- * in context: 1 rows of stride, axis; q: commanded position of the axis (u: unit of the component, axis: of its axis)
- *     (q)
- * in parameters: 3 values, u, rad, axis; amplitude: amplitude; phase: phase at position 0; pitch: period (u: unit of
- *     the component, axis: of its axis) (amplitude phase pitch)
- * out term: 4 rows of stride, u; the term in u, then its derivative by amplitude, phase, pitch (term term_by_amplitude
- *     term_by_phase term_by_pitch)
- */
-void dmu60p_effect_cyclic(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double amplitude = parameters[0];
-    const double phase = parameters[1];
-    const double pitch = parameters[2];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double q = context[0 * stride + i];
-        const double w0 = 6.283185307179586*q;
-        const double w1 = phase + w0/pitch;
-        const double term_by_amplitude = cos(w1);
-        const double w2 = amplitude*sin(w1);
-        term[0 * stride + i] = amplitude*term_by_amplitude;
-        term[1 * stride + i] = term_by_amplitude;
-        term[2 * stride + i] = -w2;
-        term[3 * stride + i] = w0*w2/(pitch*pitch);
-    }
-}
-
-/*
- * Term of the effect thermal_expansion: a scale or screw that grows with its temperature.
- * Source: thermal_expansion = coefficient*q*T. Operations: 2 per point.
- * in context: 2 rows of stride, axis, K; q: commanded position of the axis; T: temperature less 20 degC (u: unit of
- *     the component, axis: of its axis) (q T)
- * in parameters: 1 values, u/axis/K; coefficient: expansion per kelvin (u: unit of the component, axis: of its axis)
- *     (coefficient)
- * out term: 2 rows of stride, u; the term in u, then its derivative by coefficient (term term_by_coefficient)
- */
-void dmu60p_effect_thermal_expansion(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double coefficient = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double q = context[0 * stride + i];
-        const double T = context[1 * stride + i];
-        const double term_by_coefficient = T*q;
-        term[0 * stride + i] = coefficient*term_by_coefficient;
-        term[1 * stride + i] = term_by_coefficient;
-    }
-}
-
-/*
- * Term of the effect thermal_offset: a structure that bends or shifts with its temperature.
- * Source: thermal_offset = coefficient*T. Operations: 1 per point.
- * in context: 1 rows of stride, K; T: temperature less 20 degC (u: unit of the component, axis: of its axis) (T)
- * in parameters: 1 values, u/K; coefficient: displacement or rotation per kelvin (u: unit of the component, axis: of
- *     its axis) (coefficient)
- * out term: 2 rows of stride, u; the term in u, then its derivative by coefficient (term term_by_coefficient)
- */
-void dmu60p_effect_thermal_offset(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double coefficient = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double T = context[0 * stride + i];
-        term[0 * stride + i] = T*coefficient;
-        term[1 * stride + i] = T;
-    }
-}
-
-/*
- * Term of the effect warm_up: a screw or scale that warms up by its own friction.
- * Source: warm_up = amplitude*s*exp(-t/tau). Operations: 7 per point.
- * in context: 2 rows of stride, 1, s; s: share of its travel, 0 at the lower end and 1 at the upper; t: time of the
- *     reading (u: unit of the component, axis: of its axis) (s t)
- * in parameters: 2 values, u, s; amplitude: growth still to come at time 0, at the upper end of the travel; tau: time
- *     constant (u: unit of the component, axis: of its axis) (amplitude tau)
- * out term: 3 rows of stride, u; the term in u, then its derivative by amplitude, tau (term term_by_amplitude
- *     term_by_tau)
- */
-void dmu60p_effect_warm_up(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double amplitude = parameters[0];
-    const double tau = parameters[1];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double s = context[0 * stride + i];
-        const double t = context[1 * stride + i];
-        const double term_by_amplitude = s*exp(-t/tau);
-        const double term_ = amplitude*term_by_amplitude;
-        term[0 * stride + i] = term_;
-        term[1 * stride + i] = term_by_amplitude;
-        term[2 * stride + i] = t*term_/(tau*tau);
-    }
-}
-
-/*
- * Term of the effect drift: something creeps while it is measured: temperature, foundation, fixture.
- * Source: drift = rate*t. Operations: 1 per point.
- * in context: 1 rows of stride, s; t: time of the reading (u: unit of the component, axis: of its axis) (t)
- * in parameters: 1 values, u/s; rate: change per second (u: unit of the component, axis: of its axis) (rate)
- * out term: 2 rows of stride, u; the term in u, then its derivative by rate (term term_by_rate)
- */
-void dmu60p_effect_drift(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double rate = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double t = context[0 * stride + i];
-        term[0 * stride + i] = rate*t;
-        term[1 * stride + i] = t;
-    }
-}
-
-/*
- * Term of the effect servo_lag: following error of the position loop; only its difference between axes shows in a
- * circle.
- * Source: servo_lag = -tau*v. Operations: 3 per point.
- * in context: 1 rows of stride, axis/s; v: its velocity while the reading is taken, 0 where it stands (u: unit of the
- *     component, axis: of its axis) (v)
- * in parameters: 1 values, s; tau: time by which the axis follows behind its command, beyond that of the others (u:
- *     unit of the component, axis: of its axis) (tau)
- * out term: 2 rows of stride, u; the term in u, then its derivative by tau (term term_by_tau)
- */
-void dmu60p_effect_servo_lag(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double tau = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double v = context[0 * stride + i];
-        term[0 * stride + i] = -tau*v;
-        term[1 * stride + i] = -v;
-    }
-}
-
-/*
- * Term of the effect reversal_spike: friction that the position loop has to overcome at a reversal (quadrant glitch).
- * Source: reversal_spike = height*direction*exp(-d/decay). Operations: 7 per point.
- * in context: 2 rows of stride, 1, axis; direction: direction by which the axis came: +1, -1, 0 before it has moved;
- *     d: distance since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis)
- *     (direction d)
- * in parameters: 2 values, u, axis; height: height right after the reversal; decay: way over which it dies away (u:
- *     unit of the component, axis: of its axis) (height decay)
- * out term: 3 rows of stride, u; the term in u, then its derivative by height, decay (term term_by_height
- *     term_by_decay)
- */
-void dmu60p_effect_reversal_spike(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double height = parameters[0];
-    const double decay = parameters[1];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double direction = context[0 * stride + i];
-        const double d = context[1 * stride + i];
-        const double term_by_height = direction*exp(-d/decay);
-        const double term_ = height*term_by_height;
-        term[0 * stride + i] = term_;
-        term[1 * stride + i] = term_by_height;
-        term[2 * stride + i] = d*term_/(decay*decay);
-    }
-}
-
-/*
- * Term of the effect cross_axis: a body that bends under another one: the component error of one axis depends on where
- * another axis stands.
- * Source: cross_axis = k*s*s_b^2. Operations: 3 per point.
- * in context: 2 rows of stride, 1, 1; s: share of its travel, 0 at the lower end and 1 at the upper; s_b: share of its
- *     travel, 0 at the lower end and 1 at the upper (the other axis) (u: unit of the component, axis: of its axis) (s
- *     s_b)
- * in parameters: 1 values, u; k: value at the far ends of both travels (u: unit of the component, axis: of its axis)
- *     (k)
- * out term: 2 rows of stride, u; the term in u, then its derivative by k (term term_by_k)
- */
-void dmu60p_effect_cross_axis(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double k = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double s = context[0 * stride + i];
-        const double s_b = context[1 * stride + i];
-        const double term_by_k = s*(s_b*s_b);
-        term[0 * stride + i] = k*term_by_k;
-        term[1 * stride + i] = term_by_k;
-    }
-}
-
-/*
- * Term of the effect laser_cosine: the laser beam was not parallel to the motion: it reads short.
- * Source: laser_cosine = -angle^2/2*along. Operations: 6 per point.
- * in context: 1 rows of stride, mm; along: ideal displacement that the instrument senses, since home (along)
- * in parameters: 1 values, rad; angle: angle between beam and motion (angle)
- * out term: 2 rows of stride, mm; the term in mm, then its derivative by angle (term term_by_angle)
- */
-void dmu60p_effect_laser_cosine(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double angle = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double along = context[0 * stride + i];
-        term[0 * stride + i] = -0.5*along*(angle*angle);
-        term[1 * stride + i] = -along*angle;
-    }
-}
-
-/*
- * Term of the effect laser_scale: wavelength of the laser: air temperature, pressure or humidity were not what was
- * entered.
- * Source: laser_scale = k*along. Operations: 1 per point.
- * in context: 1 rows of stride, mm; along: ideal displacement that the instrument senses, since home (along)
- * in parameters: 1 values, 1; k: relative error of all laser distances (k)
- * out term: 2 rows of stride, mm; the term in mm, then its derivative by k (term term_by_k)
- */
-void dmu60p_effect_laser_scale(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double k = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double along = context[0 * stride + i];
-        term[0 * stride + i] = along*k;
-        term[1 * stride + i] = along;
-    }
-}
-
-/*
- * Term of the effect laser_step: something slipped or lost counts in the middle of a run.
- * Source: laser_step = jump*step(t - t_0). Operations: 3 per point.
- * in context: 1 rows of stride, s; t: time of the reading (t)
- * in parameters: 2 values, mm, s; jump: height of the jump; t_0: moment of the jump (jump t_0)
- * out term: 3 rows of stride, mm; the term in mm, then its derivative by jump, t_0 (term term_by_jump term_by_t_0)
- */
-void dmu60p_effect_laser_step(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double jump = parameters[0];
-    const double t_0 = parameters[1];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double t = context[0 * stride + i];
-        const double term_by_jump = step(t - t_0);
-        term[0 * stride + i] = jump*term_by_jump;
-        term[1 * stride + i] = term_by_jump;
-        term[2 * stride + i] = 0.0;
-    }
-}
-
-/*
- * Term of the effect ballbar_length: the bar is longer than it is said to be (shorter, where the length is negative).
- * Source: ballbar_length = length. Operations: 0 per point.
- * in context: 1 rows of stride, rad; theta: polar angle of a ball bar in the plane of its circle (theta)
- * in parameters: 1 values, mm; length: actual minus nominal length of the bar (length)
- * out term: 2 rows of stride, mm; the term in mm, then its derivative by length (term term_by_length)
- */
-void dmu60p_effect_ballbar_length(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    (void)context;
-    /* once per call */
-    const double length = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        term[0 * stride + i] = length;
-        term[1 * stride + i] = 1.0;
-    }
-}
-
-/*
- * Term of the effect ballbar_lobes: form error of the balls or of the bar's sockets: three lobes.
- * Source: ballbar_lobes = amplitude*cos(3*theta + phase). Operations: 7 per point.
- * in context: 1 rows of stride, rad; theta: polar angle of a ball bar in the plane of its circle (theta)
- * in parameters: 2 values, mm, rad; amplitude: amplitude; phase: phase at polar angle 0 (amplitude phase)
- * out term: 3 rows of stride, mm; the term in mm, then its derivative by amplitude, phase (term term_by_amplitude
- *     term_by_phase)
- */
-void dmu60p_effect_ballbar_lobes(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double amplitude = parameters[0];
-    const double phase = parameters[1];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double theta = context[0 * stride + i];
-        const double w0 = phase + 3.0*theta;
-        const double term_by_amplitude = cos(w0);
-        term[0 * stride + i] = amplitude*term_by_amplitude;
-        term[1 * stride + i] = term_by_amplitude;
-        term[2 * stride + i] = -amplitude*sin(w0);
+        unknowns[0 * stride + i] = -EAY*(q_wy + rW6y) - EAZ*(-q_Ty - rT11y) - EBY*(-q_wx - rW6x) - EBZ*(q_Tx +
+            rT11x) + EZZ + L1;
     }
 }

@@ -1,9 +1,11 @@
 /* Generated from machines/trunnion_mill.toml, do not edit; regenerate with: trueaxis derive machines/trunnion_mill.toml
+ * SPDX-License-Identifier: MIT
  * Kernels of Five-axis mill with a trunnion table: geometric error model in C17.
  * Spec: sha256 fff68e3a25ed33ff02fbf9ab6e0875735d9de644fc7b3d9d269b461961e2d9f2
  *
  * Row k of an array that has a value per point holds point i at [k * stride + i]; n <= stride points are computed.
- * Arrays must not overlap. Lengths mm, angles rad, rotary axes deg.
+ * Arrays must not overlap. Lengths mm, angles rad, positions of rotary axes deg.
+ * Equations after: Prediction and compensation of geometric error for translational axes in multi-axis machine tools
  */
 #include "kernels.h"
 
@@ -31,12 +33,6 @@ const char *trunnion_mill_spec_hash(void)
     return "fff68e3a25ed33ff02fbf9ab6e0875735d9de644fc7b3d9d269b461961e2d9f2";
 }
 
-/* 1 from 0 upwards, 0 below; NaN stays NaN. */
-static double step(double value)
-{
-    return value >= 0.0 ? 1.0 : value < 0.0 ? 0.0 : value;
-}
-
 /*
  * Ideal position of a tool point in the workpiece frame.
  * Source: Eqs. (1)-(4) without errors. Operations: 90 per point.
@@ -48,10 +44,10 @@ static double step(double value)
  */
 void trunnion_mill_tool_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -123,11 +119,11 @@ void trunnion_mill_tool_in_workpiece_ideal(
  */
 void trunnion_mill_tool_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -327,11 +323,11 @@ void trunnion_mill_tool_in_workpiece_deviation(
  */
 void trunnion_mill_tool_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -476,10 +472,10 @@ void trunnion_mill_tool_in_workpiece_deviation_first_order(
  */
 void trunnion_mill_tool_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -725,10 +721,10 @@ void trunnion_mill_tool_in_workpiece_sensitivity(
  */
 void trunnion_mill_tool_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -761,11 +757,11 @@ void trunnion_mill_tool_in_bed_ideal(
  */
 void trunnion_mill_tool_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -825,11 +821,11 @@ void trunnion_mill_tool_in_bed_deviation(
  */
 void trunnion_mill_tool_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -884,10 +880,10 @@ void trunnion_mill_tool_in_bed_deviation_first_order(
  */
 void trunnion_mill_tool_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -1044,10 +1040,10 @@ void trunnion_mill_tool_in_bed_sensitivity(
  */
 void trunnion_mill_workpiece_in_bed_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1113,11 +1109,11 @@ void trunnion_mill_workpiece_in_bed_ideal(
  */
 void trunnion_mill_workpiece_in_bed_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1244,11 +1240,11 @@ void trunnion_mill_workpiece_in_bed_deviation(
  */
 void trunnion_mill_workpiece_in_bed_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1366,10 +1362,10 @@ void trunnion_mill_workpiece_in_bed_deviation_first_order(
  */
 void trunnion_mill_workpiece_in_bed_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1574,10 +1570,10 @@ void trunnion_mill_workpiece_in_bed_sensitivity(
  */
 void trunnion_mill_bed_in_workpiece_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1641,11 +1637,11 @@ void trunnion_mill_bed_in_workpiece_ideal(
  */
 void trunnion_mill_bed_in_workpiece_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1805,11 +1801,11 @@ void trunnion_mill_bed_in_workpiece_deviation(
  */
 void trunnion_mill_bed_in_workpiece_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -1921,10 +1917,10 @@ void trunnion_mill_bed_in_workpiece_deviation_first_order(
  */
 void trunnion_mill_bed_in_workpiece_sensitivity(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict sensitivity)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT sensitivity)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -2147,11 +2143,11 @@ void trunnion_mill_bed_in_workpiece_sensitivity(
  */
 void trunnion_mill_tool_in_workpiece_position(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -2360,11 +2356,11 @@ void trunnion_mill_tool_in_workpiece_position(
  */
 void trunnion_mill_tool_in_workpiece_position_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict position)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT position)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -2515,9 +2511,9 @@ void trunnion_mill_tool_in_workpiece_position_first_order(
  */
 void trunnion_mill_tool_orientation_ideal(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict direction,
-    double *restrict ideal)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT ideal)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
@@ -2567,11 +2563,11 @@ void trunnion_mill_tool_orientation_ideal(
  */
 void trunnion_mill_tool_orientation_deviation(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0Y = parameters[12];
@@ -2715,11 +2711,11 @@ void trunnion_mill_tool_orientation_deviation(
  */
 void trunnion_mill_tool_orientation_deviation_first_order(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict direction,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT direction,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EC0Y = parameters[12];
@@ -2822,11 +2818,11 @@ void trunnion_mill_tool_orientation_deviation_first_order(
  */
 void trunnion_mill_tool_in_workpiece_deviation_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -3238,11 +3234,11 @@ void trunnion_mill_tool_in_workpiece_deviation_curves(
  */
 void trunnion_mill_tool_in_workpiece_deviation_first_order_curves(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict curves,
-    const double *restrict parameters,
-    const double *restrict point,
-    double *restrict deviation)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT curves,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    double *TRUEAXIS_RESTRICT deviation)
 {
     /* once per call */
     const double EXX_1 = curves[0];
@@ -3602,13 +3598,13 @@ void trunnion_mill_tool_in_workpiece_deviation_first_order_curves(
  */
 void trunnion_mill_ballbar_error(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict point,
-    const double *restrict ball,
-    const double *restrict length,
-    double *restrict error)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT point,
+    const double *TRUEAXIS_RESTRICT ball,
+    const double *TRUEAXIS_RESTRICT length,
+    double *TRUEAXIS_RESTRICT error)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -3829,9 +3825,9 @@ void trunnion_mill_ballbar_error(
  */
 void trunnion_mill_correction(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict deviation,
-    double *restrict moves)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT deviation,
+    double *TRUEAXIS_RESTRICT moves)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
         const size_t count = n - start < BLOCK ? n - start : BLOCK;
@@ -3882,11 +3878,11 @@ void trunnion_mill_correction(
  */
 void trunnion_mill_motion_X(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -3927,11 +3923,11 @@ void trunnion_mill_motion_X(
  */
 void trunnion_mill_motion_Y(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -3979,11 +3975,11 @@ void trunnion_mill_motion_Y(
  */
 void trunnion_mill_motion_Z(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -4026,11 +4022,11 @@ void trunnion_mill_motion_Z(
  */
 void trunnion_mill_motion_A(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Cx = parameters[3];
@@ -4112,11 +4108,11 @@ void trunnion_mill_motion_A(
  */
 void trunnion_mill_motion_C(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_wx = parameters[6];
@@ -4187,12 +4183,12 @@ void trunnion_mill_motion_C(
  */
 void trunnion_mill_motion_XY(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -4256,11 +4252,11 @@ void trunnion_mill_motion_XY(
  */
 void trunnion_mill_motion_XZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Tx = parameters[9];
@@ -4315,12 +4311,12 @@ void trunnion_mill_motion_XZ(
  */
 void trunnion_mill_motion_YZ(
     size_t n, size_t stride,
-    const double *restrict positions,
-    const double *restrict errors,
-    const double *restrict parameters,
-    const double *restrict workpiece_point,
-    const double *restrict tool_point,
-    double *restrict displacement)
+    const double *TRUEAXIS_RESTRICT positions,
+    const double *TRUEAXIS_RESTRICT errors,
+    const double *TRUEAXIS_RESTRICT parameters,
+    const double *TRUEAXIS_RESTRICT workpiece_point,
+    const double *TRUEAXIS_RESTRICT tool_point,
+    double *TRUEAXIS_RESTRICT displacement)
 {
     /* once per call */
     const double q_Ax = parameters[0];
@@ -4370,422 +4366,5 @@ void trunnion_mill_motion_YZ(
         displacement[0 * stride + i] = -EB0Z*z + EBY*w1 - EBZ*w2 - EC0Y*y - ECY*w3 + ECZ*w0 + EXY - EXZ;
         displacement[1 * stride + i] = EA0Z*z - EAY*w1 + EAZ*w2 + ECY*w4 - ECZ*w5 + EYY - EYZ + y;
         displacement[2 * stride + i] = EAY*w3 - EAZ*w0 - EBY*w4 + EBZ*w5 + EZY - EZZ - z;
-    }
-}
-
-/*
- * Term of the effect backlash: play or elastic wind-up in the drive (along the axis: lost motion) or in the guides
- * (across: lateral play).
- * Source: backlash = width/2*direction. Operations: 2 per point.
- * in context: 1 rows of stride, 1; direction: direction by which the axis came: +1, -1, 0 before it has moved (u: unit
- *     of the component, axis: of its axis) (direction)
- * in parameters: 1 values, u; width: lost motion: jump between the two directions of approach (u: unit of the
- *     component, axis: of its axis) (width)
- * out term: 2 rows of stride, u; the term in u, then its derivative by width (term term_by_width)
- */
-void trunnion_mill_effect_backlash(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double width = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double direction = context[0 * stride + i];
-        const double term_by_width = 0.5*direction;
-        term[0 * stride + i] = term_by_width*width;
-        term[1 * stride + i] = term_by_width;
-    }
-}
-
-/*
- * Term of the effect backlash_slope: lost motion that varies along the travel: a worn part of the screw, wind-up that
- * depends on its free length.
- * Source: backlash_slope = change*direction*(s - 1/2). Operations: 4 per point.
- * in context: 2 rows of stride, 1, 1; s: share of its travel, 0 at the lower end and 1 at the upper; direction:
- *     direction by which the axis came: +1, -1, 0 before it has moved (u: unit of the component, axis: of its axis) (s
- *     direction)
- * in parameters: 1 values, u; change: change of half the lost motion from one end of the travel to the other (u: unit
- *     of the component, axis: of its axis) (change)
- * out term: 2 rows of stride, u; the term in u, then its derivative by change (term term_by_change)
- */
-void trunnion_mill_effect_backlash_slope(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double change = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double s = context[0 * stride + i];
-        const double direction = context[1 * stride + i];
-        const double term_by_change = direction*(s - 0.5);
-        term[0 * stride + i] = change*term_by_change;
-        term[1 * stride + i] = term_by_change;
-    }
-}
-
-/*
- * Term of the effect cyclic: a periodic error: pitch of the screw, its coupling, an eccentric encoder, interpolation
- * of a scale.
- * Source: cyclic = amplitude*cos(2*pi*q/pitch + phase). Operations: 12 per point.
- * in context: 1 rows of stride, axis; q: commanded position of the axis (u: unit of the component, axis: of its axis)
- *     (q)
- * in parameters: 3 values, u, rad, axis; amplitude: amplitude; phase: phase at position 0; pitch: period (u: unit of
- *     the component, axis: of its axis) (amplitude phase pitch)
- * out term: 4 rows of stride, u; the term in u, then its derivative by amplitude, phase, pitch (term term_by_amplitude
- *     term_by_phase term_by_pitch)
- */
-void trunnion_mill_effect_cyclic(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double amplitude = parameters[0];
-    const double phase = parameters[1];
-    const double pitch = parameters[2];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double q = context[0 * stride + i];
-        const double w0 = 6.283185307179586*q;
-        const double w1 = phase + w0/pitch;
-        const double term_by_amplitude = cos(w1);
-        const double w2 = amplitude*sin(w1);
-        term[0 * stride + i] = amplitude*term_by_amplitude;
-        term[1 * stride + i] = term_by_amplitude;
-        term[2 * stride + i] = -w2;
-        term[3 * stride + i] = w0*w2/(pitch*pitch);
-    }
-}
-
-/*
- * Term of the effect thermal_expansion: a scale or screw that grows with its temperature.
- * Source: thermal_expansion = coefficient*q*T. Operations: 2 per point.
- * in context: 2 rows of stride, axis, K; q: commanded position of the axis; T: temperature less 20 degC (u: unit of
- *     the component, axis: of its axis) (q T)
- * in parameters: 1 values, u/axis/K; coefficient: expansion per kelvin (u: unit of the component, axis: of its axis)
- *     (coefficient)
- * out term: 2 rows of stride, u; the term in u, then its derivative by coefficient (term term_by_coefficient)
- */
-void trunnion_mill_effect_thermal_expansion(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double coefficient = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double q = context[0 * stride + i];
-        const double T = context[1 * stride + i];
-        const double term_by_coefficient = T*q;
-        term[0 * stride + i] = coefficient*term_by_coefficient;
-        term[1 * stride + i] = term_by_coefficient;
-    }
-}
-
-/*
- * Term of the effect thermal_offset: a structure that bends or shifts with its temperature.
- * Source: thermal_offset = coefficient*T. Operations: 1 per point.
- * in context: 1 rows of stride, K; T: temperature less 20 degC (u: unit of the component, axis: of its axis) (T)
- * in parameters: 1 values, u/K; coefficient: displacement or rotation per kelvin (u: unit of the component, axis: of
- *     its axis) (coefficient)
- * out term: 2 rows of stride, u; the term in u, then its derivative by coefficient (term term_by_coefficient)
- */
-void trunnion_mill_effect_thermal_offset(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double coefficient = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double T = context[0 * stride + i];
-        term[0 * stride + i] = T*coefficient;
-        term[1 * stride + i] = T;
-    }
-}
-
-/*
- * Term of the effect warm_up: a screw or scale that warms up by its own friction.
- * Source: warm_up = amplitude*s*exp(-t/tau). Operations: 7 per point.
- * in context: 2 rows of stride, 1, s; s: share of its travel, 0 at the lower end and 1 at the upper; t: time of the
- *     reading (u: unit of the component, axis: of its axis) (s t)
- * in parameters: 2 values, u, s; amplitude: growth still to come at time 0, at the upper end of the travel; tau: time
- *     constant (u: unit of the component, axis: of its axis) (amplitude tau)
- * out term: 3 rows of stride, u; the term in u, then its derivative by amplitude, tau (term term_by_amplitude
- *     term_by_tau)
- */
-void trunnion_mill_effect_warm_up(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double amplitude = parameters[0];
-    const double tau = parameters[1];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double s = context[0 * stride + i];
-        const double t = context[1 * stride + i];
-        const double term_by_amplitude = s*exp(-t/tau);
-        const double term_ = amplitude*term_by_amplitude;
-        term[0 * stride + i] = term_;
-        term[1 * stride + i] = term_by_amplitude;
-        term[2 * stride + i] = t*term_/(tau*tau);
-    }
-}
-
-/*
- * Term of the effect drift: something creeps while it is measured: temperature, foundation, fixture.
- * Source: drift = rate*t. Operations: 1 per point.
- * in context: 1 rows of stride, s; t: time of the reading (u: unit of the component, axis: of its axis) (t)
- * in parameters: 1 values, u/s; rate: change per second (u: unit of the component, axis: of its axis) (rate)
- * out term: 2 rows of stride, u; the term in u, then its derivative by rate (term term_by_rate)
- */
-void trunnion_mill_effect_drift(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double rate = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double t = context[0 * stride + i];
-        term[0 * stride + i] = rate*t;
-        term[1 * stride + i] = t;
-    }
-}
-
-/*
- * Term of the effect servo_lag: following error of the position loop; only its difference between axes shows in a
- * circle.
- * Source: servo_lag = -tau*v. Operations: 3 per point.
- * in context: 1 rows of stride, axis/s; v: its velocity while the reading is taken, 0 where it stands (u: unit of the
- *     component, axis: of its axis) (v)
- * in parameters: 1 values, s; tau: time by which the axis follows behind its command, beyond that of the others (u:
- *     unit of the component, axis: of its axis) (tau)
- * out term: 2 rows of stride, u; the term in u, then its derivative by tau (term term_by_tau)
- */
-void trunnion_mill_effect_servo_lag(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double tau = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double v = context[0 * stride + i];
-        term[0 * stride + i] = -tau*v;
-        term[1 * stride + i] = -v;
-    }
-}
-
-/*
- * Term of the effect reversal_spike: friction that the position loop has to overcome at a reversal (quadrant glitch).
- * Source: reversal_spike = height*direction*exp(-d/decay). Operations: 7 per point.
- * in context: 2 rows of stride, 1, axis; direction: direction by which the axis came: +1, -1, 0 before it has moved;
- *     d: distance since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis)
- *     (direction d)
- * in parameters: 2 values, u, axis; height: height right after the reversal; decay: way over which it dies away (u:
- *     unit of the component, axis: of its axis) (height decay)
- * out term: 3 rows of stride, u; the term in u, then its derivative by height, decay (term term_by_height
- *     term_by_decay)
- */
-void trunnion_mill_effect_reversal_spike(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double height = parameters[0];
-    const double decay = parameters[1];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double direction = context[0 * stride + i];
-        const double d = context[1 * stride + i];
-        const double term_by_height = direction*exp(-d/decay);
-        const double term_ = height*term_by_height;
-        term[0 * stride + i] = term_;
-        term[1 * stride + i] = term_by_height;
-        term[2 * stride + i] = d*term_/(decay*decay);
-    }
-}
-
-/*
- * Term of the effect cross_axis: a body that bends under another one: the component error of one axis depends on where
- * another axis stands.
- * Source: cross_axis = k*s*s_b^2. Operations: 3 per point.
- * in context: 2 rows of stride, 1, 1; s: share of its travel, 0 at the lower end and 1 at the upper; s_b: share of its
- *     travel, 0 at the lower end and 1 at the upper (the other axis) (u: unit of the component, axis: of its axis) (s
- *     s_b)
- * in parameters: 1 values, u; k: value at the far ends of both travels (u: unit of the component, axis: of its axis)
- *     (k)
- * out term: 2 rows of stride, u; the term in u, then its derivative by k (term term_by_k)
- */
-void trunnion_mill_effect_cross_axis(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double k = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double s = context[0 * stride + i];
-        const double s_b = context[1 * stride + i];
-        const double term_by_k = s*(s_b*s_b);
-        term[0 * stride + i] = k*term_by_k;
-        term[1 * stride + i] = term_by_k;
-    }
-}
-
-/*
- * Term of the effect laser_cosine: the laser beam was not parallel to the motion: it reads short.
- * Source: laser_cosine = -angle^2/2*along. Operations: 6 per point.
- * in context: 1 rows of stride, mm; along: ideal displacement that the instrument senses, since home (along)
- * in parameters: 1 values, rad; angle: angle between beam and motion (angle)
- * out term: 2 rows of stride, mm; the term in mm, then its derivative by angle (term term_by_angle)
- */
-void trunnion_mill_effect_laser_cosine(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double angle = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double along = context[0 * stride + i];
-        term[0 * stride + i] = -0.5*along*(angle*angle);
-        term[1 * stride + i] = -along*angle;
-    }
-}
-
-/*
- * Term of the effect laser_scale: wavelength of the laser: air temperature, pressure or humidity were not what was
- * entered.
- * Source: laser_scale = k*along. Operations: 1 per point.
- * in context: 1 rows of stride, mm; along: ideal displacement that the instrument senses, since home (along)
- * in parameters: 1 values, 1; k: relative error of all laser distances (k)
- * out term: 2 rows of stride, mm; the term in mm, then its derivative by k (term term_by_k)
- */
-void trunnion_mill_effect_laser_scale(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double k = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        const double along = context[0 * stride + i];
-        term[0 * stride + i] = along*k;
-        term[1 * stride + i] = along;
-    }
-}
-
-/*
- * Term of the effect laser_step: something slipped or lost counts in the middle of a run.
- * Source: laser_step = jump*step(t - t_0). Operations: 3 per point.
- * in context: 1 rows of stride, s; t: time of the reading (t)
- * in parameters: 2 values, mm, s; jump: height of the jump; t_0: moment of the jump (jump t_0)
- * out term: 3 rows of stride, mm; the term in mm, then its derivative by jump, t_0 (term term_by_jump term_by_t_0)
- */
-void trunnion_mill_effect_laser_step(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double jump = parameters[0];
-    const double t_0 = parameters[1];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double t = context[0 * stride + i];
-        const double term_by_jump = step(t - t_0);
-        term[0 * stride + i] = jump*term_by_jump;
-        term[1 * stride + i] = term_by_jump;
-        term[2 * stride + i] = 0.0;
-    }
-}
-
-/*
- * Term of the effect ballbar_length: the bar is longer than it is said to be (shorter, where the length is negative).
- * Source: ballbar_length = length. Operations: 0 per point.
- * in context: 1 rows of stride, rad; theta: polar angle of a ball bar in the plane of its circle (theta)
- * in parameters: 1 values, mm; length: actual minus nominal length of the bar (length)
- * out term: 2 rows of stride, mm; the term in mm, then its derivative by length (term term_by_length)
- */
-void trunnion_mill_effect_ballbar_length(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    (void)context;
-    /* once per call */
-    const double length = parameters[0];
-    /* per point */
-    POINTS_ARE_INDEPENDENT
-    for (size_t i = 0; i < n; ++i) {
-        term[0 * stride + i] = length;
-        term[1 * stride + i] = 1.0;
-    }
-}
-
-/*
- * Term of the effect ballbar_lobes: form error of the balls or of the bar's sockets: three lobes.
- * Source: ballbar_lobes = amplitude*cos(3*theta + phase). Operations: 7 per point.
- * in context: 1 rows of stride, rad; theta: polar angle of a ball bar in the plane of its circle (theta)
- * in parameters: 2 values, mm, rad; amplitude: amplitude; phase: phase at polar angle 0 (amplitude phase)
- * out term: 3 rows of stride, mm; the term in mm, then its derivative by amplitude, phase (term term_by_amplitude
- *     term_by_phase)
- */
-void trunnion_mill_effect_ballbar_lobes(
-    size_t n, size_t stride,
-    const double *restrict context,
-    const double *restrict parameters,
-    double *restrict term)
-{
-    /* once per call */
-    const double amplitude = parameters[0];
-    const double phase = parameters[1];
-    /* per point */
-    for (size_t i = 0; i < n; ++i) {
-        const double theta = context[0 * stride + i];
-        const double w0 = phase + 3.0*theta;
-        const double term_by_amplitude = cos(w0);
-        term[0 * stride + i] = amplitude*term_by_amplitude;
-        term[1 * stride + i] = term_by_amplitude;
-        term[2 * stride + i] = -amplitude*sin(w0);
     }
 }

@@ -2,6 +2,7 @@
 
 import argparse
 import importlib
+import keyword
 import logging
 import os
 import re
@@ -15,7 +16,21 @@ from trueaxis.plain_text import shown
 from trueaxis.stopping import Stopped
 from trueaxis.told import NOT_DELIVERED, StandardStreams
 
-COMMANDS = ("derive", "predict", "simulate", "plan", "identify", "fit", "compensate", "diagnose", "evaluate", "demo")
+COMMANDS = (
+    "init",
+    "derive",
+    "predict",
+    "simulate",
+    "plan",
+    "identify",
+    "fit",
+    "compensate",
+    "diagnose",
+    "evaluate",
+    "import",
+    "export",
+    "demo",
+)
 WRONG_INPUT = 2
 INTERRUPTED = 130  # as shells have it
 # threads of linear algebra, unless the user says otherwise: more of them cost more than they gain on matrices of our
@@ -35,8 +50,13 @@ def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"trueaxis {__version__}")
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for name in commands:
-        importlib.import_module(f"trueaxis.commands.{name}").add_parser(subparsers)
+        importlib.import_module(module_of(name)).add_parser(subparsers)
     return parser
+
+
+def module_of(command: str) -> str:
+    """The module of a command: `import` is a word of Python."""
+    return f"trueaxis.commands.{command}_" if keyword.iskeyword(command) else f"trueaxis.commands.{command}"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

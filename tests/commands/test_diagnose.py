@@ -15,7 +15,7 @@ from tests.machines import DMU60P, ROOT
 from trueaxis.cli import main
 from trueaxis.commands.progress import progress
 from trueaxis.measure.setup import Run
-from trueaxis.plan.extended import _table
+from trueaxis.measure.setup_writer import run_table
 from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.told import Told
 
@@ -58,7 +58,7 @@ def plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
             signs = ",".join(str(way if a in moving else 0) for a in "XYZ")
             rows.append(f"{run.id},{seq},{clock:.1f},{at['X']:.4f},{at['Y']:.4f},{at['Z']:.4f},{signs},")
             clock += 7.0
-    (folder / "setup.toml").write_text('schema = 1\nmachine = "dmu60p"\n\n' + "\n".join(_table(run) for run in runs))
+    (folder / "setup.toml").write_text('schema = 1\nmachine = "dmu60p"\n\n' + "\n".join(run_table(run) for run in runs))
     (folder / "readings.csv").write_text("\n".join(rows) + "\n")
     out = folder / "read"
     words = ["simulate", str(DMU60P), "--errors", str(ERRORS), "--data", str(folder), "--out", str(out)]

@@ -3,9 +3,11 @@
 import shutil
 import subprocess
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -16,20 +18,23 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.effects.expressions import NAMES, SYMBOLS, Drawn, expressions
-from tests.kernels import kernels_at
+from tests.kernels import kernels_at, model_of
 from tests.machines import DMU60P, machine_at
-from trueaxis.derive.effect_terms import effect_routines
+from tests.spec.test_effects import effect
+from trueaxis.derive.effect_terms import effect_routines, library_routines
 from trueaxis.derive.routine import Routine
 from trueaxis.effects.evaluate import evaluate
 from trueaxis.effects.expression import parse
-from trueaxis.effects.kind import Kind, Parameter
+from trueaxis.effects.kind import Effect, Kind, Parameter
 from trueaxis.effects.library import BY_NAME, KINDS
 from trueaxis.effects.placement import context_of
 from trueaxis.effects.tokens import LONGEST
 from trueaxis.effects.variables import FARTHEST
 from trueaxis.emit.c_source import c_header, c_source
+from trueaxis.emit.effect_library import FILE, library_source
 from trueaxis.emit.meta import ABI
 from trueaxis.emit.numpy_source import numpy_source
+from trueaxis.runtime import effect_library
 from trueaxis.runtime.c_kernels import load_c_kernels
 from trueaxis.runtime.compiler import find_compiler
 from trueaxis.spec import Machine
@@ -38,6 +43,7 @@ FloatArray = npt.NDArray[np.float64]
 Kernel = Callable[[FloatArray, FloatArray], FloatArray]
 COMPILER = pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
 BACKENDS = ["numpy", pytest.param("c", marks=COMPILER)]
+LIBRARY: Any = effect_library
 TERMS = [kind for kind in KINDS if kind.expression]
 # Parameters named as things of Python, NumPy, C and of the loops are.
 HOSTILE = (
@@ -87,8 +93,10 @@ def executed(machine: Machine, routines: tuple[Routine, ...]) -> ModuleType:
     return module
 
 
-def kernels_of(backend: str, machine: Machine, folder: Path) -> Callable[[str], Kernel]:
-    routines = effect_routines(machine)
+def kernels_of(
+    backend: str, machine: Machine, folder: Path, routines: tuple[Routine, ...] = ()
+) -> Callable[[str], Kernel]:
+    routines = routines or effect_routines(machine)
     if backend == "c":
         return compiled(folder, machine, routines).__getitem__
     module = executed(machine, routines)
@@ -97,7 +105,7 @@ def kernels_of(backend: str, machine: Machine, folder: Path) -> Callable[[str], 
 
 @pytest.fixture(scope="module", params=BACKENDS)
 def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Kernel]:
-    return kernels_of(request.param, machine_at(DMU60P), tmp_path_factory.mktemp(request.param))
+    return kernels_of(request.param, machine_at(DMU60P), tmp_path_factory.mktemp(request.param), library_routines())
 
 
 SIZES = {
@@ -158,14 +166,40 @@ def test_what_is_unknown_stays_unknown(library: Callable[[str], Kernel]) -> None
 
 
 def test_the_record_tells_context_parameters_and_place() -> None:
-    record = kernels_at(DMU60P).META["effects"]
-    assert record["terms"] == []
+    record = LIBRARY.META["effects"]
     assert record["kinds"].keys() == BY_NAME.keys()
     spike = {"place": "component", "context": ["direction", "d"], "parameters": ["height", "decay"]}
     assert record["kinds"]["reversal_spike"] == spike
     assert record["kinds"]["point_offset"] == {"place": "point", "context": [], "parameters": ["x", "y", "z"]}
-    routines = {name for name in kernels_at(DMU60P).META["routines"] if name.startswith("effect_")}
-    assert routines == {f"effect_{kind.name}" for kind in TERMS}
+    assert LIBRARY.META["routines"].keys() == {f"effect_{kind.name}" for kind in TERMS}
+
+
+def test_the_library_is_as_it_is_emitted() -> None:
+    assert FILE.read_text(encoding="utf-8") == library_source(), "run: python -m trueaxis.emit.effect_library"
+
+
+def test_a_machine_has_the_effects_of_its_spec_alone() -> None:
+    none = kernels_at(DMU60P).META
+    assert (none["effects"], [n for n in none["routines"] if n.startswith("effect_")]) == (
+        {"kinds": {}, "terms": []},
+        [],
+    )
+    tables = effect(kind="backlash", component="EXX") + effect(kind="backlash", component="EYY")
+    one = model_of(DMU60P.read_text() + tables + effect(kind="laser_cosine"))
+    names = [routine.name for routine in one.routines if routine.name.startswith("effect_")]
+    assert names == ["effect_backlash", "effect_laser_cosine"]
+    own_kinds = effect_routines(machine_with([own("k*s + p")]))
+    assert [routine.name for routine in own_kinds] == ["effect_own"]
+
+
+def test_a_term_is_the_same_from_the_machine_s_kernels_and_from_the_library() -> None:
+    machine = machine_at(DMU60P)
+    with_effect = replace(machine, effects=(Effect("cyclic", "EXX"),))
+    module = executed(with_effect, effect_routines(with_effect))
+    context, parameters = np.array([[10.0, 20.0, 33.0]]), np.array([0.002, 0.3, 10.0])
+    found, expected = (each.effect_cyclic(context, parameters) for each in (module, effect_library))
+    np.testing.assert_array_equal(found, expected)
+    assert np.ptp(found[0]) > 0
 
 
 def own(text: str, parameters: Sequence[str] = ("k", "p")) -> Kind:
@@ -257,7 +291,7 @@ def test_parameters_may_have_the_names_of_other_things(backend: str, tmp_path: P
 def test_c_of_effects_compiles_without_a_warning(text: str, tmp_path: Path) -> None:
     # Own kinds beside the library's, and alone: helpers that nothing calls would be a warning.
     machine = machine_with([own(text, ("k",))])
-    for routines in (effect_routines(machine), effect_routines(machine)[-1:]):
+    for routines in (library_routines() + effect_routines(machine), effect_routines(machine)):
         (tmp_path / "kernels.c").write_text(c_source(machine, routines))
         (tmp_path / "kernels.h").write_text(c_header(machine, routines))
         strict = ("-std=c17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wmissing-prototypes", "-Wunused-function")

@@ -11,7 +11,7 @@ from trueaxis.emit.equations import equations_page
 
 def section(*tables: str, text: str = "") -> str:
     page = equations_page(model_of((text or DMU60P.read_text()) + "".join(tables)))
-    return page[page.index("## Effects") :]
+    return page[page.index("## Effects") : page.index("## Kernels")]
 
 
 def test_a_machine_without_effects_has_no_such_section() -> None:
@@ -72,6 +72,6 @@ def test_hostile_texts_leave_markdown_and_maths_whole() -> None:
 
 def test_a_squareness_needs_no_equation_of_its_own() -> None:
     page = equations_page(model_of(DMU60P.read_text() + effect(kind="squareness", component="EB0X")))
-    assert r"| $\mathrm{EB0X}$ | `EB0X` | rad | location error, rotation about Y" in page
+    assert r'| $\mathrm{EB0X}$ | <a id="EB0X"></a>`EB0X` | rad | location error, rotation about Y' in page
     assert "### 1. squareness EB0X" in page
-    assert not list(blocks(page[page.index("## Effects") :]))
+    assert not list(blocks(page[page.index("## Effects") : page.index("## Kernels")]))

@@ -10,6 +10,8 @@ from tests.worlds.estimates import TOOL, World, deviations, outcome, rms_um, wor
 from tests.worlds.readings import measure
 from tests.worlds.truth import draw_machine, random_points
 from trueaxis.estimation.estimate import Estimate, estimate
+from trueaxis.estimation.layout import layout_of
+from trueaxis.measure.setup import Device
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.spec.machine import LINEAR
@@ -114,3 +116,27 @@ def test_readings_that_hold_nothing_are_refused(small: World) -> None:
     )
     with pytest.raises(ValueError, match="no reading holds an error of the machine"):
         estimate(small.model, small.plan, known)
+
+
+def test_balls_are_set_up_once_a_session_and_lengths_are_as_stated(small: World) -> None:
+    bar = Device(id="B", length_u=1e-4)
+    runs = tuple(
+        replace(run, session="one" if place % 2 else "two", device=bar) for place, run in enumerate(small.plan.runs)
+    )
+    data = measure(small.design, draw_machine(small.design.machine, 5), 5)
+    observed = replace(small.plan, reading=data.reading.copy(), runs=runs)
+    plain = layout_of(small.model, small.plan, given(small))
+    layout = layout_of(small.model, observed, given(small))
+    assert {one.kind for one in plain.shared} == {"ballbar centre", "ballbar length"}
+    assert {one.kind for one in layout.shared} == {"ballbar centre", "stated length"}
+    assert all(len({runs[index].session for index in one.runs}) == 1 for one in layout.shared)
+    assert {one.size for one in layout.shared if one.kind == "stated length"} == {1e-4}
+
+
+def test_a_noise_that_is_stated_is_not_estimated(small: World) -> None:
+    data = measure(small.design, draw_machine(small.design.machine, 5), 5)
+    observed = replace(small.plan, reading=data.reading.copy())
+    stated = dict.fromkeys(range(len(observed.runs)), 0.0005)
+    found = estimate(small.model, observed, given(small), stated)
+    assert set(found.scales.values()) == {5e-4}
+    assert all(noise.sigma == 1.0 for noise in found.noise.values())

@@ -27,10 +27,15 @@ from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
 from trueaxis.emit.effect_check import faults_of_kinds
 from trueaxis.emit.numpy_source import numpy_source
-from trueaxis.faults import Faults
+from trueaxis.faults import Faults, InputError
+from trueaxis.instrument_files.data_folder import readings_bytes, setup_text
+from trueaxis.instrument_files.data_run import data_run, renamed
+from trueaxis.instrument_files.read import read_instrument_file
+from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.iso230_2.evaluation import evaluate
 from trueaxis.iso230_2.read import read_positioning_test
 from trueaxis.measure import table
+from trueaxis.measure.data import read_data
 from trueaxis.measure.points import read_points
 from trueaxis.measure.readings_reader import read_readings
 from trueaxis.measure.setup_reader import read_setup
@@ -125,6 +130,24 @@ def _tools(path: Path, _: Machine) -> object:
     return read_tools(path)
 
 
+def _instrument(path: Path, machine: Machine) -> object:
+    """What `import` makes of the file reads back as a data folder."""
+    given = {f"at.{axis}": repr(sum(machine.travel[axis]) / 2) for axis in machine.axes}
+    given |= {"axis": machine.axes[0], "target.point": "0,0,0", "reference.point": "0,0,0", "direction": "1,0,0"}
+    keys = UserKeys(given | {"length": "0.5", "plane": "XY", "unit.reading": "um"})
+    sources = read_instrument_file(path, None, keys)
+    runs = [data_run(source, machine, keys, lambda _, point: point) for source in sources]
+    if faults := [*keys.faults, *(question.fault for question in keys.questions)]:
+        raise InputError(faults)
+    ready = renamed(tuple(run for run in runs if run is not None))
+    folder = path.with_suffix(".imported")
+    folder.mkdir()
+    (folder / "setup.toml").write_text(setup_text(ready, machine.name, None))
+    (folder / "readings.csv").write_bytes(readings_bytes(ready, machine.axes))
+    read_data(folder, machine)  # raises InputError of another file where it does not
+    return ready
+
+
 _MODEL = ("IN/machine.toml", "--errors", "IN/errors.json", "--kernels", "KERNELS")
 _PREDICT = ("predict", *_MODEL, "--at", "IN/points.csv", "--out", "OUT/p.csv")
 _WITH_U = (*_PREDICT, "--covariance", "IN/errors.npz")
@@ -135,6 +158,7 @@ _COMPENSATE = ("compensate", *_MODEL, "--report", "OUT/r.json", "--out", "OUT/p.
 _FIT = ("fit", "IN/machine.toml", "--errors", "IN/errors.json", "--out", "OUT/e.json")
 _PLAN = ("plan", "IN/machine.toml", "--kernels", "KERNELS", "--data", "IN/data")
 _DIAGNOSE = ("diagnose", *_MODEL, "--data", "IN/data", "--out", "OUT/found")
+_IMPORT = ("import", "IN/laser.csv", "--machine", "IN/machine.toml", "--out", "OUT/data", "--kernels", "KERNELS")
 _EVALUATE = ("evaluate", "--out", "OUT/e.json")
 
 READERS = (
@@ -163,6 +187,9 @@ READERS = (
     Reader("tools-toml", "tools.toml", _tools, (*_COMPENSATE, "--tools", "IN/tools.toml", "IN/program.nc")),
     Reader("iso230-table", "test.csv", _positioning_test, (*_EVALUATE, "IN/test.csv")),
     Reader("iso230-dat", "test.dat", _positioning_test, (*_EVALUATE, "IN/test.dat")),
+    Reader("rtl", "laser.rtl", _instrument),
+    Reader("laser-csv", "laser.csv", _instrument, (*_IMPORT, "--map", "target.point=0,0,0", "direction=0,0,1")),
+    Reader("ballbar-csv", "bar.csv", _instrument),
 )
 # What the watch over the process must see: a reader that does not return, and one that takes the process with it.
 DRILLS = (

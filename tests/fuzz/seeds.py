@@ -11,6 +11,7 @@ import numpy as np
 import polars as pl
 
 from tests.fuzz.expressions import expression
+from tests.instrument_files.writers import rtl
 from tests.machines import ROOT, machine_of
 from trueaxis.runtime.bases import LegendreBasis
 from trueaxis.runtime.covariance import Covariance, dump_covariance
@@ -82,6 +83,9 @@ def valid_files(spec: str, draw: Random) -> dict[str, bytes]:
         "tools.toml": b"[tool.1]\nlength = 5.0\n[tool.2]\nlength = 7.25\npoint = [0.0, 0.0, -7.25]\n",
         "test.csv": _positioning(draw).encode(),
         "test.dat": _dat(draw).encode(),
+        "laser.rtl": _rtl(machine, draw),
+        "laser.csv": _laser(machine, draw).encode(),
+        "bar.csv": _bar(draw).encode(),
     }
 
 
@@ -232,6 +236,34 @@ def _dat(draw: Random) -> str:
         for j in (1, 2)
     ]
     return "\n".join(lines) + "\n"
+
+
+def _rtl(machine: Machine, draw: Random) -> bytes:
+    targets = [round(low + share * (high - low), 3) for low, high in [machine.travel[machine.axes[0]]]
+               for share in (0.1, 0.3, 0.5, 0.6, 0.8, 0.9)]  # fmt: skip
+    deviations = np.array([[draw.gauss(0, 1) for _ in targets] for _ in range(4)])
+    return rtl(targets, deviations, axis=draw.choice(("", machine.axes[0]))).encode(draw.choice(("utf-8", "gbk")))
+
+
+def _laser(machine: Machine, draw: Random) -> str:
+    first = machine.axes[0]
+    low, high = machine.travel[first]
+    mark, point = draw.choice(((";", ","), ("\t", "."), (",", ".")))
+    head = [f"{axis} [{'mm' if axis in 'XYZ' else 'deg'}]" for axis in machine.axes]
+    lines = ["run", *head, "Time [s]", "Error [um]"]
+    rows = [mark.join(lines)]
+    for run in ("one", "two"):
+        for number in range(6):
+            at = [low + number * (high - low) / 5 if axis == first else sum(machine.travel[axis]) / 2
+                  for axis in machine.axes]  # fmt: skip
+            cells = [*(f"{value:.3f}" for value in at), str(number), f"{draw.gauss(0, 1):.4f}"]
+            rows.append(mark.join([run, *(cell.replace(".", point) for cell in cells)]))
+    return "\r\n".join(rows) + "\r\n"
+
+
+def _bar(draw: Random) -> str:
+    rows = [f"{angle};{draw.gauss(0, 3):.2f};1000".replace(".", ",") for angle in range(0, 361, 30)]
+    return "\n".join(["Ball bar, 150 mm", "Angle [deg];Deviation [um];Feed [mm/min]", *rows]) + "\n"
 
 
 def write_all(folder: Path, files: dict[str, bytes]) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 from . import claims_systems as systems
 from .claims_squareness import cases
 from .errata import ERRATA
+from .notation import Definition
 from .numeric import counterexample
 from .printed import EQUATIONS
 from .printed.tables import IMPROVEMENTS, POINTS_SINGLE
@@ -42,9 +43,14 @@ def counterexamples() -> str:
 
 
 def agreeing() -> list[int]:
-    """Numbers of the equations that no erratum touches."""
+    """Numbers of the equations that are compared and that no erratum touches."""
     touched = {mend.source for erratum in ERRATA for mend in erratum.mends}
-    return [int(item.number) for item in EQUATIONS if item.number not in touched]
+    return [int(i.number) for i in EQUATIONS if i.number not in touched and i.number not in definitions()]
+
+
+def definitions() -> list[int]:
+    """Numbers of the equations that only define their left-hand side: there is nothing to compare."""
+    return [int(item.number) for item in EQUATIONS if all(isinstance(part, Definition) for part in item.parts)]
 
 
 def ranks() -> str:
@@ -135,6 +141,7 @@ def main() -> None:
     for title, make in TABLES.items():
         print(f"## {title}\n\n{make()}\n")
     print("Equations without an entry:", ", ".join(f"({n})" for n in agreeing()))
+    print("Definitions:", ", ".join(f"({n})" for n in definitions()))
 
 
 if __name__ == "__main__":

@@ -9,8 +9,11 @@ import sympy as sp
 
 from . import chain
 from .claims_systems import single_axis_matrices
-from .notation import DIRECTIONS, SQUARENESS
-from .printed.tables import MOTIONS
+from .notation import DIRECTIONS, Formula
+from .printed import EQUATIONS
+from .printed.compensation import BAR_LENGTH, PLANE, STROKES
+from .printed.polynomials import MODEL_NAMES
+from .printed.tables import MOTIONS, TRANSFORMS
 
 LOWER_BODY = {2: 1, 3: 2, 4: 2, 5: 1, 6: 5, 7: 6, 8: 7, 9: 6}
 """Fig. 2 and Sect. 2.1: bodies 3, 7, 8 stand on 2 and 6; workpiece and tool are taken as fixed to these."""
@@ -33,16 +36,18 @@ def _table_1() -> dict[str, object]:
     For Z, which has no horizontal plane of its own, the paper calls the rotation about X pitch; that about Y remains.
     """
     cells = {
-        "positioning": tuple(f"delta_{a}({a})" for a in DIRECTIONS),
-        "roll": tuple(f"epsilon_{a}({a})" for a in DIRECTIONS),
-        "squareness": ("epsilon_xy", "epsilon_xz", "epsilon_yz"),
+        "Positioning error": tuple(f"delta_{a}({a})" for a in DIRECTIONS),
+        "Roll error": tuple(f"epsilon_{a}({a})" for a in DIRECTIONS),
     }
+    for first, second in ("xy", "xz", "yz"):
+        # One squareness has no axis of its own: the table has it once, in its first column.
+        cells[f"{first.upper()}{second.upper()} axis perpendicularity error"] = (f"epsilon_{first}{second}", "", "")
     for d in DIRECTIONS:
-        cells[f"straightness, {d} direction"] = tuple("" if a == d else f"delta_{d}({a})" for a in DIRECTIONS)
+        cells[f"{d} direction"] = tuple("" if a == d else f"delta_{d}({a})" for a in DIRECTIONS)
     pitch = {"x": "y", "y": "x", "z": "x"}
-    cells["pitch"] = tuple(f"epsilon_{pitch[a]}({a})" for a in DIRECTIONS)
+    cells["Pitch error"] = tuple(f"epsilon_{pitch[a]}({a})" for a in DIRECTIONS)
     rest = {a: next(d for d in reversed(DIRECTIONS) if d not in (a, pitch[a])) for a in DIRECTIONS}
-    cells["yaw"] = tuple(f"epsilon_{rest[a]}({a})" for a in DIRECTIONS)
+    cells["Yaw error"] = tuple(f"epsilon_{rest[a]}({a})" for a in DIRECTIONS)
     return dict(cells)
 
 
@@ -95,7 +100,6 @@ def _point_tables() -> dict[tuple[int | str, str], object]:
         ("Table 5", "point names, XZ"): tuple(f"P_k{i} r_k{i}" for i in (1, 2)),
         ("Table 5", "point names, XY"): tuple(f"P_{i} r_{end}{i}" for i in (1, 2) for end in "lk"),
         ("Table 5", "point names, YZ"): tuple(f"P_1 r_{end}1" for end in "lk"),
-        ("Table 6", "parameters"): tuple(str(e) for e in SQUARENESS),
     }
 
 
@@ -109,14 +113,32 @@ def follows() -> dict[tuple[int | str, str], object]:
         (2, "expanded product"): branch(WORKPIECE),
         (3, "body whose lower bodies run to the bed"): TOOL,
         (3, "expanded product"): branch(TOOL),
-        (4, "product"): ("inverse SBW", "SBT", "P_T"),
-        (36, "wording: theta is the angle to"): "Z axis",
-        (36, "wording: projections named"): ("L_iyh", "L_izh"),
-        (39, "wording: P_uv is the offset curve of"): ("v axis", "u direction"),
+        ("Sect. 2.1", "axes that carry C and B"): _carriers(),
+        (47, "matrix that it defines"): MODEL_NAMES[1],
+        ("Table 7", "full circle of the bar within the strokes"): _circle_fits(),
+        (36, "projections named in the text"): _left_sides(36, "L_"),
     }
     for table, cells in (("Table 1", _table_1()), ("Table 2", _table_2()), ("Table 3", _table_3())):
         result |= {(table, label): cell for label, cell in cells.items()}
     return result | _point_tables()
+
+
+def _carriers() -> tuple[str, ...]:
+    """By Table 2 the workpiece, which stands on C, goes with one axis, the tool, which hangs on B, with another."""
+    axis = {body: name for name, body in AXIS_BODY.items()}
+    lower = {int(name[2]): int(name[1]) for name in TRANSFORMS}
+    return tuple(axis[lower[end]] for end in (WORKPIECE, TOOL))
+
+
+def _circle_fits() -> bool:
+    """A whole circle of the bar's length about one ball needs twice that length in both axes of its plane."""
+    return all(STROKES[axis] >= 2 * BAR_LENGTH for axis in PLANE)
+
+
+def _left_sides(equation: int, head: str) -> tuple[str, ...]:
+    """The names that a printed equation itself gives to its left-hand sides."""
+    parts = next(item.parts for item in EQUATIONS if item.number == equation)
+    return tuple(str(p.lhs) for p in parts if isinstance(p, Formula) and str(p.lhs).startswith(head))
 
 
 def _roles() -> tuple[str, str]:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
+from .errata_of_data import OF_SQUARENESS_AND_DATA
 from .mending import Erratum, Kind, Mend, add, coordinates, on_left, on_right, rename, times
-from .notation import DIRECTIONS, EPS_YZ, Z_H, delta, eps, place, r, reading
+from .notation import DIRECTIONS, delta, eps, place, r, reading
 from .printed.linkage_xz import BASE, THETA, ideal_length, straightness
 from .printed.model import position_symbols, tool_point
-from .printed.squareness import DENOMINATOR, INDEX, OFFSETS, P, V, positions, total
 from .printed.tables import TRANSFORMS
 
 LETTER_L = rename(
@@ -80,30 +80,24 @@ def _table_2_corner(name: str) -> Mend:
     return Mend("Table 2", name, instead=corrected.as_immutable())
 
 
-def _step(expression: sp.Expr) -> sp.Expr:
-    steps = {positions(a)[INDEX]: positions(a)[INDEX] - positions(a)[INDEX - 1] for a in DIRECTIONS}
-    return expression.xreplace(steps)
-
-
-_LAST_SUM = total(V[INDEX]) * (total(V[INDEX] * P[INDEX]) - total(P[INDEX])) / DENOMINATOR
-
-
 ERRATA: tuple[Erratum, ...] = (
     Erratum(
         1,
         "Table 1",
         Kind.MISPRINT,
         "yaw of Z is ε_y(z), not ε_y(y)",
-        (Mend("Table 1", "yaw", instead=("epsilon_z(x)", "epsilon_z(y)", "epsilon_y(z)")),),
+        (Mend("Table 1", "Yaw error", instead=("epsilon_z(x)", "epsilon_z(y)", "epsilon_y(z)")),),
     ),
     Erratum(
         2,
         "Table 1",
         Kind.RECOGNITION,
-        "straightness cells have moved one column to the left",
+        "straightness rows y and z have their first error under Y, row yaw all its errors a column to the left",
         (
-            Mend("Table 1", "straightness, x direction", instead=("", "delta_x(y)", "delta_x(z)")),
-            Mend("Table 1", "straightness, y direction", instead=("delta_y(x)", "", "delta_y(z)")),
+            Mend("Table 1", "x direction", instead=("", "delta_x(y)", "delta_x(z)")),
+            Mend("Table 1", "y direction", instead=("delta_y(x)", "", "delta_y(z)")),
+            Mend("Table 1", "z direction", instead=("delta_z(x)", "delta_z(y)", "")),
+            Mend("Table 1", "Yaw error", instead=("epsilon_z(x)", "epsilon_z(y)", "epsilon_y(y)")),
         ),
     ),
     Erratum(
@@ -301,93 +295,5 @@ ERRATA: tuple[Erratum, ...] = (
         "the factor of ε_z(y) is r_l1x, as in Eq. (29)",
         (Mend(33, "L_1yh", add(_YAW)), Mend(34, "delta_y(x)", add(_YAW))),
     ),
-    Erratum(
-        25,
-        "Eq. (35)",
-        Kind.SIGN,
-        "the Z bracket has δ_y(z) - z ε_yz, as in Eqs. (14) and (37)",
-        (Mend(35, "y", add(2 * Z_H * EPS_YZ)),),
-    ),
-    Erratum(
-        26,
-        "Eq. (36)",
-        Kind.CONFLICT,
-        "θ is measured from Z in Eqs. (36), (37), not from Y; the projections are L_iyh and L_izh",
-        (
-            Mend(36, "wording: theta is the angle to", instead="Z axis"),
-            Mend(36, "wording: projections named", instead=("L_iyh", "L_izh")),
-        ),
-    ),
-    Erratum(
-        27,
-        "Eq. (39)",
-        Kind.RECOGNITION,
-        "P_uv is the offset curve of the v axis in u direction",
-        (Mend(39, "wording: P_uv is the offset curve of", instead=("v axis", "u direction")),),
-    ),
-    Erratum(
-        28,
-        "Eq. (39)",
-        Kind.FORMULA,
-        "angles are summed with the step, not with the position",
-        tuple(Mend(39, f"P_{pair}", on_right(_step)) for pair in OFFSETS),
-    ),
-    Erratum(
-        29,
-        "Eq. (39)",
-        Kind.SIGN,
-        "P_zx, P_xy and P_yz are negative",
-        tuple(Mend(39, f"P_{pair}", times(-1)) for pair in ("zx", "xy", "yz")),
-    ),
-    Erratum(
-        30,
-        "Eqs. (39)-(43)",
-        Kind.FORMULA,
-        "squareness does not follow from pitch and yaw",
-        shown_by="test_squareness_is_blind_to_squareness",
-    ),
-    Erratum(
-        31,
-        "Eq. (41)",
-        Kind.FORMULA,
-        "c_uv1: the last sum is of P, not of v P",
-        (Mend(41, "c_uv1", add(_LAST_SUM)),),
-    ),
-    Erratum(
-        32,
-        "Eq. (43)",
-        Kind.SIGN,
-        "ε_xz is π/2 - arccos, by Table 2",
-        (Mend(43, "epsilon_xz", times(-1)),),
-    ),
-    Erratum(
-        33,
-        "Table 4",
-        Kind.CONFLICT,
-        "P_k8 and P_k9 share x and y: Eqs. (17), (20) are singular",
-        (Mend("Table 4", "rank of the systems of X, Y, Z", instead=(3, 3, 2)),),
-        shown_by="test_z_system_is_singular",
-    ),
-    Erratum(
-        34,
-        "Tables 4, 5",
-        Kind.CONFLICT,
-        "TCS and WCS coordinates stand for coordinates in the carriages' frames",
-        (Mend("Table 4", "frames of X, Y, Z points", instead=("body 6", "body 2", "body 6")),),
-        shown_by="test_tool_frame_coordinates_shift_the_errors",
-    ),
-    Erratum(
-        35,
-        "Table 5",
-        Kind.RECOGNITION,
-        "rows and point names have moved: P_1 has r_l1, r_k1, P_2 has r_l2, r_k2",
-        (
-            Mend(
-                "Table 5",
-                "point names, XY",
-                instead=("P_1 r_l1", "P_1 r_k1", "P_2 r_l2", "P_2 r_k2"),
-            ),
-            Mend("Table 5", "point names, YZ", instead=("P_1 r_l1", "P_1 r_k1")),
-        ),
-    ),
+    *OF_SQUARENESS_AND_DATA,
 )

@@ -59,6 +59,15 @@ class Formula:
 
 
 @dataclass(frozen=True, slots=True)
+class Definition:
+    """A printed equality that defines its left-hand side: transcribed and used by other parts, nothing to compare."""
+
+    label: str
+    lhs: sp.Expr
+    rhs: sp.Expr
+
+
+@dataclass(frozen=True, slots=True)
 class Entry:
     """A printed item that is compared as it stands: a table cell, a matrix, an index, a word."""
 
@@ -73,4 +82,4 @@ class Printed:
     number: int | str
     title: str
     section: str
-    parts: tuple[Formula | Entry, ...]
+    parts: tuple[Formula | Definition | Entry, ...]

@@ -13,7 +13,8 @@ from .claims_systems import POSE, points_of
 from .mending import Erratum, Mend
 from .notation import DIRECTIONS, MOTION_ERRORS, POSITION, SQUARENESS, Formula, place, r, reading
 from .printed import PRINTED
-from .printed.linkage_xz import THETA, ideal_length, straightness
+from .printed.compensation import ball, ideal_ball
+from .printed.linkage_xz import THETA, component, ideal_length, straightness
 from .printed.squareness import COUNT, P, V, angles, positions
 from .printed.tables import SQUARENESS_VALUES
 
@@ -25,6 +26,10 @@ MOVED_X = 50
 """mm by which r_k2x of the XZ points is moved: Table 5 has r_k1x = r_k2x, which hides Eq. (26)'s wrong sign."""
 PITCH_52 = {1: 8.22104e-2, 2: -6.40509e-4, 3: 1.87087e-6, 5: -7.44546e-12, 6: 7.93764e-15}
 """Eq. (52): epsilon_y(x) in microradians, by power of x in mm."""
+
+
+SYMBOLIC = "samples of Eq. (44)"
+"""A setting of coefficients alone: swapped indices have no size."""
 
 
 def published_pitch(x: float) -> float:
@@ -84,7 +89,7 @@ def line_values(run: str) -> Values:
     ideal = [POSITION[a].xreplace(values) * (-1 if run != "XZ" and a != "y" else 1) for a in (first, second)]
     length = sp.sqrt(ideal[0] ** 2 + ideal[1] ** 2)
     sine, cosine = ideal[0] / length, ideal[1] / length
-    result: Values = {THETA: sp.atan2(ideal[0], ideal[1])}
+    result: Values = {THETA: sp.atan2(ideal[0], ideal[1]), component(first): sine, component(second): cosine}
     for label in reference.RUN_LABELS[run]:
         a, b = values[reading(label, first)], values[reading(label, second)]
         result |= {reading(label, first): a, reading(label, second): b, ideal_length(label): length}
@@ -105,6 +110,12 @@ def _samples() -> Values:
     return result
 
 
+def bar_values() -> Values:
+    """A ball bar of 300 mm in the XY plane, 300 = |(180, 240)|, from a workpiece ball at the frame's origin."""
+    ends = (*(ideal_ball(d) for d in DIRECTIONS), *(ball(d) for d in DIRECTIONS))
+    return dict(zip(ends, map(sp.Integer, (180, 240, 0, 0, 0, 0)), strict=True))
+
+
 def miss(formula: Formula) -> float | None:
     """|lhs - rhs| in numbers; None if a printed symbol stands for nothing."""
     run = formula.run
@@ -114,6 +125,8 @@ def miss(formula: Formula) -> float | None:
         difference = (formula.lhs - formula.rhs).xreplace(line_values(run.removeprefix("line ")))
     elif run == "directions":
         difference = formula.residual(reference.known(run)).xreplace(machine())
+    elif run == "compensated":
+        difference = reference.residual(formula).xreplace(machine() | bar_values())
     elif run == "chain":
         difference = reference.residual(formula).xreplace(machine() | coordinates("XY"))
     else:
@@ -158,7 +171,7 @@ def counterexample(erratum: Erratum, errata: tuple[Erratum, ...]) -> Counterexam
     worst: Counterexample | None = None
     for mend in erratum.mends:
         part = formula(mend)
-        if part is None:
+        if part is None or part.run == SYMBOLIC:
             continue
         printed = miss(mended(mend.source, part, errata, without=erratum))
         right = miss(mended(mend.source, part, errata))
@@ -172,6 +185,6 @@ def counterexample(erratum: Erratum, errata: tuple[Erratum, ...]) -> Counterexam
 
 
 def _unit(source: int | str, part: Formula) -> str:
-    if source == 6 or part.label == "c_uv1":
+    if source == 6 or part.label in ("c_uv1", "cosine of theta"):
         return "1"
     return "rad" if str(part.lhs).startswith("epsilon") and part.lhs.is_Symbol else "mm"

@@ -11,7 +11,7 @@ from functools import cache
 
 import sympy as sp
 
-from . import chain
+from . import chain, reference_compensation
 from .notation import (
     DIRECTIONS,
     EPS_XY,
@@ -21,12 +21,14 @@ from .notation import (
     POSITION,
     SQUARENESS,
     Formula,
+    delta,
+    eps,
     place,
     reading,
 )
-from .printed.linkage_xz import THETA, straightness
-from .printed.model import ERROR_SIZE, FRAMES, LENGTH, PE, position_symbols
-from .printed.squareness import COUNT, OFFSETS, P, V, angles, fitted, intercept, offset, positions, slope, total
+from .printed.linkage_xz import THETA, component, straightness
+from .printed.model import ERROR_SIZE, FRAMES, LENGTH, PE, position_symbols, seen
+from .printed.squareness import COUNT, OFFSETS, P, V, angles, intercept, offset, positions, slope, total
 
 Known = Mapping[sp.Symbol, sp.Expr]
 SAMPLES = 4
@@ -98,7 +100,7 @@ def line(run: str) -> dict[sp.Symbol, sp.Expr]:
     first, second = PLANES[run]
     unit = sp.Matrix([sp.sin(THETA), sp.cos(THETA)])
     across = sp.Matrix([unit[1], -unit[0]])
-    result: dict[sp.Symbol, sp.Expr] = {}
+    result: dict[sp.Symbol, sp.Expr] = {component(first): unit[0], component(second): unit[1]}
     for label in RUN_LABELS[run]:
         length, offset_ = sp.Symbol(f"L_{label}h", real=True), straightness(label)
         vector = length * unit + offset_ * across
@@ -108,15 +110,25 @@ def line(run: str) -> dict[sp.Symbol, sp.Expr]:
 
 def bar() -> dict[sp.Symbol, sp.Expr]:
     """Ball-bar vector and error; differences of points and vectors have fourth element 0."""
-    norm = sp.sqrt(sum(p**2 for p in PE))
-    difference = {
-        p: sp.Symbol(f"{d}_T^W", real=True) - sp.Symbol(f"{d}_w", real=True)
-        for p, d in zip(PE, DIRECTIONS, strict=True)
-    }
-    result = {ERROR_SIZE: norm - LENGTH, **{sp.Symbol(f"{n}4", real=True): 0 for n in ("P_E", "E_v")}}
-    for p, d in zip(PE, DIRECTIONS, strict=True):
-        result[sp.Symbol(f"E_{d}", real=True)] = (norm - LENGTH) * p / norm
-    return {k: sp.sympify(v).xreplace(difference) for k, v in result.items()} | difference
+    vector = sp.Matrix([*PE, 1]) - sp.Matrix([0, 0, 0, 1])  # weights of points are 1
+    norm = sp.sqrt(vector.dot(vector))
+    error = (norm - LENGTH) * vector / norm
+    symbols = [sp.Symbol(f"E_{d}", real=True) for d in DIRECTIONS]
+    result = dict(zip((*symbols, sp.Symbol("E_v4", real=True)), error, strict=True))
+    return result | {ERROR_SIZE: norm - LENGTH, sp.Symbol("P_E4", real=True): vector[3]}
+
+
+def workpiece_view() -> dict[sp.Symbol, sp.Expr]:
+    """P_T^W by vectors: shift and small rotation of the Y carriage undone, by Cramer's rule; then q_w taken off.
+
+    s + epsilon x s solved for s: (b - epsilon x b + epsilon (epsilon . b)) / (1 + |epsilon|^2).
+    """
+    bed, offset = (sp.Matrix([sp.Symbol(n.format(d), real=True) for d in DIRECTIONS]) for n in ("{}_T^M", "q_w{}"))
+    shift = sp.Matrix([delta(d, "y") for d in DIRECTIONS]) + sp.Matrix([0, POSITION["y"], 0])
+    about = sp.Matrix([eps(d, "y") for d in DIRECTIONS])
+    b = bed - shift
+    found = (b - about.cross(b) + about * about.dot(b)) / (1 + about.dot(about)) - offset
+    return {seen(d): found[n] for n, d in enumerate(DIRECTIONS)}
 
 
 def tangent_offsets() -> dict[sp.Symbol, sp.Expr]:
@@ -135,11 +147,6 @@ def tangent_offsets() -> dict[sp.Symbol, sp.Expr]:
         step = positions(axis)[index] - positions(axis)[index - 1]
         result[offset(pair)] = total(turn * step)
     return result
-
-
-def fitted_lines() -> dict[sp.Symbol, sp.Expr]:
-    """A straight line of given intercept and slope over its axis position."""
-    return {fitted(pair): intercept(pair) + slope(pair) * sp.Symbol(pair[1], real=True) for pair in (*OFFSETS, "uv")}
 
 
 def least_squares() -> dict[sp.Symbol, sp.Expr]:
@@ -183,9 +190,10 @@ def known(run: str) -> Known:
         "chain": general,
         "bar": bar,
         "offset curve": tangent_offsets,
-        "fitted line": fitted_lines,
+        "workpiece view": workpiece_view,
         "least squares": least_squares,
         "directions": directions,
+        **reference_compensation.SETTINGS,
     }
     return settings[run]()
 

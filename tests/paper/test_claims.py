@@ -10,7 +10,7 @@ import sympy as sp
 
 from . import chain, reference
 from . import claims_systems as systems
-from .claims import agreeing, interval
+from .claims import agreeing, definitions, interval
 from .claims_squareness import TRAVEL, cases, squareness_as_printed
 from .errata import ERRATA
 from .mending import Kind
@@ -182,8 +182,8 @@ def test_printed_percentage_follows(name: str) -> None:
 
 def test_derivation_mistakes_are_there() -> None:
     """Against claim 1 of Sect. 3.7: signs and formulas that a derivation gets right or wrong."""
-    kinds = [e.kind for e in ERRATA]
-    assert (kinds.count(Kind.SIGN), kinds.count(Kind.FORMULA)) == (9, 6)
+    of_section_3 = [e.kind for e in ERRATA if e.number <= 35]
+    assert (of_section_3.count(Kind.SIGN), of_section_3.count(Kind.FORMULA)) == (9, 6)
 
 
 def test_squareness_needed_where_the_paper_says() -> None:
@@ -201,4 +201,5 @@ def test_squareness_needed_where_the_paper_says() -> None:
 
 
 def test_equations_that_agree() -> None:
-    assert agreeing() == [4, 5, 7, 8, 12, 14, 15, 16, 17, 29, 40, 42]
+    assert agreeing() == [4, 5, 7, 8, 12, 14, 15, 16, 17, 29, 46, 48]
+    assert definitions() == [40, 42, 44, 53, 55, 56]

@@ -45,7 +45,7 @@ def test_derived_is_what_follows_and_not_the_slip(source: int | str, part: Formu
 
 
 def test_numbered_equations_compared_with_the_derivation() -> None:
-    """Eqs. (5), (6), (22), (28), (36), (39)-(42) are no derivation from the machine: test_errata.py alone has them."""
+    """Eqs. (5), (6), (22), (28), (36), (39)-(42) are no derivation from the machine."""
     elsewhere = {1, 2, 3, 4, 43}
     assert {n for n, _ in DERIVED} | elsewhere == set(range(1, 44)) - {5, 6, 22, 28, 36, 39, 40, 41, 42}
 

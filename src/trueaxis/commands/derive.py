@@ -47,6 +47,7 @@ def run(args: argparse.Namespace) -> int:
     from trueaxis.derive.model import derive_model  # noqa: PLC0415
     from trueaxis.emit.check import differences, write  # noqa: PLC0415
     from trueaxis.emit.effect_check import faults_of_kinds  # noqa: PLC0415
+    from trueaxis.emit.meta import spec_label  # noqa: PLC0415
     from trueaxis.emit.render import render  # noqa: PLC0415
 
     machine = read_machine(args.machine)
@@ -56,7 +57,7 @@ def run(args: argparse.Namespace) -> int:
     if found := [*found, *faults_of_kinds(machine, str(args.machine))]:
         raise InputError(found)
     model = derive_model(machine, identification_runs(machine, args.machine, args.runs))
-    files = render(model)
+    files = render(model, spec_label(args.machine, args.out))
     if args.check:
         differing = differences(folder, files)
         for line in differing:

@@ -185,7 +185,7 @@ def _extension(
     path = args.out / f"{given.model.name}.toml"
     text = extended_spec(given.spec, effects)
     machine = parse_machine(text, Faults(str(path)))
-    files = render(derive_model(machine, given.runs))
+    files = render(derive_model(machine, given.runs), path.name)
     kernels = numpy_kernels(files["kernels.py"], path)  # run too briefly to be worth compiling
     model = MachineModel(machine, kernels, ErrorValues(machine.name))
     kept = kept_readings(given.data, diagnosis, str(args.data))

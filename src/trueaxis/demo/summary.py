@@ -84,7 +84,7 @@ def _path(figures: Figures) -> Iterator[str]:
     for way, (largest, mean, sd) in PAPER.items():
         yield f"  {'paper, ' + way:18s}{1e3 * mean:8.4f}{1e3 * sd:8.4f}{1e3 * largest:8.4f}"
     yield "  the paper judges by the errors that it compensated, as the left columns do; the machine has the true ones"
-    yield "  rounding words alone gives |E| a mean of 0.24 um: the paper's whole iterative figure"
+    yield "  rounding words alone gives |E| a mean of 0.24 um: the mean of the paper's iterative figures"
     yield "  `middles` passes each point in the middle of a short block, where half steps can be reached"
 
 

@@ -8,6 +8,7 @@ from trueaxis.derive.routine import Argument, Routine, build
 from trueaxis.effects.evaluate import value_of
 from trueaxis.effects.expression import Binary, Call, Expression, Function, Name, Negative, Number, Pi, Power, parse
 from trueaxis.effects.kind import Kind
+from trueaxis.effects.library import BY_NAME
 from trueaxis.effects.placement import context_of
 from trueaxis.effects.variables import VARIABLES
 from trueaxis.spec.machine import Machine
@@ -81,8 +82,22 @@ def effect_name(kind: Kind) -> str:
 
 
 def effect_routines(machine: Machine) -> tuple[Routine, ...]:
-    """A routine for every kind with an expression: those of the library, and the machine's own."""
-    return tuple(effect_routine(kind) for kind in machine.kinds.values() if kind.expression)
+    """A routine for every kind with an expression that the spec has an effect of or defines itself.
+
+    Those of the rest of the library are `library_routines`: no machine needs them in its own kernels.
+    """
+    return tuple(effect_routine(kind) for kind in emitted_kinds(machine).values() if kind.expression)
+
+
+def emitted_kinds(machine: Machine) -> dict[str, Kind]:
+    """The kinds of the spec's effects and those that it defines, in the library's order."""
+    named = {effect.kind for effect in machine.effects} | {kind.name for kind in machine.effect_kinds}
+    return {name: kind for name, kind in machine.kinds.items() if name in named}
+
+
+def library_routines() -> tuple[Routine, ...]:
+    """A routine for every kind of the library that has an expression."""
+    return tuple(effect_routine(kind) for kind in BY_NAME.values() if kind.expression)
 
 
 def effect_routine(kind: Kind) -> Routine:

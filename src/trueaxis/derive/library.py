@@ -184,7 +184,7 @@ def _curve_routines(machine: Machine, main: View) -> Iterator[Routine]:
         rows,
         (len(machine.components), machine.curve_degree),
         False,
-        "mm/mm^k, rad/mm^k (deg^k for rotary axes)",
+        "mm/mm^k, rad/mm^k" + (" (deg^k for rotary axes)" if any(axis in ROTARY for axis in machine.axes) else ""),
         f"coefficients of the powers 1 to {machine.curve_degree} of the axis position, per component error",
     )
     inputs = (

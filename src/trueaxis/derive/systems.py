@@ -75,8 +75,9 @@ def identification(machine: Machine, runs: Sequence[RunPattern]) -> Identificati
     readings = [_reading(machine, run, _labels([run])[0]) for run in runs]
     held = [[unknowns.index(name) for name in reading if name in unknowns] for reading in readings]
     order = solution_order(held, len(unknowns))
+    labels, _ = _labels(runs)  # of all runs together: a point has one name in all systems
     systems = tuple(
-        _system(machine, [runs[e] for e in block.equations], [unknowns[u] for u in block.unknowns])
+        _system(machine, [runs[e] for e in block.equations], [unknowns[u] for u in block.unknowns], labels)
         for block in order.blocks
     )
     seen = {name for reading in readings for name in reading}
@@ -167,8 +168,10 @@ def _reading(machine: Machine, run: RunPattern, labels: dict[tuple[str, Point], 
     return {name: value for name, value in reading.items() if value != 0}
 
 
-def _system(machine: Machine, runs: Sequence[RunPattern], unknowns: Sequence[str]) -> IdentificationSystem:
-    labels, points = _labels(runs)
+def _system(
+    machine: Machine, runs: Sequence[RunPattern], unknowns: Sequence[str], labels: dict[tuple[str, Point], Vector]
+) -> IdentificationSystem:
+    points = tuple((labels[end], *end) for end in _labels(runs)[0])
     readings = [_reading(machine, run, labels) for run in runs]
     matrix = sp.Matrix([[reading.get(name, sp.S.Zero) for name in unknowns] for reading in readings])
     known = tuple(

@@ -10,11 +10,13 @@ import sympy as sp
 from trueaxis.c_prefix import c_prefix
 from trueaxis.derive.functions import Sign, Step
 from trueaxis.derive.routine import Argument, Assignment, Routine
+from trueaxis.derive.symbols import describe
 from trueaxis.emit.c_printer import CPrinter
 from trueaxis.emit.meta import ABI, spec_name
-from trueaxis.emit.names import variable_names
+from trueaxis.emit.names import rows_text, variable_names
+from trueaxis.emit.paper_layout import TITLE
 from trueaxis.emit.templates import environment
-from trueaxis.spec.machine import Machine
+from trueaxis.spec.machine import ROTARY, Machine
 
 # Points per block where cosines and sines are computed ahead of the arithmetic: they stay in the first-level cache.
 BLOCK = 512
@@ -56,38 +58,55 @@ class FunctionText:
     stores: tuple[str, ...]
 
 
-def c_source(machine: Machine, routines: tuple[Routine, ...]) -> str:
-    """The text of kernels.c. Same input, same bytes."""
-    return environment().get_template("kernels.c.j2").render(source_context(machine, routines))
+def c_source(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> str:
+    """The text of kernels.c; spec: how it is named there. Same input, same bytes."""
+    return environment().get_template("kernels.c.j2").render(source_context(machine, routines, spec))
 
 
-def c_header(machine: Machine, routines: tuple[Routine, ...]) -> str:
-    """The text of kernels.h."""
-    return environment().get_template("kernels.h.j2").render(header_context(machine, routines))
+def c_header(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> str:
+    """The text of kernels.h; spec: how it is named there."""
+    return environment().get_template("kernels.h.j2").render(header_context(machine, routines, spec))
 
 
-def source_context(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
+def source_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
     """The variables of kernels.c.j2."""
     values = [value for routine in routines for _, value in routine.batch + routine.body]
     helpers = {"sign": Sign, "step": Step}
     used = [name for name, function in helpers.items() if any(value.has(function) for value in values)]
-    return _context(machine, routines) | {"block": BLOCK, "helpers": used}
+    return _context(machine, routines, spec) | {"block": BLOCK, "helpers": used}
 
 
-def header_context(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
+def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
     """The variables of kernels.h.j2."""
-    return _context(machine, routines) | {"abi": ABI}
+    legend = [
+        line for row in _legend(machine) for line in textwrap.wrap(_commentable(row), _WIDTH, subsequent_indent="    ")
+    ]
+    return _context(machine, routines, spec) | {"abi": ABI, "legend": legend}
 
 
-def _context(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
+def _context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
     prefix = c_prefix(machine.name)
     return {
+        "paper_title": TITLE,
+        "turning": any(axis in ROTARY for axis in machine.axes),
         "digest": machine.digest,
         "prefix": prefix,
-        "spec": spec_name(machine),
+        "spec": spec or spec_name(machine),
         "title": _commentable(machine.title),
         "functions": [_function(prefix, routine) for routine in routines],
     }
+
+
+def _legend(machine: Machine) -> Iterable[str]:
+    """Rows and units of the arrays that the functions share."""
+    texts = describe(machine)
+    shared = {
+        "positions": [axis.lower() for axis in machine.axes],
+        "errors": machine.components,
+        "parameters": machine.parameters,
+    }
+    for name, rows in shared.items():
+        yield f"{name}: {', '.join(f'{row} {texts[row].unit}' for row in rows) or 'none'}"
 
 
 def _function(prefix: str, routine: Routine) -> FunctionText:
@@ -158,8 +177,8 @@ def _wrapped(line: str) -> str:
 
 
 def _signature(routine: Routine) -> list[str]:
-    arrays = [f"const double *restrict {a.name}" for a in routine.inputs]
-    arrays += [f"double *restrict {a.name}" for a in routine.outputs]
+    arrays = [f"const double *TRUEAXIS_RESTRICT {a.name}" for a in routine.inputs]
+    arrays += [f"double *TRUEAXIS_RESTRICT {a.name}" for a in routine.outputs]
     return ["size_t n, size_t stride", *arrays]
 
 
@@ -171,16 +190,8 @@ def _comment(routine: Routine) -> Iterable[str]:
     for title, arguments in (("in", routine.inputs), ("out", routine.outputs)):
         for a in arguments:
             layout = f"{len(a.rows)} rows of stride" if a.per_point else f"{len(a.rows)} values"
-            rows = _rows_text(a)
-            text = f"{title} {a.name}: {layout}, {a.unit}; {a.description}{rows}"
+            text = f"{title} {a.name}: {layout}, {a.unit}; {a.description} ({rows_text(a)})"
             yield from textwrap.wrap(_commentable(text), _WIDTH, subsequent_indent="    ", break_on_hyphens=False)
-
-
-def _rows_text(argument: Argument) -> str:
-    """The names of the rows, where they are few enough to be read."""
-    if len(argument.rows) <= 40:
-        return f" ({' '.join(argument.rows)})"
-    return f" ({argument.rows[0]} {argument.rows[1]} .. {argument.rows[-1]}, last index fastest)"
 
 
 def _commentable(text: str) -> str:

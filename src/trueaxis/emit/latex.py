@@ -1,12 +1,13 @@
 """Expressions as LaTeX that GitHub renders, with the paper's symbols."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
+from copy import copy
 
 import sympy as sp
 
-from trueaxis.derive.chain import Vector
 from trueaxis.derive.symbols import describe
+from trueaxis.emit.rows import WIDEST, width
 from trueaxis.spec.machine import Machine
 
 _POINT = re.compile(r"r([TWB])(\d*)([xyz])")
@@ -14,18 +15,26 @@ _READING = re.compile(r"L(\d+)")
 
 
 class Latex:
-    """Prints the expressions of one machine."""
+    """Prints the expressions of one machine; `names` goes before what the machine's symbols are called."""
 
-    def __init__(self, machine: Machine) -> None:
-        self._names = {name: text.latex for name, text in describe(machine).items()}
+    def __init__(self, machine: Machine, names: Mapping[str, str] | None = None) -> None:
+        self._names = {name: text.latex for name, text in describe(machine).items()} | dict(names or {})
+
+    def with_names(self, names: Mapping[str, str]) -> "Latex":
+        """The same printer with further names of symbols."""
+        other = copy(self)
+        other._names = self._names | dict(names)
+        return other
 
     def symbol(self, name: str) -> str:
         """The LaTeX of a symbol by its name."""
+        if name in self._names:
+            return self._names[name]
         if point := _POINT.fullmatch(name):
             return f"r_{{{point[1]}{point[2]}{point[3]}}}"
         if reading := _READING.fullmatch(name):
             return f"L_{{{reading[1]}}}"
-        return self._names.get(name, name)
+        return name
 
     def __call__(self, value: sp.Expr | sp.Matrix) -> str:
         """The LaTeX of an expression or a matrix."""
@@ -34,36 +43,48 @@ class Latex:
         rounded = value.xreplace({number: sp.Float(number, 15) for number in value.atoms(sp.Float)})
         return str(sp.latex(rounded, symbol_names=names, mat_str="bmatrix", mat_delim=""))
 
+    def terms(self, value: sp.Expr) -> list[str]:
+        """The terms of a sum, each with its sign; a constant term or a positive one leads."""
+        parts = sorted(sp.Add.make_args(sp.expand(value)), key=is_negative) if value != 0 else []
+        return [f"- {self(-part)}" if is_negative(part) else f"+ {self(part)}" for part in parts]
+
     def linear(self, columns: Mapping[str, sp.Expr]) -> list[str]:
-        """The terms of a linear form, each with its sign: coefficient times error symbol."""
-        terms: list[str] = []
+        """The terms of a linear form, each with its sign: errors of one coefficient stand in one bracket behind it."""
+        groups: dict[sp.Expr, list[tuple[str, str]]] = {}
         for name, coefficient in columns.items():
-            sign, size = ("-", -coefficient) if _negative(coefficient) else ("+", coefficient)
-            factor = "" if size == 1 else self._factor(size)
-            terms.append(f"{sign} {factor}{self.symbol(name)}")
-        return terms
+            if coefficient != 0:
+                sign, size = ("-", -coefficient) if is_negative(coefficient) else ("+", coefficient)
+                groups.setdefault(size, []).append((sign, name))
+        return [term for size, members in groups.items() for term in self._group(size, members)]
+
+    def _group(self, size: sp.Expr, members: list[tuple[str, str]]) -> Iterator[str]:
+        if size == 1:
+            yield from (f"{sign} {self.symbol(name)}" for sign, name in members)
+            return
+        lead = members[0][0]
+        inner = joined(f"{'+' if sign == lead else '-'} {self.symbol(name)}" for sign, name in members)
+        errors = inner if len(members) == 1 else rf"\left({inner}\right)"
+        term = f"{lead} {self._factor(size)}{errors}"
+        if width(term) <= 0.88 * WIDEST or not size.is_Add:
+            yield term
+            return
+        # Too wide for one row: multiplied out, which is what the bracket means.
+        for part in sp.Add.make_args(size):
+            minus = is_negative(part) != (lead == "-")
+            yield f"{'-' if minus else '+'} {self._factor(-part if is_negative(part) else part)}{errors}"
 
     def _factor(self, value: sp.Expr) -> str:
-        text = self(value)
-        return rf"\left({text}\right) " if value.is_Add else f"{text} \\, "
-
-    def entry(self, ideal: sp.Expr, columns: Mapping[str, Vector], row: int) -> str:
-        """One entry of ideal + sum of columns times errors, broken into lines of an `aligned` block."""
-        terms = self.linear({name: column[row] for name, column in columns.items() if column[row] != 0})
-        head = "" if ideal == 0 else self(ideal)
-        return broken([head, *terms] if head else terms)
+        text = " ".join(self.terms(value)).removeprefix("+ ")
+        return rf"\left({text}\right) " if sp.expand(value).is_Add else f"{text} \\, "
 
 
-def broken(terms: Sequence[str], width: int = 5) -> str:
-    """Terms in lines of `width`, for the right of `&=` in an `aligned` block."""
-    if not terms:
-        return "0"
-    first = terms[0].removeprefix("+ ")
-    lines = [[first, *terms[1:width]]] + [list(terms[k : k + width]) for k in range(width, len(terms), width)]
-    return " \\\\\n&\\quad ".join(" ".join(line) for line in lines)
-
-
-def _negative(value: sp.Expr) -> bool:
+def is_negative(value: sp.Expr) -> bool:
+    """Whether a coefficient is printed with a minus in front: all its terms have one."""
     if value.is_Add:
-        return all(_negative(term) for term in value.args)
+        return all(is_negative(term) for term in value.args)
     return bool(value.could_extract_minus_sign())
+
+
+def joined(terms: Iterable[str]) -> str:
+    """Terms in one row."""
+    return " ".join(terms).removeprefix("+ ") or "0"

@@ -1,20 +1,38 @@
 """The META record: what a program must know to call the kernels, and what a reader must know of their symbols."""
 
+import re
+from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from trueaxis.derive import symbols
+from trueaxis.derive.effect_terms import emitted_kinds
 from trueaxis.derive.routine import Argument, Routine
 from trueaxis.derive.squareness import squarenesses
-from trueaxis.effects.kind import Effect
+from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import context_of
 from trueaxis.spec.machine import ROTARY, Machine
 
 ABI = 2  # raised whenever the signature, layout or meaning of a kernel changes
 
 
+# What a comment of C, Python and Markdown may hold: no end of a comment, no second line.
+_NAMEABLE = re.compile(r"(?!.*(?:--|\.\.))[\w. /-]+")
+
+
 def spec_name(machine: Machine) -> str:
-    """How generated files name the spec: by its place in a repository, not by where it lies on one machine."""
+    """How generated files name a spec of which no file is known."""
     return f"machines/{machine.name}.toml"
+
+
+def spec_label(spec: Path, out: Path) -> str:
+    """How generated files name the spec that was given: from the folder that holds OUT, else by its name alone.
+
+    So the name does not depend on where the command was run, and holds no folder outside the user's own tree.
+    """
+    root, given = out.resolve().parent, spec.resolve()
+    label = given.relative_to(root).as_posix() if given.is_relative_to(root) else given.name
+    return label if _NAMEABLE.fullmatch(label) else "the machine's spec"
 
 
 def meta(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
@@ -37,17 +55,22 @@ def meta(machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Any]:
         "curve_degree": machine.curve_degree,
         "squareness": [_squareness(pair.axes, pair.product) for pair in squarenesses(machine)],
         "effects": {
-            "kinds": {
-                name: {
-                    "place": kind.place,
-                    "context": list(context_of(kind)),
-                    "parameters": [parameter.name for parameter in kind.parameters],
-                }
-                for name, kind in machine.kinds.items()
-            },
+            "kinds": kinds_record(emitted_kinds(machine)),
             "terms": [_term(effect) for effect in machine.effects],
         },
-        "routines": {routine.name: _routine(routine) for routine in routines},
+        "routines": {routine.name: routine_record(routine) for routine in routines},
+    }
+
+
+def kinds_record(kinds: Mapping[str, Kind]) -> dict[str, Any]:
+    """Place, context and parameters of kinds of effects, in the order of the arguments of their kernels."""
+    return {
+        name: {
+            "place": kind.place,
+            "context": list(context_of(kind)),
+            "parameters": [parameter.name for parameter in kind.parameters],
+        }
+        for name, kind in kinds.items()
     }
 
 
@@ -62,7 +85,8 @@ def _term(effect: Effect) -> dict[str, Any]:
     return {key: value for key, value in told.items() if value is not None}
 
 
-def _routine(routine: Routine) -> dict[str, Any]:
+def routine_record(routine: Routine) -> dict[str, Any]:
+    """Arguments and operations of a routine."""
     return {
         "inputs": [_argument(argument) for argument in routine.inputs],
         "outputs": [_argument(argument) for argument in routine.outputs],

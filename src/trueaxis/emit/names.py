@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping
 
-from trueaxis.derive.routine import Routine
+from trueaxis.derive.routine import Argument, Routine
 
 
 def variable_names(routine: Routine, taken: Collection[str]) -> Mapping[str, str]:
@@ -17,3 +17,10 @@ def variable_names(routine: Routine, taken: Collection[str]) -> Mapping[str, str
             name += "_"
         names[symbol] = name
     return names
+
+
+def rows_text(argument: Argument) -> str:
+    """The names of an argument's rows in their order, where they are few enough to be read."""
+    if len(argument.rows) <= 40:
+        return " ".join(argument.rows)
+    return f"{argument.rows[0]} {argument.rows[1]} .. {argument.rows[-1]}, last index fastest"

@@ -1,14 +1,17 @@
 """The NumPy kernels: one function per routine, in blocks of points that stay in cache."""
 
 import pprint
+import textwrap
 from dataclasses import dataclass
+from typing import Any
 
 from trueaxis.derive.routine import Argument, Assignment, Routine
 from trueaxis.emit.meta import ABI, meta, spec_name
-from trueaxis.emit.names import variable_names
+from trueaxis.emit.names import rows_text, variable_names
+from trueaxis.emit.paper_layout import TITLE
 from trueaxis.emit.python_printer import PythonPrinter
 from trueaxis.emit.templates import environment
-from trueaxis.spec.machine import Machine
+from trueaxis.spec.machine import ROTARY, Machine
 
 # Points per block: the intermediate rows of a block stay in the processor's second-level cache.
 BLOCK = 8192
@@ -23,7 +26,8 @@ class FunctionText:
     name: str
     arguments: tuple[str, ...]
     doc: tuple[str, ...]
-    per_point: tuple[str, ...]
+    per_point: tuple[tuple[str, int], ...]
+    fixed: tuple[tuple[str, tuple[int, ...]], ...]
     outputs: tuple[tuple[str, int], ...]
     returns: str
     constants: tuple[str, ...]
@@ -33,18 +37,33 @@ class FunctionText:
     body: tuple[str, ...]
 
 
-def numpy_source(machine: Machine, routines: tuple[Routine, ...]) -> str:
-    """The text of kernels.py."""
-    record = pprint.pformat(meta(machine, routines), width=118, sort_dicts=False)
-    template = environment().get_template("kernels.py.j2")
-    return template.render(
-        abi=ABI,
+def numpy_source(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> str:
+    """The text of kernels.py; spec: how it is named there."""
+    spec = spec or spec_name(machine)
+    return module_source(
+        routines,
+        meta(machine, routines),
         digest=machine.digest,
-        spec=spec_name(machine),
+        spec=spec,
+        command=f"trueaxis derive {spec}",
         title=machine.title,
-        meta=record,
-        block=BLOCK,
-        functions=[_function(routine) for routine in routines],
+        turning=any(axis in ROTARY for axis in machine.axes),
+    )
+
+
+def module_source(routines: tuple[Routine, ...], record: dict[str, Any], **texts: object) -> str:
+    """The text of a module of kernels; record: its META; texts: further variables of the template."""
+    return (
+        environment()
+        .get_template("kernels.py.j2")
+        .render(
+            texts,
+            abi=ABI,
+            paper_title=TITLE,
+            meta=pprint.pformat(record, width=118, sort_dicts=False, compact=True),
+            block=BLOCK,
+            functions=[_function(routine) for routine in routines],
+        )
     )
 
 
@@ -65,7 +84,8 @@ def _function(routine: Routine) -> FunctionText:
         routine.name,
         tuple(a.name for a in routine.inputs),
         tuple(_doc(routine)),
-        tuple(a.name for a in varying),
+        tuple((a.name, len(a.rows)) for a in varying),
+        tuple((a.name, a.shape) for a in constants),
         tuple((a.name, len(a.rows)) for a in routine.outputs),
         ", ".join(_returned(a) for a in routine.outputs),
         tuple(
@@ -89,9 +109,15 @@ def _doc(routine: Routine) -> list[str]:
     lines = [routine.summary, "", f"Source: {routine.source}. Operations: {routine.operations} per point"]
     lines[-1] += f", {routine.batch_operations} per call." if routine.batch_operations else "."
     lines += ["", "Arguments (float64):"]
-    lines += [f"    {a.name} {shape_text(a)}: {a.description} [{a.unit}]" for a in routine.inputs]
-    lines += ["", "Returns:"]
-    lines += [f"    {a.name} {shape_text(a)}: {a.description} [{a.unit}]" for a in routine.outputs]
+    for arguments in (routine.inputs, routine.outputs):
+        if arguments is routine.outputs:
+            lines += ["", "Returns:"]
+        for a in arguments:
+            lines.append(f"    {a.name} {shape_text(a)}: {a.description} [{a.unit}]")
+            rows = f"rows: {rows_text(a)}"
+            lines += textwrap.wrap(
+                rows, 108, initial_indent=" " * 8, subsequent_indent=" " * 12, break_on_hyphens=False
+            )
     return lines
 
 

@@ -10,24 +10,25 @@ from trueaxis.emit.meta import ABI, spec_name
 from trueaxis.emit.numpy_source import numpy_source
 
 
-def render(model: DerivedModel) -> dict[str, bytes]:
-    """File name -> content of generated/NAME/. Same input, same bytes."""
+def render(model: DerivedModel, spec: str = "") -> dict[str, bytes]:
+    """File name -> content of generated/NAME/; spec: how it is named there. Same input, same bytes."""
     machine, routines = model.machine, model.routines
+    spec = spec or spec_name(machine)
     texts = {
-        "kernels.py": numpy_source(machine, routines),
-        "kernels.c": c_source(machine, routines),
-        "kernels.h": c_header(machine, routines),
-        "equations.md": equations_page(model),
+        "kernels.py": numpy_source(machine, routines, spec),
+        "kernels.c": c_source(machine, routines, spec),
+        "kernels.h": c_header(machine, routines, spec),
+        "equations.md": equations_page(model, spec),
     }
     files = {name: text.encode() for name, text in texts.items()}
-    return files | {"manifest.json": _manifest(model, files).encode()}
+    return files | {"manifest.json": _manifest(model, files, spec).encode()}
 
 
-def _manifest(model: DerivedModel, files: dict[str, bytes]) -> str:
+def _manifest(model: DerivedModel, files: dict[str, bytes], spec: str) -> str:
     record = {
         "schema": 1,
         "machine": model.machine.name,
-        "spec": spec_name(model.machine),
+        "spec": spec,
         "spec_sha256": model.machine.digest,
         "kernel_abi": ABI,
         "files": {name: hashlib.sha256(content).hexdigest() for name, content in files.items()},

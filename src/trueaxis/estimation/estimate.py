@@ -34,6 +34,7 @@ STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it 
 LEAST_STEP = 1e-12  # of the size of an unknown: rounding
 # A step may raise the squares where other sizes were found; led away by what is not linear, it raises them by far.
 WORSE, LEAST_SHARE = 4.0, 1e-3
+DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
 DRAWS, SEED = 8, 20  # of the posterior, from which the noise is taken
 
 
@@ -84,9 +85,13 @@ def _others(values: Mapping[str, T], names: tuple[str, ...]) -> dict[str, T]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _State:
-    """Where the estimation stands: noise of each instrument, scale of each run, and the unknowns."""
+    """Where the estimation stands: noise of each instrument, scale of each run, and the unknowns.
+
+    stated: instruments whose noise is known, white and 1, the scales of their runs being the noise in mm.
+    """
 
     runs: list[MeasuredRun]
+    stated: frozenset[str]
     noise: dict[str, Noise]
     scales: FloatArray
     unknowns: FloatArray
@@ -102,8 +107,9 @@ def estimate(
 ) -> Estimate:
     """The errors that are not given, from all readings, as a linear mixed model.
 
-    given: values that are taken as they are, dimensions too; noise: standard deviation of the readings of each run with
-    readings, by index, mm; None: estimated. Raises ValueError where no reading holds an error of the machine.
+    given: values that are taken as they are, dimensions too; noise: standard deviation of the readings of runs, by
+    index, mm; that of an instrument is estimated unless all of its runs are there. Raises ValueError where no reading
+    holds an error of the machine.
     """
     given = replace(given or ErrorValues(model.name), u={}, undetermined=(), covariance=None)
     layout = layout_of(model.with_values(given), observed, given)
@@ -118,12 +124,9 @@ def estimate(
             raise ValueError("no reading holds an error of the machine")
         x, posterior = best_sizes(sizes, found, x)
         state = _moved(layout, state, posterior, given)
-        if noise is None:
-            known, scales = _noise(layout, state, posterior, draw)
-            change = max(abs(np.log(one.sigma / state.noise[name].sigma)) for name, one in known.items())
-            state = replace(state, noise=known, scales=scales)
-        else:
-            change = 0.0
+        known, scales = _noise(layout, state, posterior, draw)
+        change = max(abs(np.log(one.sigma / state.noise[name].sigma)) for name, one in known.items())
+        state = replace(state, noise=known, scales=scales)
         good = _good(state)
         settled = change < SETTLED and all((one.good == now).all() for one, now in zip(state.runs, good, strict=True))
         state = replace(state, runs=[replace(one, good=now) for one, now in zip(state.runs, good, strict=True)])
@@ -168,17 +171,17 @@ def estimate(
 
 def _start(layout: Layout, runs: list[MeasuredRun], given: ErrorValues, noise: Mapping[int, float] | None) -> _State:
     unknowns = np.zeros(layout.count)
-    own = [np.zeros(len(own_kinds(one.rows.run, layout.straightness[one.rows.index]))) for one in runs]
-    residual = residuals_of(layout, runs, unknowns, own, given)
-    instruments = sorted({one.instrument for one in runs})
-    if noise is not None:
-        scales = np.array([noise[one.rows.index] for one in runs])
-        return _State(runs, {name: Noise(1.0) for name in instruments}, scales, unknowns, own, residual)
-    first = {
-        name: first_noise([rest for one, rest in zip(runs, residual, strict=True) if one.instrument == name])
-        for name in instruments
-    }
-    return _State(runs, first, np.ones(len(runs)), unknowns, own, residual)
+    own_unknowns = [np.zeros(len(own_kinds(one.rows.run, layout.straightness[one.rows.index]))) for one in runs]
+    residual = residuals_of(layout, runs, unknowns, own_unknowns, given)
+    noise = noise or {}
+    unstated = {one.instrument for one in runs if one.rows.index not in noise}
+    found: dict[str, Noise] = {}
+    for name in sorted({one.instrument for one in runs}):
+        own = [rest for one, rest in zip(runs, residual, strict=True) if one.instrument == name]
+        found[name] = first_noise(own) if name in unstated else Noise(1.0)
+    scales = np.array([1.0 if one.instrument in unstated else noise[one.rows.index] for one in runs])
+    stated = frozenset(found) - unstated
+    return _State(runs, stated, found, scales, unknowns, own_unknowns, residual)
 
 
 def _whitened(layout: Layout, state: _State) -> tuple[list[RunRows], list[Whitening], list[FloatArray]]:
@@ -225,12 +228,14 @@ def _noise(
     draws = [
         (rest[:, np.newaxis] - off)[one.good] for one, rest, off in zip(state.runs, state.residual, change, strict=True)
     ]
-    noise: dict[str, Noise] = {}
-    scales = np.ones(len(state.runs))
-    for name in state.noise:
+    noise, scales = dict(state.noise), state.scales.copy()
+    for name in sorted(state.noise.keys() - state.stated):
         members = [place for place, one in enumerate(state.runs) if one.instrument == name]
         steps = [state.runs[place].kept().steps for place in members]
-        noise[name], scales[members] = noise_of_draws([draws[place] for place in members], steps)
+        found, scales[members] = noise_of_draws([draws[place] for place in members], steps)
+        devices = {state.runs[place].rows.run.device for place in members}
+        resolved = max((one.resolution for one in devices if one is not None and one.resolution), default=0.0)
+        noise[name] = replace(found, white=max(found.white, resolved * DISPLAY))
     return noise, scales
 
 

@@ -53,23 +53,27 @@ SHARED_SIZES: Mapping[str, float] = {
     "laser cosine": 0.5e-6,
     "probe sphere": 50e-3,
     "probe origin": 50e-3,
+    "stated length": 1.0,
+    "stated scale": 1.0,
 }
 # By what a class may be larger or smaller, one standard deviation. Set-ups differ by orders of magnitude, and many runs
 # tell; a laser is calibrated and aligned as its makers say, and one value tells nothing of a size.
-SET_UP_FACTOR, CALIBRATED_FACTOR = 10.0, 2.0
+SET_UP_FACTOR, CALIBRATED_FACTOR, STATED_FACTOR = 10.0, 2.0, 1.1
 CALIBRATED = ("laser scale", "laser cosine")
+STATED = ("stated length", "stated scale")  # with an uncertainty that is known: in no need of correction
 
 
 @dataclass(frozen=True, slots=True)
 class SharedUnknown:
-    """An unknown of several runs. of: what tells it from others of its class; coordinate: of a centre, else 0;
-    runs: indices.
+    """An unknown of several runs. of: what tells it from others of its class; coordinate: of a centre, else 0; runs:
+    indices; size: one standard deviation, mm or 1, of its class or as the device's table states it.
     """
 
     kind: str
     of: Hashable
     runs: tuple[int, ...]
     coordinate: int = 0
+    size: float = 1.0
 
 
 def own_kinds(run: Run, straightness: bool) -> tuple[str, ...]:
@@ -99,28 +103,41 @@ def shared_unknowns(runs: Sequence[Run], present: Sequence[int], straightness: S
     for index in present:
         run = runs[index]
         if run.instrument == "ballbar":
-            keys: list[tuple[str, Hashable, int]] = [("ballbar centre", ball_of(run)[1], k) for k in range(3)]
-            keys.append(("ballbar length", run.length, 0))
+            ball = (run.session, ball_of(run)[1])
+            keys: list[tuple[str, Hashable, int]] = [("ballbar centre", ball, k) for k in range(3)]
+            length = "ballbar length" if run.device is None or run.device.length_u is None else "stated length"
+            keys.append((length, (run.session, run.device, run.length), 0))
         elif run.instrument == "probe":
-            keys = [("probe origin", (run.target, run.reference, run.frame), k) for k in range(3)]
+            keys = [("probe origin", (run.session, run.target, run.reference, run.frame), k) for k in range(3)]
             sphere = ball_of(run)[1]
             if sphere.on not in (run.frame, "bed"):
-                keys += [("probe sphere", sphere, k) for k in range(3)]
+                keys += [("probe sphere", (run.session, sphere), k) for k in range(3)]
         elif straightness[index]:
             keys = []
         else:
-            keys = [("laser scale", run.instrument, 0)]
-            keys.append(("laser cosine", (run.target, run.reference, run.direction), 0))
+            scale = "laser scale" if run.device is None or run.device.scale_u is None else "stated scale"
+            keys = [(scale, (run.session, run.device), 0)]
+            keys.append(("laser cosine", (run.session, run.target, run.reference, run.direction), 0))
         for key in keys:
             members.setdefault(key, []).append(index)
-    return [SharedUnknown(kind, of, tuple(runs_of), k) for (kind, of, k), runs_of in members.items()]
+    return [
+        SharedUnknown(kind, of, tuple(of_runs), k, _shared_size(kind, runs[of_runs[0]]))
+        for (kind, of, k), of_runs in members.items()
+    ]
+
+
+def _shared_size(kind: str, run: Run) -> float:
+    stated = None
+    if run.device is not None and kind in STATED:
+        stated = run.device.length_u if kind == "stated length" else run.device.scale_u
+    return stated or SHARED_SIZES[kind]
 
 
 def shared_column(machine: IdentifiedMachine, run: Run, unknown: SharedUnknown, positions: FloatArray) -> FloatArray:
     """(n,): derivative of the readings of a run by a shared unknown, per mm or per 1."""
-    if unknown.kind in ("laser scale", "laser cosine"):
+    if unknown.kind in ("laser scale", "stated scale", "laser cosine"):
         return along(machine, run, positions)
-    if unknown.kind == "ballbar length":
+    if unknown.kind in ("ballbar length", "stated length"):
         return np.ones(positions.shape[1])
     if unknown.kind == "ballbar centre":
         return np.asarray(ball_columns(machine, run, positions)[:, unknown.coordinate])

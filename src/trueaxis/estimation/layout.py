@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.estimation.curve_prior import DEGREE
-from trueaxis.estimation.instruments import SHARED_SIZES, SharedUnknown, shared_unknowns, straight_runs
+from trueaxis.estimation.instruments import SharedUnknown, shared_unknowns, straight_runs
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
@@ -79,7 +79,7 @@ def layout_of(model: MachineModel, observed: Observations, given: ErrorValues) -
     sizes = [
         *np.repeat([prior.of_component(name) for name in components], [basis.degree for basis in bases]).tolist(),
         *(prior.of_location(name, machine.parameter_unit(name)) for name in locations),
-        *(SHARED_SIZES[one.kind] for one in shared),
+        *(one.size for one in shared),
     ]
     return Layout(
         model=model,

@@ -9,7 +9,15 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.estimation.curve_prior import FALLING_FACTOR, SHAPE, WAVES_FACTOR, CurvePrior
-from trueaxis.estimation.instruments import CALIBRATED, CALIBRATED_FACTOR, OWN_SIZES, SET_UP_FACTOR, SHARED_SIZES
+from trueaxis.estimation.instruments import (
+    CALIBRATED,
+    CALIBRATED_FACTOR,
+    OWN_SIZES,
+    SET_UP_FACTOR,
+    SHARED_SIZES,
+    STATED,
+    STATED_FACTOR,
+)
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.posterior import Posterior
@@ -93,4 +101,6 @@ class Sizes:
 
 
 def _factor(kind: str) -> float:
+    if kind in STATED:
+        return STATED_FACTOR
     return CALIBRATED_FACTOR if kind in CALIBRATED else SET_UP_FACTOR

@@ -99,20 +99,20 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     return Identification(values, report, covariance_of(found.layout, found.spread))
 
 
-def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float] | None:
+def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float]:
+    """Standard deviation of the readings of runs by index, mm: by the options, else by their devices."""
     weights = weighting(observed, model)
     if weights.sigma is None:
-        return None
+        devices = {index: observed.runs[index].device for index in np.unique(observed.run).tolist()}
+        return {index: one.noise for index, one in devices.items() if one is not None and one.noise is not None}
     each = weights.sigma / weights.roots
     return {int(index): float(each[observed.run == index][0]) for index in np.unique(observed.run)}
 
 
-def _residuals(
-    model: MachineModel, observed: Observations, found: Estimate, noise: dict[int, float] | None
-) -> Residuals:
+def _residuals(model: MachineModel, observed: Observations, found: Estimate, noise: dict[int, float]) -> Residuals:
     good = ~found.outliers
     known = known_noise(observed, None)
-    if noise is not None:
+    if set(np.unique(observed.run).tolist()) <= set(noise):
         known = np.array([noise.get(index, np.nan) for index in range(len(observed.runs))])[observed.run]
     return Residuals(
         observed.run,
@@ -212,7 +212,7 @@ def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentRep
             continue  # the readings say nothing of it
         letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
         runs = ", ".join(observed.runs[index].id for index in unknown.runs)
-        unit = "1" if unknown.kind in ("laser scale", "laser cosine") else "mm"
+        unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
         value = float(found.unknowns[place])
         reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
     return tuple(reports)

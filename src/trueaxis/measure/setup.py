@@ -20,6 +20,22 @@ class PointOn:
     point: Vector = (0.0, 0.0, 0.0)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Device:
+    """One instrument, by its ID; what is known of it, None where nothing is said.
+
+    resolution, noise: step of its display and standard deviation of a reading, mm; length_u: standard uncertainty of
+    the length of a ball bar, mm; scale_u: relative standard uncertainty of a laser's scale.
+    """
+
+    id: str
+    serial: str = ""
+    resolution: float | None = None
+    noise: float | None = None
+    length_u: float | None = None
+    scale_u: float | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Run:
     """One run: an instrument set up once and read at many axis positions.
@@ -27,7 +43,8 @@ class Run:
     direction: unit vector of the sensed direction, in `frame` (laser and probe; None for the ball bar);
     home: axis -> position (mm, deg) at which the reading was set to zero, every axis of the machine named;
     length: nominal length of the ball bar, mm (None for laser and probe). A distance has neither frame nor zero
-    point: `frame` and `home` say nothing about a ball-bar run.
+    point: `frame` and `home` say nothing about a ball-bar run. device: None where the file names none: all runs of one
+    instrument are then of one device; session: from one set-up of the machine to the next, empty where nothing is said.
     """
 
     id: str
@@ -38,6 +55,8 @@ class Run:
     home: Mapping[str, float]
     direction: Vector | None = None
     length: float | None = None
+    device: Device | None = None
+    session: str = ""
 
 
 @dataclass(frozen=True, slots=True)

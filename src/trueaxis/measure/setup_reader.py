@@ -1,15 +1,17 @@
 """setup.toml to Run records, with every fault at its line and key."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
 
 from trueaxis.faults import Faults
 from trueaxis.input_files import input_bytes, utf8_text
-from trueaxis.measure.limits import FARTHEST_POINT, LONGEST_ID
+from trueaxis.measure.devices import check_devices, check_label, read_devices
+from trueaxis.measure.limits import FARTHEST_POINT
 from trueaxis.measure.machine import MachineAxes
-from trueaxis.measure.setup import Carrier, CompensationKey, Frame, Instrument, PointOn, Run, Setup, Vector
+from trueaxis.measure.setup import Carrier, CompensationKey, Device, Frame, Instrument, PointOn, Run, Setup, Vector
 from trueaxis.spec.fields import Fields, shown
 from trueaxis.toml_lines import complainer, key_lines, parse_toml, place
 
@@ -44,12 +46,14 @@ def _setup(top: Fields, machine: MachineAxes) -> Setup:
         top.fault("machine", f"{shown(measured)} is another machine", f'machine = "{machine.name}"')
     runs: list[Run] = []
     ids: set[str] = set()
+    devices = read_devices(top)
     for fields in top.tables("run", required=True):
-        run = _run(fields, machine)
+        run = _run(fields, machine, devices)
         if run.id in ids:
             fields.fault("id", f'"{run.id}" names another run already', "an id of its own for each run")
         ids |= {run.id} - {""}
         runs.append(run)
+    check_devices(top, devices, runs)
     return Setup(machine.name, tuple(runs), report=_report(top))
 
 
@@ -72,7 +76,7 @@ def _report(top: Fields) -> dict[str, str]:
     return {key: value for key, value in table.raw.items() if isinstance(value, str)}
 
 
-def _run(fields: Fields, machine: MachineAxes) -> Run:
+def _run(fields: Fields, machine: MachineAxes, devices: Mapping[str, Device]) -> Run:
     """The run of one table; what is wrong in it has been complained of and is filled with something harmless."""
     instrument = fields.choice("instrument", _INSTRUMENTS)
     if "instrument" not in fields.raw:
@@ -96,6 +100,8 @@ def _run(fields: Fields, machine: MachineAxes) -> Run:
         home=_home(fields, machine),
         direction=_direction(fields, instrument),
         length=_length(fields, instrument),
+        device=_device(fields, devices),
+        session=_label(fields, "session"),
     )
     fields.refuse_others()
     return run
@@ -112,11 +118,20 @@ def _check_carriers(fields: Fields, ballbar: bool, frame: Frame, target: PointOn
 
 def _id(fields: Fields) -> str:
     run_id = fields.text("id") or ""
-    if run_id and (run_id != run_id.strip() or not run_id.isprintable()):
-        fields.fault("id", f"is {shown(run_id)}", "printable characters with no space before or after them")
-    if len(run_id) > LONGEST_ID:
-        fields.fault("id", f"has {len(run_id)} characters", f"{LONGEST_ID} at most")
+    check_label(fields, "id", run_id)
     return run_id
+
+
+def _label(fields: Fields, key: str) -> str:
+    """A name that may be absent."""
+    label = fields.text(key, default="") or ""
+    check_label(fields, key, label)
+    return label
+
+
+def _device(fields: Fields, devices: Mapping[str, Device]) -> Device | None:
+    name = _label(fields, "device")
+    return devices.get(name, Device(id=name)) if name else None
 
 
 def _direction(fields: Fields, instrument: str | None) -> Vector | None:

@@ -9,7 +9,8 @@ from trueaxis.faults import Fault, InputError
 from trueaxis.measure.approach import approach_directions
 from trueaxis.measure.reading_model import home_positions
 from trueaxis.measure.readings import Readings
-from trueaxis.measure.setup import PointOn, Run
+from trueaxis.measure.setup import Run
+from trueaxis.measure.setup_writer import run_table
 from trueaxis.plan.candidates import Candidate
 
 
@@ -18,7 +19,7 @@ def setup_text(given: str, added: Sequence[Candidate], file: str) -> str:
 
     file: named in the fault. Raises InputError where tables cannot be added to the text.
     """
-    text = given.rstrip("\n") + "\n" + "".join(f"\n# {one.what}\n{_table(one.run)}" for one in added)
+    text = given.rstrip("\n") + "\n" + "".join(f"\n# {one.what}\n{run_table(one.run)}" for one in added)
     try:
         count = len(tomllib.loads(text)["run"])
     except tomllib.TOMLDecodeError:
@@ -61,19 +62,3 @@ def with_runs(given: Readings, added: Sequence[Candidate]) -> Readings:
 def _start(run: Run, axes: Sequence[str]) -> "np.ndarray | None":
     home = home_positions(run, axes)
     return None if home is None else home[:, 0]
-
-
-def _table(run: Run) -> str:
-    lines = ["[[run]]", f'id = "{run.id}"', f'instrument = "{run.instrument}"']
-    if run.length is not None:
-        lines.append(f"length = {run.length!r}")
-    if run.direction is not None:
-        lines += [f"direction = {list(run.direction)!r}", f'frame = "{run.frame}"']
-    lines += [f"target = {_point(run.target)}", f"reference = {_point(run.reference)}"]
-    if run.length is None:
-        lines.append(f"home = {{ {', '.join(f'{axis} = {value!r}' for axis, value in run.home.items())} }}")
-    return "\n".join(lines) + "\n"
-
-
-def _point(end: PointOn) -> str:
-    return f'{{ on = "{end.on}" }}' if end.on == "bed" else f'{{ on = "{end.on}", point = {list(end.point)!r} }}'

@@ -1,19 +1,24 @@
 """Terms of effects and their derivatives by the effects' parameters, from the generated kernels."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Place
 from trueaxis.effects.variables import FARTHEST, REFERENCE_TEMPERATURE
+from trueaxis.runtime import effect_library
 from trueaxis.runtime.context import Context, FloatArray, ReadingContext
 from trueaxis.runtime.kernels import Kernels
 from trueaxis.spec.machine import Machine
 
+_LIBRARY: Any = effect_library  # emitted, without annotations
+
 
 def context_variables(kernels: Kernels, kind: str) -> tuple[str, ...]:
     """The context variables that the kernel of a kind takes, in the order of its rows."""
-    return tuple(kernels.meta["effects"]["kinds"][kind]["context"])
+    own = kernels.meta["effects"]["kinds"]
+    return tuple((own if kind in own else _LIBRARY.META["effects"]["kinds"])[kind]["context"])
 
 
 def component_term(
@@ -79,7 +84,10 @@ def _of_axis(name: str, machine: Machine, axis: str, positions: FloatArray, cont
 
 def _term(kernels: Kernels, kind: str, parameters: FloatArray, row: Callable[[str], FloatArray]) -> FloatArray:
     given = np.array([row(name) for name in context_variables(kernels, kind)])
-    term: FloatArray = kernels[f"effect_{kind}"](given, np.asarray(parameters, dtype=np.float64))
+    name = f"effect_{kind}"
+    # The machine's kernels have the effects of its spec; a search tries those of the whole library.
+    kernel = kernels[name] if name in kernels else getattr(_LIBRARY, name)
+    term: FloatArray = kernel(given, np.asarray(parameters, dtype=np.float64))
     # A comparison with an unknown value, as in a step, would pass for a known one.
     term[:, np.isnan(given).any(axis=0)] = np.nan
     return term

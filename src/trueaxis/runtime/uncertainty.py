@@ -138,7 +138,8 @@ def tool_uncertainty(
 
 def _rows(by_value: FloatArray) -> FloatArray:
     """(3 n, n_values) from (3, n_values, n)."""
-    return np.ascontiguousarray(by_value.transpose(0, 2, 1)).reshape(-1, by_value.shape[1])
+    count = by_value.shape[0] * by_value.shape[2]
+    return np.ascontiguousarray(by_value.transpose(0, 2, 1)).reshape(count, by_value.shape[1])
 
 
 def _as_many(position: FloatArray, tool: FloatArray) -> FloatArray:

@@ -1,12 +1,14 @@
-"""Eqs. (1)-(43) and Tables 1-6 exactly as the recognised text prints them, slips included."""
+"""Eqs. (1)-(48), (53)-(56) and Tables 1-7 exactly as the recognised text prints them, slips included."""
 
 from __future__ import annotations
 
 from ..notation import Printed
+from .compensation import COMPENSATION
 from .linkage_xy import LINKAGE_XY
 from .linkage_xz import LINKAGE_XZ
 from .linkage_yz import LINKAGE_YZ
 from .model import MODEL
+from .polynomials import POLYNOMIALS
 from .single_axis import SINGLE_AXIS
 from .squareness import SQUARENESS_SECTION
 from .tables import TABLES
@@ -18,5 +20,7 @@ EQUATIONS: tuple[Printed, ...] = (
     *LINKAGE_XY,
     *LINKAGE_YZ,
     *SQUARENESS_SECTION,
+    *POLYNOMIALS,
+    *COMPENSATION,
 )
 PRINTED: dict[int | str, Printed] = {item.number: item for item in (*EQUATIONS, *TABLES)}

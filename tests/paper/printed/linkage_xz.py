@@ -33,6 +33,11 @@ def straightness(label: str) -> sp.Symbol:
     return sp.Symbol(f"delta_{label}h", real=True)
 
 
+def component(direction: str) -> sp.Symbol:
+    """Component of the unit vector along a linkage line OH."""
+    return sp.Symbol(f"n_{direction}", real=True)
+
+
 def along(label: str, sign: int, first: str, second: str, run: str, prefix: str = "") -> tuple[Formula, ...]:
     """L_first = L^l sin(theta) + delta cos(theta) and L_second = L^l cos(theta) + sign delta sin(theta)."""
     length, offset = ideal_length(label), straightness(label)

@@ -18,7 +18,7 @@ from ..notation import (
     r,
     reading,
 )
-from .linkage_xz import along
+from .linkage_xz import THETA, along, component
 from .single_axis import displacement, rotation
 
 _R_L = sp.Matrix([r("l", d) for d in DIRECTIONS])
@@ -57,8 +57,9 @@ LINKAGE_YZ: tuple[Printed, ...] = (
         "3.5",
         (
             *along("i", 1, "y", "z", "line YZ"),
-            Entry("wording: theta is the angle to", "Y axis"),
-            Entry("wording: projections named", ("L_ixh", "L_iyh")),
+            # "theta denotes the included angle between the ideal linkage trajectory curve and Y axis"
+            Formula("cosine of theta", sp.cos(THETA), component("y"), "line YZ"),
+            Entry("projections named in the text", ("L_ixh", "L_iyh")),
         ),
     ),
     Printed(

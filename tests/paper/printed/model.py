@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..notation import DIRECTIONS, Entry, Formula, Printed, delta, eps, place, r
+from ..notation import DIRECTIONS, POSITION, Definition, Entry, Formula, Printed, delta, eps, place, r
 
 FRAMES = ("SIL", "SIJ", "SJK")
 
@@ -75,6 +75,21 @@ def _relative(direction: str) -> sp.Expr:
     return lh - l0 - (kh - k0)
 
 
+def seen(direction: str) -> sp.Symbol:
+    """Coordinate of P_T^W, the tool ball in the workpiece frame."""
+    return sp.Symbol(f"{direction}_T^W", real=True)
+
+
+def in_bed(direction: str) -> sp.Symbol:
+    """Coordinate of [SBT] P_T."""
+    return sp.Symbol(f"{direction}_T^M", real=True)
+
+
+_SBW = _translation(0, POSITION["y"], 0) * _motion_error("y")
+_SBW = _SBW * _translation(*(sp.Symbol(f"q_w{d}", real=True) for d in DIRECTIONS))
+_SEEN = _SBW.inv(method="ADJ") * sp.Matrix([*(in_bed(d) for d in DIRECTIONS), 1])
+"""Right-hand side of Eq. (4) with [SBW] by Table 2, its corner mended (E5)."""
+
 PE = tuple(sp.Symbol(f"P_E{d}", real=True) for d in DIRECTIONS)
 LENGTH, ERROR_SIZE = sp.symbols("l_1 E", real=True)
 _NORM = sp.sqrt(sum(p**2 for p in PE))
@@ -112,22 +127,14 @@ MODEL: tuple[Printed, ...] = (
         4,
         "tool point in the workpiece frame",
         "2.3",
-        (Entry("product", ("inverse SBW", "SBT", "P_T")),),
+        tuple(Formula(d, seen(d), _SEEN[i], "workpiece view") for i, d in enumerate(DIRECTIONS)),
     ),
     Printed(
         5,
         "vector of the ball bar",
         "2.3",
         (
-            *(
-                Formula(
-                    d,
-                    PE[i],
-                    sp.Symbol(f"{d}_T^W", real=True) - sp.Symbol(f"{d}_w", real=True),
-                    "bar",
-                )
-                for i, d in enumerate(DIRECTIONS)
-            ),
+            *(Definition(d, PE[i], seen(d) - sp.Symbol(f"{d}_w", real=True)) for i, d in enumerate(DIRECTIONS)),
             Formula("fourth element", sp.Symbol("P_E4", real=True), sp.Integer(0), "bar"),
         ),
     ),

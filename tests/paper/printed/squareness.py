@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..notation import EPS_XY, EPS_XZ, EPS_YZ, Entry, Formula, Printed
+from ..notation import EPS_XY, EPS_XZ, EPS_YZ, Definition, Formula, Printed
 
 COUNT = sp.Symbol("n", integer=True, positive=True)
 """Upper limit of the sums: h in Eq. (39), n in Eq. (41)."""
@@ -59,9 +59,9 @@ V, P = positions("v"), sp.IndexedBase("P_uv", real=True)
 DENOMINATOR = COUNT * total(V[INDEX] ** 2) - total(V[INDEX]) ** 2
 
 
-def _ratio(pair: str) -> Formula:
+def _ratio(pair: str) -> Definition:
     axis = sp.Symbol(pair[1], real=True)
-    return Formula(f"P'_{pair}", axis, (fitted(pair) - intercept(pair)) / slope(pair), "fitted line")
+    return Definition(f"P'_{pair}", axis, (fitted(pair) - intercept(pair)) / slope(pair))
 
 
 def _cosine(dot: sp.Expr, first: tuple[str, str], second: tuple[str, str]) -> sp.Expr:
@@ -78,21 +78,17 @@ SQUARENESS_SECTION: tuple[Printed, ...] = (
         39,
         "offset curves of the axis lines",
         "3.6",
-        (
-            *(_offset_curve(pair) for pair in OFFSETS),
-            Entry("wording: P_uv is the offset curve of", ("[SJK]_p axis", "I_4x4 direction")),
-        ),
+        tuple(_offset_curve(pair) for pair in OFFSETS),
     ),
     Printed(
         40,
         "best fitting line",
         "3.6",
         (
-            Formula(
+            Definition(
                 "P'_uv",
                 fitted("uv"),
                 intercept("uv") + slope("uv") * sp.Symbol("v", real=True),
-                "fitted line",
             ),
         ),
     ),

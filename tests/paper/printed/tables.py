@@ -95,21 +95,46 @@ IMPROVEMENTS = {
 }
 """Sects. 5.2 and 5.3, Table 8: ordinary, iterative, printed reduction in per cent, digits as printed."""
 
+TABLE_1 = """\
+\t\tX axis\tY axis\tZ axis
+PDGEs\tPositioning error\tdelta_x(x)\tdelta_y(y)\tdelta_z(z)
+\tStraightness error\tx direction\tdelta_x(y)\tdelta_x(z)
+\t\ty direction\tdelta_y(x)\tdelta_y(z)
+\t\tz direction\tdelta_z(x)\tdelta_z(y)
+\tRoll error\tepsilon_x(x)\tepsilon_y(y)\tepsilon_z(z)
+\tPitch error\tepsilon_y(x)\tepsilon_x(y)\tepsilon_x(z)
+Yaw error\tepsilon_z(x)\tepsilon_z(y)\tepsilon_y(y)\t
+PIGEs\tXY axis perpendicularity error\tepsilon_xy\t\t
+\tXZ axis perpendicularity error\tepsilon_xz\t\t
+\tYZ axis perpendicularity error\tepsilon_yz\t\t
+"""
+"""Table 1 as the recognised text has it, tabs included, its maths in the names used here."""
+
+
+def table_1_cells() -> dict[str, tuple[str, ...]]:
+    """For each row of Table 1 the cells that stand under its headings X axis, Y axis, Z axis."""
+    head, *lines = (line.split("\t") for line in TABLE_1.splitlines())
+    columns = [head.index(f"{axis} axis") for axis in "XYZ"]
+    rows: dict[str, tuple[str, ...]] = {}
+    for line in lines:
+        name = next(cell for cell in line if cell and cell not in ("PDGEs", "PIGEs", "Straightness error"))
+        rows[name] = tuple(line[column] for column in columns)
+    return rows
+
+
 TABLES: tuple[Printed, ...] = (
+    Printed(
+        "Sect. 2.1",
+        "what the rotary axes are fixed to",
+        "2.1",
+        # "by fixing C axis and B axis as one unit moving with the Z axis and Y axis, respectively"
+        (Entry("axes that carry C and B", ("Z", "Y")),),
+    ),
     Printed(
         "Table 1",
         "the 21 errors",
         "2.2",
-        (
-            Entry("positioning", ("delta_x(x)", "delta_y(y)", "delta_z(z)")),
-            Entry("straightness, x direction", ("delta_x(y)", "delta_x(z)", "")),
-            Entry("straightness, y direction", ("delta_y(x)", "delta_y(z)", "")),
-            Entry("straightness, z direction", ("delta_z(x)", "delta_z(y)", "")),
-            Entry("roll", ("epsilon_x(x)", "epsilon_y(y)", "epsilon_z(z)")),
-            Entry("pitch", ("epsilon_y(x)", "epsilon_x(y)", "epsilon_x(z)")),
-            Entry("yaw", ("epsilon_z(x)", "epsilon_z(y)", "epsilon_y(y)")),
-            Entry("squareness", ("epsilon_xy", "epsilon_xz", "epsilon_yz")),
-        ),
+        tuple(Entry(label, cells) for label, cells in table_1_cells().items()),
     ),
     Printed(
         "Table 2",
@@ -154,6 +179,12 @@ TABLES: tuple[Printed, ...] = (
         "Table 6",
         "squareness values",
         "4.2",
-        (Entry("parameters", tuple(SQUARENESS_VALUES)),),
+        (),
+    ),
+    Printed(
+        "Table 7",
+        "test conditions",
+        "5.3",
+        (Entry("full circle of the bar within the strokes", True),),
     ),
 )

@@ -1,0 +1,1 @@
+"""Tables of error compensation as controls read them, made from error values."""

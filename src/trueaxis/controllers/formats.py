@@ -1,0 +1,159 @@
+"""Every format by its name: which tables it has and how they are written."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from trueaxis.controllers import heidenhain, linuxcnc, siemens
+from trueaxis.controllers.axis_tables import AxisTable, axis_tables, nodes
+from trueaxis.controllers.isg_csv import DIRECTIONS, control_model, csv_text, motion_errors, reversed_axes
+from trueaxis.controllers.remaining import Remaining, TakenOff, remaining, taken_by_tables
+from trueaxis.effects.placement import context_of
+from trueaxis.runtime.curves import FloatArray, TableCurve
+from trueaxis.runtime.model import MachineModel
+from trueaxis.spec.machine import LINEAR
+
+ISG = "isg-csv"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TableFormat:
+    """A format of tables of single axes.
+
+    pairs: (of, by) that it has, from the axes of a machine; write: name -> text, one name "" for a single file, from
+    tables, comments and whether the directions differ; digits: of a value, mm or deg; most_points: of a table, None
+    where the control is set up for as many as there are; both_directions: whether it tells them apart.
+    """
+
+    pairs: Callable[[Sequence[str]], Sequence[tuple[str, str]]]
+    write: Callable[[Sequence[AxisTable], Sequence[str], bool], Mapping[str, str]]
+    digits: int
+    most_points: int | None = None
+    both_directions: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Export:
+    """What is written: name -> text (the one name "" for a file), and what remains of the deviations with it.
+
+    tables: those of single axes, as written; chain: axes from the workpiece to the tool where the file is a model.
+    """
+
+    files: Mapping[str, str]
+    remaining: Remaining
+    tables: tuple[AxisTable, ...] = ()
+    chain: tuple[str, ...] = ()
+
+
+def own_pairs(axes: Sequence[str]) -> list[tuple[str, str]]:
+    """Every axis by itself."""
+    return [(axis, axis) for axis in axes]
+
+
+def cross_pairs(axes: Sequence[str]) -> list[tuple[str, str]]:
+    """Every linear axis by every other."""
+    return [(of, by) for by in axes for of in axes if of != by and of in LINEAR and by in LINEAR]
+
+
+def all_pairs(axes: Sequence[str]) -> list[tuple[str, str]]:
+    """Every axis by itself, and every linear axis by every other."""
+    return [*own_pairs(axes), *cross_pairs(axes)]
+
+
+TABLE_FORMATS: Mapping[str, TableFormat] = {
+    "siemens-enc": TableFormat(
+        pairs=own_pairs,
+        write=lambda tables, comments, _: {"": siemens.encoder_text(tables, comments)},
+        digits=siemens.DIGITS,
+    ),
+    "siemens-cec": TableFormat(
+        pairs=cross_pairs,
+        write=lambda tables, comments, _: {"": siemens.sag_text(tables, comments)},
+        digits=siemens.DIGITS,
+    ),
+    "heidenhain-com": TableFormat(
+        pairs=all_pairs,
+        write=lambda tables, _, differ: heidenhain.com_files(tables, differ),
+        digits=heidenhain.DIGITS,
+        most_points=heidenhain.MOST_POINTS,
+        both_directions=True,
+    ),
+    "linuxcnc-comp": TableFormat(
+        pairs=own_pairs,
+        write=lambda tables, _, __: linuxcnc.comp_files(tables),
+        digits=linuxcnc.DIGITS,
+        most_points=linuxcnc.MOST_POINTS,
+        both_directions=True,
+    ),
+}
+UNTABLED = {"v", "d", "t", "T"}  # what effects may depend on that a table has no room for: see effects/variables.py
+FORMATS = (ISG, *TABLE_FORMATS)
+
+
+def problem_of(name: str, model: MachineModel, step: float | None) -> str:
+    """Why the machine cannot be exported in that format; empty where it can."""
+    if any(axis not in model.axes for axis in LINEAR):
+        return "has no X, Y and Z axis: tables are made for machines with all three"
+    if name == ISG:
+        axes = reversed_axes(model)
+        return (
+            f"positive commands of {' '.join(axes)} move the tool in the negative direction, seen from the workpiece, "
+            "which this format cannot say (`sense` in the spec, where the control counts the other way)"
+            if axes
+            else ""
+        )
+    most = TABLE_FORMATS[name].most_points
+    if most is not None and step is not None:
+        longest = max(nodes(model.travel[axis], step).size for axis in model.axes)
+        if longest > most:
+            return f"needs {longest} positions with a step of {step:g}, and the control takes {most} in a table"
+    return ""
+
+
+def export_tables(
+    name: str,
+    model: MachineModel,
+    tool: FloatArray,
+    step: float | None,
+    positions: FloatArray,
+    comments: Sequence[str] = (),
+) -> Export:
+    """Make the files of a format. tool: (3, 1), mm; positions: (n_axes, n), where it is judged what remains; comments:
+    lines for the head of the file, where the format has room for them.
+    """
+    if name == ISG:
+        control = control_model(model, tool[:, 0], step)
+        left = remaining(model, tool, positions, _taken_by_model(model, tool, step))
+        return Export(files={"": csv_text(control, comments)}, remaining=left, chain=control.chain)
+    chosen = TABLE_FORMATS[name]
+    made = axis_tables(model, tool, chosen.pairs(model.axes), step)
+    tables = tuple(table.rounded(chosen.digits) for table in made)
+    left = remaining(model, tool, positions, taken_by_tables(model, tables, both_directions=chosen.both_directions))
+    differ = chosen.both_directions and any((table.forward != table.backward).any() for table in tables)
+    return Export(files=chosen.write(tables, comments, differ), remaining=left, tables=tables)
+
+
+def untabled_effects(model: MachineModel) -> tuple[str, ...]:
+    """Labels of effects of the error values on more than positions and directions: no table holds them."""
+    return tuple(
+        values.effect.label
+        for values in model.effect_values
+        if model.kinds[values.effect.kind].place == "component"
+        and UNTABLED & {name.removesuffix("_b") for name in context_of(model.kinds[values.effect.kind])}
+    )
+
+
+def _taken_by_model(model: MachineModel, tool: FloatArray, step: float | None) -> TakenOff:
+    """What a control takes off that has the components at the nodes, interpolated on a straight line."""
+    curves = {}
+    for axis in model.axes:
+        at = nodes(model.travel[axis], step)
+        for direction, values in zip(DIRECTIONS, motion_errors(model, axis, at), strict=True):
+            if (name := f"E{direction}{axis}") in model.components:
+                curves[name] = TableCurve(positions=tuple(at.tolist()), values=tuple(values.tolist()))
+    parameters = dict(zip(model.parameters, model.parameter_values.tolist(), strict=True))
+    known = model.with_values(replace(model.errors, motion_errors=curves, parameters=parameters, effects=()))
+
+    def taken(at: FloatArray, _: FloatArray) -> FloatArray:
+        return known.correction(at, known.deviation(at, tool))
+
+    return taken

@@ -1,0 +1,67 @@
+"""What a compensation leaves: the machine as the control would drive it, with the tables as they are written."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from trueaxis.controllers.axis_tables import AxisTable, approached
+from trueaxis.runtime.context import Context
+from trueaxis.runtime.curves import FloatArray
+from trueaxis.runtime.model import MachineModel
+from trueaxis.runtime.uncertainty import home_of
+
+# (n_axes, n) from positions (n_axes, n) and directions of approach (n_axes,): by how much the control takes each axis
+# to be off, mm or deg
+TakenOff = Callable[[FloatArray, FloatArray], FloatArray]
+
+
+@dataclass(frozen=True, slots=True)
+class Remaining:
+    """RMS over positions of the length of the tool point's deviation from home, mm: before, and with the tables."""
+
+    before: float
+    after: float
+
+
+def remaining(model: MachineModel, tool: FloatArray, positions: FloatArray, taken: TakenOff) -> Remaining:
+    """Over positions (n_axes, n), approached by all axes forward and backward; tool: (3, 1), mm."""
+    square_before, square_after, count = 0.0, 0.0, 0
+    axes, n = len(model.axes), positions.shape[1]
+    home = home_of(model)
+    zero = model.in_context(Context.at_rest(axes, 1)).deviation(home, tool)
+    home_moved = home - taken(home, np.zeros(axes))
+    zero_moved = _off(model.in_context(Context.at_rest(axes, 1)), tool, home, home_moved)
+    signs = (1.0, -1.0) if model.effect_values else (0.0,)
+    for sign in signs:
+        directions = np.full(axes, sign)
+        here = model.in_context(approached(model, n, directions))
+        before = here.deviation(positions, tool) - zero
+        after = _off(here, tool, positions, positions - taken(positions, directions)) - zero_moved
+        square_before += float((before**2).sum())
+        square_after += float((after**2).sum())
+        count += n
+    return Remaining(float(np.sqrt(square_before / count)), float(np.sqrt(square_after / count)))
+
+
+def taken_by_tables(model: MachineModel, tables: Sequence[AxisTable], *, both_directions: bool) -> TakenOff:
+    """What a control takes off that interpolates the tables on a straight line and holds their ends.
+
+    both_directions: whether it has the error of an axis along itself for each direction of approach, or their mean.
+    """
+
+    def taken(positions: FloatArray, directions: FloatArray) -> FloatArray:
+        total = np.zeros_like(positions)
+        for table in tables:
+            row = model.axes.index(table.by)
+            sign = directions[row] if both_directions and table.of == table.by else 0.0
+            values = table.forward if sign > 0.0 else table.backward if sign < 0.0 else table.mean
+            total[model.axes.index(table.of)] += np.interp(positions[row], table.positions, values)
+        return total
+
+    return taken
+
+
+def _off(model: MachineModel, tool: FloatArray, wanted: FloatArray, commanded: FloatArray) -> FloatArray:
+    """(3, n): where the tool is at the positions commanded, less where it should be at those wanted."""
+    return model.ideal(commanded, tool) - model.ideal(wanted, tool) + model.deviation(commanded, tool)

@@ -1,0 +1,171 @@
+"""Where the paper has what is derived, for the page of the paper's own machine: numbers, points, unknowns, errata."""
+
+from dataclasses import dataclass
+
+TITLE = "Prediction and compensation of geometric error for translational axes in multi-axis machine tools"
+ERRATA_PAGE = "../../docs/errata.md"
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One measured displacement L_{label direction h}: of point `label` in a direction, in runs of a pattern."""
+
+    label: str
+    direction: str
+
+    @property
+    def latex(self) -> str:
+        """`L_{1xh}`."""
+        return f"L_{{{self.label}{self.direction}h}}"
+
+
+@dataclass(frozen=True)
+class System:
+    """A numbered system of a pattern: its readings row by row, its unknowns in the paper's order.
+
+    solution: the number of its closed form; written by rows (`rows`) or with the inverse matrix.
+    """
+
+    number: int
+    solution: int
+    readings: tuple[Reading, ...]
+    unknowns: tuple[str, ...]
+    rows: bool = True
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """A motion of Sects. 3.2 to 3.5: axes that move, number of its motion equation, of its readings and systems.
+
+    projected: number of the projections of its linkage line, with the directions of sine and cosine. general: number
+    of the readings of any point i; special: number and readings of the points measured.
+    """
+
+    axes: str
+    section: str
+    title: str
+    motion: int
+    systems: tuple[System, ...]
+    projected: tuple[int, str, str] | None = None
+    general: tuple[int, str] | None = None
+    special: tuple[tuple[int, tuple[Reading, ...]], ...] = ()
+
+
+def _readings(labels: str, directions: str) -> tuple[Reading, ...]:
+    return tuple(Reading(label, direction) for direction in directions for label in labels)
+
+
+PATTERNS = (
+    Pattern(
+        "X",
+        "3.2",
+        "X alone",
+        12,
+        (System(15, 18, _readings("123", "x"), ("EXX", "ECX", "EBX"), rows=False),),
+    ),
+    Pattern(
+        "Y",
+        "3.2",
+        "Y alone",
+        13,
+        (System(16, 19, _readings("456", "y"), ("EYY", "ECY", "EAY"), rows=False),),
+    ),
+    Pattern(
+        "Z",
+        "3.2",
+        "Z alone",
+        14,
+        (System(17, 20, _readings("789", "z"), ("EZZ", "EBZ", "EAZ"), rows=False),),
+    ),
+    Pattern(
+        "XZ",
+        "3.3",
+        "X and Z together",
+        21,
+        (System(25, 26, _readings("12", "xz"), ("EXZ", "ECZ", "EZX", "EAX")),),
+        (22, "x", "z"),
+        (23, "xz"),
+        ((24, _readings("12", "xz")),),
+    ),
+    Pattern(
+        "XY",
+        "3.4",
+        "X and Y together",
+        27,
+        (
+            System(31, 32, _readings("12", "x"), ("EXY", "EBY")),
+            System(0, 34, _readings("1", "y"), ("EYX",)),
+        ),
+        (28, "x", "y"),
+        (29, "xy"),
+        ((30, _readings("12", "x")), (33, _readings("1", "y"))),
+    ),
+    Pattern(
+        "YZ",
+        "3.5",
+        "Y and Z together",
+        35,
+        (System(0, 38, (Reading("1", "z"), Reading("1", "y")), ("EZY", "EYZ")),),
+        (36, "y", "z"),
+        None,
+        ((37, (Reading("1", "y"), Reading("1", "z"))),),
+    ),
+)
+
+RUNS = frozenset(
+    f"{pattern.axes}-{reading.label}{reading.direction if len(pattern.axes) > 1 else ''}"
+    for pattern in PATTERNS
+    for system in pattern.systems
+    for reading in system.readings
+)
+"""Names of the paper's 18 runs: a spec that derives them all, and names the paper's numbers, is of its machine."""
+
+ERRATA: dict[int | str, tuple[int, ...]] = {
+    "Table 1": (1, 2),
+    "Table 2": (5,),
+    "Table 3": (7, 8),
+    "Table 4": (10, 33, 34),
+    "Table 5": (10, 34, 35),
+    1: (3,),
+    2: (4,),
+    3: (4,),
+    6: (6,),
+    9: (8, 9),
+    10: (8,),
+    11: (8, 9),
+    13: (10,),
+    18: (10, 11),
+    19: (12,),
+    20: (12,),
+    21: (13,),
+    22: (14, 15),
+    23: (16,),
+    24: (14, 15),
+    25: (17, 18),
+    26: (19, 20),
+    27: (10, 21),
+    28: (15,),
+    30: (10, 15),
+    31: (10,),
+    32: (10, 22, 23),
+    33: (10, 15, 24),
+    34: (10, 24),
+    35: (25,),
+    36: (14, 15, 26),
+    37: (10, 14, 15),
+    38: (10,),
+    39: (27, 28, 29, 30),
+    41: (31,),
+    43: (30, 32),
+    54: (39,),
+    55: (40,),
+    56: (41,),
+}
+"""Errata of docs/errata.md by equation or table."""
+
+
+def beside(*sources: int | str) -> str:
+    """Links to the errata of equations or tables, for behind their numbers; empty where they agree."""
+    numbers = sorted({number for source in sources for number in ERRATA.get(source, ())})
+    links = ", ".join(f"[E{number}]({ERRATA_PAGE}#e{number})" for number in numbers)
+    return f" (differs: {links})" if links else ""

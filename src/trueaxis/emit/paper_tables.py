@@ -1,0 +1,58 @@
+"""Tables 1, 3, 4 and 5 of the paper, for the page of its machine."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from trueaxis.derive import symbols
+from trueaxis.derive.model import DerivedModel
+from trueaxis.spec.machine import Machine
+
+_TABLE_1 = (
+    ("positioning error", ("EXX", "EYY", "EZZ")),
+    ("straightness error, x direction", ("", "EXY", "EXZ")),
+    ("straightness error, y direction", ("EYX", "", "EYZ")),
+    ("straightness error, z direction", ("EZX", "EZY", "")),
+    ("roll error", ("EAX", "EBY", "ECZ")),
+    ("pitch error", ("EBX", "EAY", "EAZ")),
+    ("yaw error", ("ECX", "ECY", "EBZ")),
+    ("XY perpendicularity error", ("eps_xy", "", "")),
+    ("XZ perpendicularity error", ("eps_xz", "", "")),
+    ("YZ perpendicularity error", ("eps_yz", "", "")),
+)
+
+
+@dataclass(frozen=True)
+class Table1:
+    """Axes, and rows of a name and three cells."""
+
+    axes: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+def table_1(machine: Machine) -> Iterator[tuple[str, ...]]:
+    """Rows of Table 1: a name, then the errors of the axes X, Y, Z, linked to the table of symbols."""
+    texts = symbols.describe(machine)
+    for title, errors in _TABLE_1:
+        yield title, *(f"${texts[name].latex}$ [`{name}`](#{name})" if name else "" for name in errors)
+
+
+def table_3(patterns: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """Rows of Table 3: the ideal motion of bodies L, J and K in each pattern."""
+    for letter, axis in (("l", "Y"), ("j", "X"), ("k", "Z")):
+        cells = [[f"{a.lower()}_h" if a == axis and axis in moving else "0" for a in "XYZ"] for moving in patterns]
+        yield f"$S^l_{{{letter}h}}$", *(f"$({', '.join(cell)}, 1)^T$" for cell in cells)
+
+
+def points(model: DerivedModel) -> Iterator[tuple[str, str, str, str]]:
+    """Points of Tables 4 and 5: name, coordinates, frame, runs."""
+    found: dict[tuple[str, str, str], list[str]] = {}
+    for run in model.runs:
+        pattern, _, label = run.name.partition("-")
+        above = f"^{{{pattern}}}" if len(pattern) > 1 else ""
+        for body, at in (run.target, run.reference):
+            if body != "bed":
+                letter, frame = ("k", "TCS") if body == "tool" else ("l", "WCS")
+                key = (f"$P{above}_{{{letter}{label[0]}}}$", f"({', '.join(f'{c:g}' for c in at)})", frame)
+                found.setdefault(key, []).append(run.name)
+    for key, runs in found.items():
+        yield *key, ", ".join(runs)

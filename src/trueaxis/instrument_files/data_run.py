@@ -1,0 +1,269 @@
+"""From a run of an instrument file, and what the user says beside it, to a run of a data folder."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import cast
+
+import numpy as np
+
+from trueaxis.faults import Fault
+from trueaxis.instrument_files.instrument_run import DirectionArray, FloatArray, InstrumentRun
+from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
+from trueaxis.measure.limits import COLDEST, FARTHEST_POINT, FASTEST, LONGEST_ID, LONGEST_TIME, WARMEST
+from trueaxis.measure.readings_reader import LARGEST_READING
+from trueaxis.measure.setup import Carrier, Frame, Instrument, PointOn, Run, Vector
+from trueaxis.measure.setup_reader import LONGEST_BAR
+from trueaxis.plain_text import escaped
+from trueaxis.spec.machine import BED, LINEAR, Machine
+
+PLANES = {"XY": ("X", "Y"), "YZ": ("Y", "Z"), "ZX": ("Z", "X")}
+SMALLEST = 1e-9  # length of a direction that can be made a unit vector
+
+# the tool point in the workpiece frame at axis positions (n_axes, 1), for a point (3, 1) of the tool, mm
+ToolView = Callable[[FloatArray, FloatArray], FloatArray]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class DataRun:
+    """A run and its readings as a data folder has them.
+
+    positions: (n_axes, n), mm or deg; directions: (n_axes, n), 0 where they follow from the order; reading: (n,), mm.
+    assumed: what the file does not say, by key, with its value and why it has it; remarks: on the readings.
+    """
+
+    run: Run
+    source: InstrumentRun
+    positions: FloatArray
+    directions: DirectionArray | None
+    reading: FloatArray
+    assumed: RunKeys
+    remarks: tuple[str, ...]
+
+
+def data_run(source: InstrumentRun, machine: Machine, keys: UserKeys, view: ToolView) -> DataRun | None:
+    """The run; None where questions or faults, noted in `keys`, keep it open. view: for the place of a ball bar."""
+    own = keys.of_run(source.file, source.id)
+    before = len(keys.questions) + len(keys.faults)
+    run_id = escaped(own.text("id", "its name", "X1", default=source.id) or "")[:LONGEST_ID].strip() or "run"
+    instrument: Instrument | None = source.instrument
+    if instrument is None:
+        among = ("laser", "probe")
+        instrument = cast("Instrument | None", own.text("instrument", "", "laser", among=among, default="laser"))
+    found = (_ball_bar if instrument == "ballbar" else _along)(source, machine, own, view, run_id, instrument)
+    if found is None or len(keys.questions) + len(keys.faults) > before:
+        return None
+    _check(found, machine, own)
+    return None if len(keys.faults) + len(keys.questions) > before else found
+
+
+def _along(
+    source: InstrumentRun, machine: Machine, own: RunKeys, _: ToolView, run_id: str, instrument: Instrument | None
+) -> DataRun | None:
+    """A run of a laser or a probe."""
+    axis = source.axis if source.axis in machine.axes else None
+    if source.targets is not None and axis is None:
+        right = machine.axes[0]
+        axis = own.text("axis", f"which axis moved ({' '.join(machine.axes)})", right, among=machine.axes)
+        if axis is None:
+            return None
+    positions = _positions(source, machine, own, axis)
+    moved = [name for row, name in enumerate(machine.axes) if np.ptp(positions[row]) > 0.0]
+    mover = axis or (moved[0] if len(moved) == 1 else None)
+    side: Carrier = "tool" if mover is None or _carries_tool(machine, mover) else "workpiece"
+    on = cast("Carrier | None", own.text("target", "", "tool", among=("tool", "workpiece"), default=side))
+    frame_of = cast("Frame | None", own.text("frame", "", "bed", among=("bed", "workpiece"), default="bed"))
+    direction = _direction(machine, own, mover)
+    meaning = f"where the moving optic or sensor is, in the frame of the {on or side}, mm"
+    target = own.vector("target.point", meaning, "X,Y,Z")
+    reference = _reference(own)
+    home, reading, remark = _home(source, machine, own, positions, mover)
+    if on is None or frame_of is None or direction is None or target is None or reference is None or reading is None:
+        return None
+    if on == frame_of == reference.on:
+        own.wrong("frame", frame_of, "a frame in which the target moves")
+        return None
+    run = Run(
+        id=run_id, instrument=instrument or "laser", target=PointOn(on, target), reference=reference,
+        frame=frame_of, home=home, direction=direction,
+    )  # fmt: skip
+    directions = None
+    if source.directions is not None and mover is not None:
+        directions = np.zeros(positions.shape, dtype=np.int8)
+        directions[machine.axes.index(mover)] = source.directions
+    return DataRun(
+        run=run, source=source, positions=positions, directions=directions, reading=reading,
+        assumed=own, remarks=(*source.assumed, *remark),
+    )  # fmt: skip
+
+
+def _ball_bar(
+    source: InstrumentRun, machine: Machine, own: RunKeys, view: ToolView, run_id: str, _: Instrument | None
+) -> DataRun | None:
+    length = own.number("length", "the nominal length of the ball bar, mm", "150")
+    if length is not None and not 0.0 < length <= LONGEST_BAR:
+        own.wrong("length", repr(length), f"above 0, at most {LONGEST_BAR:g} mm")
+        return None
+    plane = None
+    if source.angle is not None and not source.positions:
+        planes = [name for name, axes in PLANES.items() if set(axes) <= set(machine.axes)]
+        if not planes:
+            own.wrong("plane", "", "positions of the axes: this machine has no two linear axes")
+            return None
+        plane = own.text("plane", f"the plane of the circle ({' '.join(planes)})", planes[0], among=planes)
+        if plane is None or length is None:
+            return None
+    positions = _positions(source, machine, own, None, circle=plane)
+    centre = positions[:, :1].copy()
+    if plane is not None and length is not None and source.angle is not None:
+        for axis, of in zip(PLANES[plane], (np.cos, np.sin), strict=True):
+            positions[machine.axes.index(axis)] += length * of(source.angle)
+    tool = own.vector("target.point", "where the ball on the tool is, in the frame of the tool, mm", "0,0,0")
+    default: Vector | None = None
+    if plane is not None and tool is not None:
+        at = view(centre, np.array(tool)[:, np.newaxis])[:, 0]
+        default = cast(Vector, tuple(float(round(value, 9)) for value in at))
+    meaning = "where the ball on the workpiece is, in the frame of the workpiece, mm"
+    ball = own.vector("reference.point", meaning, "X,Y,Z", default=default)
+    if length is None or tool is None or ball is None:
+        return None
+    run = Run(
+        id=run_id, instrument="ballbar", target=PointOn("tool", tool), reference=PointOn("workpiece", ball),
+        frame="bed", home=dict.fromkeys(machine.axes, 0.0), length=length,
+    )  # fmt: skip
+    reading = source.reading - length if source.whole_length else source.reading
+    remarks = source.assumed
+    if plane is not None:
+        first, second = PLANES[plane]
+        remarks += (f"angles count from {first}+ to {second}+ in commanded positions",)
+    return DataRun(
+        run=run, source=source, positions=positions, directions=None, reading=reading,
+        assumed=own, remarks=remarks,
+    )  # fmt: skip
+
+
+def _positions(
+    source: InstrumentRun, machine: Machine, own: RunKeys, axis: str | None, circle: str | None = None
+) -> FloatArray:
+    """(n_axes, n): as the file and the user say; zero where a question is open. circle: the plane of a ball bar."""
+    positions = np.zeros((len(machine.axes), source.reading.size))
+    for row, name in enumerate(machine.axes):
+        if name == axis and source.targets is not None:
+            positions[row] = source.targets
+        elif name in source.positions:
+            positions[row] = source.positions[name]
+        else:
+            unit = "mm" if name in LINEAR else "deg"
+            at = "at the centre of the circle" if circle and name in PLANES[circle] else "during the run"
+            value = own.number(f"at.{name}", f"the position of axis {name} {at}, {unit}", "0")
+            positions[row] = 0.0 if value is None else value
+    for name in source.positions:
+        if name not in machine.axes:
+            problem = f"machine {machine.name} has no axis {name}"
+            own.keys.faults.append(Fault(source.file, f"column {name}", problem, f"axes {' '.join(machine.axes)}"))
+    return positions
+
+
+def _carries_tool(machine: Machine, axis: str) -> bool:
+    number = machine.tool
+    while number != BED:
+        body = machine.body(number)
+        if body.moves == axis:
+            return True
+        number = body.lower
+    return False
+
+
+def _direction(machine: Machine, own: RunKeys, axis: str | None) -> Vector | None:
+    default: Vector | None = None
+    if axis is not None and axis in LINEAR:
+        sense = float(machine.mover(axis).sense)
+        default = cast(Vector, tuple(sense if name == axis else 0.0 for name in LINEAR))
+    given = own.vector("direction", "the direction in which it reads positive, in `frame`", "1,0,0", default=default)
+    if given is None:
+        return None
+    size = math.hypot(*given)
+    if not size > SMALLEST:
+        own.wrong("direction", own.said("direction") or "", "three numbers that are not all zero")
+        return None
+    return cast(Vector, tuple(value / size for value in given))
+
+
+def _reference(own: RunKeys) -> PointOn | None:
+    on = cast("Carrier | None", own.text("reference", "", "bed", among=("bed", "tool", "workpiece"), default="bed"))
+    if on is None or on == "bed":
+        return None if on is None else PointOn("bed")
+    point = own.vector("reference.point", f"where the resting optic is, in the frame of the {on}, mm", "X,Y,Z")
+    return None if point is None else PointOn(on, point)
+
+
+def _home(
+    source: InstrumentRun, machine: Machine, own: RunKeys, positions: FloatArray, axis: str | None
+) -> tuple[dict[str, float], FloatArray | None, tuple[str, ...]]:
+    """Where the readings are zero, and the readings since then.
+
+    Programs take the zero from where they like. If no reading at home is zero, the mean of those at home is taken off:
+    its uncertainty is that of a reading by the root of their number.
+    """
+    home = {name: float(positions[row, 0]) for row, name in enumerate(machine.axes)}
+    for name in machine.axes:
+        value = own.number(f"home.{name}", "", "0", default=home[name])
+        home[name] = home[name] if value is None else value
+    at_home = np.all(positions == np.array([[home[name]] for name in machine.axes]), axis=0)
+    readings = source.reading[at_home]
+    default = "keep" if axis is None or not readings.size or (readings == 0.0).any() else "mean"
+    if own.said("zero") is None and own.sources.get(f"home.{axis}") == "user":
+        default = "keep"
+    zero = own.text("zero", "", "keep", among=("keep", "mean"), default=default)
+    if zero == "mean" and not readings.size:
+        own.wrong("zero", "mean", "keep: there is no reading at home")
+        return home, None, ()
+    if zero == "mean":
+        off = float(readings.mean())
+        said = f"the mean of the {readings.size} readings at home, {off * 1e3:.6g} um, was taken off every reading"
+        return home, source.reading - off, (said,)
+    return home, None if zero is None else source.reading, ()
+
+
+def _check(found: DataRun, machine: Machine, own: RunKeys) -> None:
+    """Note what a data folder does not take."""
+    source, run = found.source, found.run
+    for row, axis in enumerate(machine.axes):
+        low, high = machine.travel[axis]
+        outside = found.positions[row][(found.positions[row] < low) | (found.positions[row] > high)]
+        if outside.size or not low <= run.home[axis] <= high:
+            worst = outside[0] if outside.size else run.home[axis]
+            problem = f"{axis} = {worst:.6g} is outside the travel"
+            own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, f"from {low!r} to {high!r}"))
+    for point, key in ((run.target.point, "target.point"), (run.reference.point, "reference.point")):
+        if max(map(abs, point)) > FARTHEST_POINT:
+            own.wrong(key, str(list(point)), f"coordinates in mm, at most {FARTHEST_POINT:g}")
+    largest = float(np.abs(found.reading).max(initial=0.0))
+    if not largest <= LARGEST_READING:
+        problem = f"has a reading of {largest:.6g} mm"
+        remedy = f"deviations of at most {LARGEST_READING:g} mm: unit.reading, length"
+        own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, remedy))
+    for name, values, low, high in (
+        ("time", source.time, -LONGEST_TIME, LONGEST_TIME),
+        ("feed", source.feed, 0.0, FASTEST),
+        ("temperature", source.temperature, COLDEST, WARMEST),
+    ):
+        wrong = np.zeros(0) if values is None else values[(values < low) | (values > high)]
+        if wrong.size:
+            problem = f"{name} {wrong[0]:.6g} is outside what can be"
+            own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, f"from {low:g} to {high:g}"))
+
+
+def renamed(runs: tuple[DataRun, ...]) -> tuple[DataRun, ...]:
+    """The runs with ids of their own: files of different folders may have one name."""
+    seen: set[str] = set()
+    result = []
+    for item in runs:
+        name, number = item.run.id, 1
+        while name in seen:
+            number += 1
+            ending = f"-{number}"
+            name = item.run.id[: LONGEST_ID - len(ending)] + ending
+        seen.add(name)
+        result.append(replace(item, run=replace(item.run, id=name)))
+    return tuple(result)

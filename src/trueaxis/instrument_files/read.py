@@ -1,0 +1,53 @@
+"""An instrument file of whichever format, known by its content."""
+
+from pathlib import Path
+from typing import Literal
+
+from trueaxis.faults import Fault, InputError
+from trueaxis.input_files import input_bytes
+from trueaxis.instrument_files.csv_file import is_ball_bar, read_csv
+from trueaxis.instrument_files.delimited import read_delimited
+from trueaxis.instrument_files.instrument_run import InstrumentRun
+from trueaxis.instrument_files.positioning_file import read_positioning
+from trueaxis.instrument_files.rtl_file import is_rtl, read_rtl
+from trueaxis.instrument_files.user_keys import UserKeys
+
+Format = Literal["rtl", "iso230-2", "ballbar-csv", "csv"]
+FORMATS: tuple[Format, ...] = ("rtl", "iso230-2", "ballbar-csv", "csv")
+ANGULAR = ".rta"
+POSITIONING_COLUMNS = b"target,cycle,direction,measured"
+_START = 100_000  # bytes in which a format shows
+
+
+def read_instrument_file(path: Path, of: Format | None, keys: UserKeys) -> tuple[InstrumentRun, ...]:
+    """The runs of a file. `of`: its format, None: as its content shows.
+
+    Raises InputError with every fault of the file; what a table of columns does not say is a question in `keys`.
+    """
+    of = of or recognised(path)
+    if of == "rtl":
+        _refuse_angles(path)
+        return (read_rtl(path),)
+    if of == "iso230-2":
+        return (read_positioning(path),)
+    return read_csv(path, keys, ballbar=of == "ballbar-csv")
+
+
+def recognised(path: Path) -> Format:
+    """The format that the content shows. Raises InputError where it shows none."""
+    data = input_bytes(path)
+    if is_rtl(data):
+        return "rtl"
+    start = data[:_START]
+    if path.suffix == ".parquet" or b"TGT_DATA[" in start:
+        return "iso230-2"
+    first = start.removeprefix(b"\xef\xbb\xbf").lstrip().split(b"\n", 1)[0].replace(b" ", b"").strip()
+    if sorted(first.split(b",")) == sorted(POSITIONING_COLUMNS.split(b",")):
+        return "iso230-2"
+    return "ballbar-csv" if is_ball_bar(read_delimited(path).header) else "csv"
+
+
+def _refuse_angles(path: Path) -> None:
+    if path.suffix.lower() == ANGULAR:
+        problem = "holds angles, which no instrument of this version reads (laser, probe: mm; ball bar: mm)"
+        raise InputError([Fault(str(path), "", problem, "the .rtl file of the positions; its angles by hand")])

@@ -1,0 +1,64 @@
+"""What the tables of a control hold, in sentences."""
+
+from collections.abc import Sequence
+
+from trueaxis.controllers.formats import ISG, TABLE_FORMATS, Export, untabled_effects
+from trueaxis.runtime.model import MachineModel
+from trueaxis.spec.machine import LINEAR
+
+_OWN = "errors of each axis along itself"
+_CROSS = "errors of each linear axis across the others (straightness, squareness)"
+_HOLDS = {
+    "siemens-enc": (_OWN, "errors across the axes (siemens-cec), and those that change with the other axes"),
+    "siemens-cec": (_CROSS, "errors along the axes (siemens-enc), and those that change with two axes"),
+    "heidenhain-com": (f"{_OWN}, and {_CROSS}", "errors that change with two axes (rotations on a lever)"),
+    "linuxcnc-comp": (_OWN, "errors across the axes, and those that change with the other axes"),
+}
+
+
+def held_sentence(name: str) -> str:
+    """What of the model a format holds."""
+    if name == ISG:
+        return (
+            "the file holds every error component and, within them, the location errors; one value for both directions"
+        )
+    holds, lacks = _HOLDS[name]
+    return f"the tables hold {holds}; they do not hold {lacks}"
+
+
+def head_lines(name: str, model: MachineModel) -> list[str]:
+    """Comments for the head of a file."""
+    values = "values: actual minus ideal" if name == ISG else "values: actual minus commanded, zero at home"
+    unit = "mm and rad by mm and deg" if name == ISG else "mm, rotary axes deg"
+    lines = [f"machine {model.name}; {values}; {unit}", held_sentence(name)]
+    if name == ISG:
+        lines.append("workpiece_axes 0: all axes are written as seen from the workpiece")
+    return lines
+
+
+def export_sentences(name: str, model: MachineModel, export: Export) -> list[str]:
+    """What a user must know of the files besides their values."""
+    found = [held_sentence(name)]
+    if export.chain:
+        found.append(
+            f"chain {''.join(export.chain)}, workpiece_axes 0: all axes are written as seen from the workpiece"
+        )
+    if name != ISG and not TABLE_FORMATS[name].both_directions:
+        found += [
+            f"mean reversal error of {table.of}: {_amount(table.of, table.reversal)}, which the table cannot hold"
+            for table in export.tables
+            if table.of == table.by and table.reversal
+        ]
+    if any(values.effect.axis is not None for values in model.effect_values):
+        found.append("effects of a second axis are in it as they are where that axis is at home")
+    if labels := untabled_effects(model):
+        found.append(f"in no table, for it depends on more than positions and directions: {_listed(labels)}")
+    return found
+
+
+def _amount(axis: str, value: float) -> str:
+    return f"{value * 1e3:.3g} {'um' if axis in LINEAR else 'mdeg'}"
+
+
+def _listed(labels: Sequence[str]) -> str:
+    return ", ".join(labels)

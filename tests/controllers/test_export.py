@@ -1,0 +1,126 @@
+"""trueaxis export: what is written, what is said of it, and what is refused."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+import pytest
+
+from tests.command_lines import ERRORS, KERNELS
+from tests.controllers import control_files
+from tests.machines import DMU60P, ROOT
+from trueaxis.cli import main
+from trueaxis.controllers.formats import FORMATS
+
+GANTRY = ROOT / "machines" / "gantry_mill.toml"
+
+
+def export(name: str, out: Path, *words: str | Path, machine: Path = DMU60P, errors: Path = ERRORS) -> int:
+    options = ["--errors", errors, "--format", name, "--out", out, "--kernels", KERNELS, *words]
+    return main(list(map(str, ["export", machine, *options])))
+
+
+def values(folder: Path, **more: object) -> Path:
+    """Error values of the gantry mill with uncertainties: a scale, a straightness, a squareness."""
+    curve = {"basis": "polynomial", "powers": [1]}
+    tree = {
+        "schema": 1,
+        "machine": "gantry_mill",
+        "parameters": {"EC0Y": 2e-5},
+        "u": {"EC0Y": 1e-6, "EA0Z": 1e-6, "EB0Z": 1e-6},
+        "motion_errors": {
+            "EXX": curve | {"coefficients": [1e-5], "u": [1e-7]},
+            "EYX": curve | {"coefficients": [2e-6], "u": [1e-7]},
+        },
+    }
+    path = folder / "e.json"
+    path.write_text(json.dumps(tree | more))
+    return path
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_every_format_is_written_the_same_each_time(
+    tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    errors = values(tmp_path)
+    for out in ("one", "two"):
+        assert export(name, tmp_path / out, machine=GANTRY, errors=errors) == 0
+    shown = capsys.readouterr().out
+    assert "RMS of the tool point over the travel, from home:" in shown
+    assert "largest standard uncertainty of the tool point over the travel" in shown
+    files = sorted(path.relative_to(tmp_path / "one") for path in (tmp_path / "one").rglob("*") if path.is_file())
+    assert (tmp_path / "one").is_dir() == (name in ("heidenhain-com", "linuxcnc-comp"))
+    for file in files or [Path()]:
+        assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes()
+
+
+def test_the_files_agree_with_predict(tmp_path: Path) -> None:
+    """Both commands, on a machine of which the tables hold everything at this point."""
+    errors = values(tmp_path)
+    for name in ("siemens-enc", "siemens-cec"):
+        assert export(name, tmp_path / name, machine=GANTRY, errors=errors) == 0
+    tables = {**control_files.siemens_enc((tmp_path / "siemens-enc").read_text())}
+    tables |= control_files.siemens_cec((tmp_path / "siemens-cec").read_text())
+    rows = [(x, y, -150.0) for x in (0.0, 1000.0, 2990.0) for y in (0.0, 700.0, 1500.0)]
+    (tmp_path / "p.csv").write_text("X,Y,Z\n" + "".join(f"{x},{y},{z}\n" for x, y, z in rows))
+    words = ["predict", GANTRY, "--errors", errors, "--at", tmp_path / "p.csv", "--out", tmp_path / "d.csv"]
+    assert main(list(map(str, [*words, "--kernels", KERNELS, "--datum", "home"]))) == 0
+    predicted = pl.read_csv(tmp_path / "d.csv")
+    for of in "XYZ":
+        off = sum(np.interp(predicted[by].to_numpy(), *tables[of, by][:2]) for by in "XYZ")
+        np.testing.assert_allclose(off, predicted[f"d{of.lower()}"].to_numpy(), atol=3e-6)
+
+
+def test_values_that_do_not_fit_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    errors = values(tmp_path, fit={"state": "misfit", "chi2": 50.0, "runs": ["X1"]})
+    assert export("siemens-enc", tmp_path / "out", machine=GANTRY, errors=errors) == 2
+    assert "--accept-misfit" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+    assert export("siemens-enc", tmp_path / "out", "--accept-misfit", machine=GANTRY, errors=errors) == 0
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_what_no_reading_determined_is_refused_by_max_u(
+    tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    errors = values(tmp_path, undetermined=[{"combination": "EZX", "parameters": ["EZX"]}])
+    assert export(name, tmp_path / "out", "--max-u", "1", machine=GANTRY, errors=errors) == 1
+    shown = capsys.readouterr().out
+    assert "the readings did not determine (EZX)" in shown
+    assert "not written: an uncertainty is not known" in shown
+    assert not (tmp_path / "out").exists()
+    assert export(name, tmp_path / "out", machine=GANTRY, errors=values(tmp_path)) == 0
+    assert export(name, tmp_path / "out2", "--max-u", "0.0001", machine=GANTRY, errors=values(tmp_path)) == 1
+
+
+def test_corrections_beyond_what_a_machine_has_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    large = {"EXX": {"basis": "polynomial", "powers": [1], "coefficients": [4e-4]}}  # 1.2 mm over 3 m
+    errors = values(tmp_path, motion_errors=large)
+    assert export("siemens-enc", tmp_path / "out", machine=GANTRY, errors=errors) == 1
+    assert "the tool point is off by 1.2" in capsys.readouterr().out
+    assert export("siemens-enc", tmp_path / "out", "--max-correction", "2", machine=GANTRY, errors=errors) == 0
+    assert export("siemens-enc", tmp_path / "no", "--max-correction", "0.01", machine=GANTRY, errors=errors) == 1
+
+
+def test_the_tool_point_is_that_which_is_asked_for(tmp_path: Path) -> None:
+    turning = {"EAX": {"basis": "polynomial", "powers": [1], "coefficients": [1e-8]}}
+    errors = values(tmp_path, motion_errors=turning, parameters={})
+    for length in (0, 100):
+        words = ["--tool-point", f"0,0,-{length}"]
+        assert export("siemens-cec", tmp_path / f"cec{length}", *words, machine=GANTRY, errors=errors) == 0
+    short, long = (control_files.siemens_cec((tmp_path / f"cec{n}").read_text())["Y", "X"][1] for n in (0, 100))
+    # a turn about X by 1e-8 rad/mm moves a point 100 mm below towards Y+ by 1 um per metre
+    np.testing.assert_allclose(long[-1] - short[-1], 100 * 3000 * 1e-8, atol=2e-6)
+
+
+def test_more_positions_than_the_control_takes_are_a_fault(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert export("linuxcnc-comp", tmp_path / "out", "--step", "1") == 2
+    assert "needs 701 positions with a step of 1, and the control takes 256" in capsys.readouterr().err
+    assert export("linuxcnc-comp", tmp_path / "out", "--step", "5") == 0
+
+
+def test_what_a_machine_has_not_is_a_fault(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert export("isg-csv", tmp_path / "out") == 2
+    assert "positive commands of Y move the tool in the negative direction" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()

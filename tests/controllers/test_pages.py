@@ -1,0 +1,40 @@
+"""The worked numbers of docs/controllers are what the formats write."""
+
+import re
+
+import numpy as np
+import pytest
+
+from tests.controllers.machines import GANTRY, model_of
+from tests.machines import ROOT
+from trueaxis.controllers.formats import FORMATS, export_tables
+from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.errors import ErrorValues
+
+FOLDER = ROOT / "docs" / "controllers"
+PAGES = {name: FOLDER / f"{'siemens' if name.startswith('siemens') else name}.md" for name in FORMATS}
+PARTS = ("Source", "Sign", "What it holds|What they hold", "Limits", "Load", "Verify", "Take off")
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_the_number_beside_the_sign(name: str) -> None:
+    curves = {"EXX": PolynomialCurve((1,), (1e-4,))}
+    if name != "isg-csv":
+        curves["EYX"] = PolynomialCurve((1,), (-4e-5,))
+    model = model_of(GANTRY, ErrorValues("gantry", motion_errors=curves))
+    files = export_tables(name, model, np.zeros((3, 1)), 50.0, np.zeros((3, 1))).files
+    written = {" ".join(line.split()) for text in files.values() for line in text.splitlines()}
+    blocks = re.findall(r"\n```\n(.*?)```", PAGES[name].read_text(), re.DOTALL)
+    of_format = [block for block in blocks if name != "siemens-enc" or "ENC" in block]
+    of_format = [block for block in of_format if name != "siemens-cec" or "CEC" in block]
+    assert of_format
+    for line in "".join(of_format).strip().splitlines():
+        assert " ".join(line.split()) in written
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_every_page_says_what_a_user_needs(name: str) -> None:
+    text = PAGES[name].read_text()
+    for part in PARTS:
+        assert re.search(rf"^\*\*({part})\.\*\*", text, re.MULTILINE), f"{PAGES[name].name} has no {part}"
+    assert f"`{name}`" in (FOLDER / "README.md").read_text()
