@@ -55,7 +55,7 @@ def test_each_cycle(bench: Bench, code: str, level: str, mode: str) -> None:
 
 @pytest.mark.parametrize(("plane", "letters"), [("G17", "XYZ"), ("G18", "ZXY"), ("G19", "YZX")])
 def test_the_axis_across_the_plane_drills(bench: Bench, plane: str, letters: str) -> None:
-    first, second, across = letters
+    first, second, across = tuple(letters)
     program = (
         f"G21 G90 {plane}\nG0 {first}0. {second}0. {across}20.\n"
         f"G98 G83 {first}1. {second}2. {across}-3. R1. Q3. F60\nG99 {second}5.\nG80\n"
