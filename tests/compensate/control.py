@@ -24,8 +24,12 @@ def execute(program: bytes, axes: Sequence[str] = "XYZ", start: Sequence[float] 
     at = dict(zip(axes, start or [0.0] * len(axes), strict=True))
     absolute, unit = True, 1.0
     found = []
+    percents = 0
     for line in program.decode("latin-1").splitlines():
         text = strip(line).lstrip("/")
+        percents += text.startswith("%")
+        if percents == 2:
+            break
         if not text or text[0] in "%O:":
             continue
         words = re.findall(r"([A-Z])\s*([-+]?[\d.]+)", text)
@@ -42,6 +46,8 @@ def execute(program: bytes, axes: Sequence[str] = "XYZ", start: Sequence[float] 
             at[letter] = size if absolute else at[letter] + size
         if moved:
             found.append([at[axis] for axis in axes])
+        if {2.0, 30.0} & {float(value) for letter, value in words if letter == "M"}:
+            break
     return np.array(found).T.reshape(len(axes), -1)
 
 

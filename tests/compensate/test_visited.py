@@ -21,7 +21,7 @@ def test_every_position_is_near_a_kept_one_with_its_correction(model: MachineMod
     moved = source.normal(0.0, 0.01, (3, 4000))
     corrections = np.sqrt((moved**2).sum(axis=0))
     unknown = np.full((3, 4000), np.nan)
-    visited = Visited(model)
+    visited = Visited(model, np.zeros((3, 1)))
     for part in np.array_split(np.arange(4000), batches):
         visited.add(unknown[:, part], positions[:, part], moved[:, part])
     cell = (travel[:, 1] - travel[:, 0]) / 27.0
@@ -35,14 +35,14 @@ def test_every_position_is_near_a_kept_one_with_its_correction(model: MachineMod
 
 
 def test_nothing_visited_is_nothing(model: MachineModel) -> None:
-    visited = Visited(model)
+    visited = Visited(model, np.zeros((3, 1)))
     visited.add(np.zeros((3, 0)), np.zeros((3, 0)), np.zeros((3, 0)))
     assert visited.positions.shape == (3, 0)
     assert visited.ends.shape == (3, 0)
 
 
 def test_a_long_motion_passes_through_every_cell_of_its_way(model: MachineModel) -> None:
-    visited = Visited(model)
+    visited = Visited(model, np.zeros((3, 1)))
     visited.add(np.array([[0.0], [0.0], [0.0]]), np.array([[540.0], [0.0], [0.0]]), np.zeros((3, 1)))
     assert sorted(np.floor(visited.positions[0] / 20.0 - 1e-9).clip(0)) == list(range(27))
     samples = visited.samples([[250.0], [], []])

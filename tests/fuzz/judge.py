@@ -27,6 +27,7 @@ from trueaxis.spec import Machine
 RANDOM_MACHINES, VARIANTS = 60, 4  # machines that no file describes; sets of valid files of each machine
 LONGEST_MESSAGE = 6000  # characters of one fault
 _NC_NUMBER = re.compile(r"[A-Z][-+]?(?:nan|inf)", re.IGNORECASE)
+_NC_END = re.compile(r"(?<![A-Za-z])M0*(?:2|30)(?![\d.])", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -144,9 +145,18 @@ def _not_finite(path: Path) -> str | None:
     if path.suffix == ".npz":
         with np.load(path) as arrays:
             return next((name for name in arrays if not np.isfinite(arrays[name]).all()), None)
-    if path.suffix == ".nc":
-        lines = re.sub(r"\([^)\n]*\)|;.*", "", path.read_bytes().decode("latin-1")).split("\n")
-        return next((line for line in lines if _NC_NUMBER.search(line)), None)
+    return _nc_not_finite(path.read_bytes().decode("latin-1")) if path.suffix == ".nc" else None
+
+
+def _nc_not_finite(program: str) -> str | None:
+    """The line of an NC program with a number that is not finite, up to its end: what follows is copied as it is."""
+    percents = 0
+    for line in re.sub(r"\([^)\n]*\)|;.*", "", program).split("\n"):
+        if _NC_NUMBER.search(line):
+            return line
+        percents += line.strip().startswith("%")
+        if percents == 2 or _NC_END.search(line):
+            return None
     return None
 
 

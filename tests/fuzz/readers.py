@@ -19,6 +19,8 @@ import polars as pl
 from tests.fuzz import expressions, mutate
 from tests.fuzz.seeds import TINY
 from tests.machines import ROOT
+from trueaxis.compensate.offset_files import read_offsets
+from trueaxis.compensate.tool_files import read_tools
 from trueaxis.derive.effect_terms import effect_routine
 from trueaxis.effects.domain import sampled_parameters, sampled_positions, samples
 from trueaxis.effects.expression import parse
@@ -120,6 +122,14 @@ def _readings(path: Path, machine: Machine) -> object:
     return read_readings(path, machine, None)
 
 
+def _offsets(path: Path, _: Machine) -> object:
+    return read_offsets(path)
+
+
+def _tools(path: Path, _: Machine) -> object:
+    return read_tools(path)
+
+
 def _instrument(path: Path, machine: Machine) -> object:
     """What `import` makes of the file reads back as a data folder."""
     given = {f"at.{axis}": repr(sum(machine.travel[axis]) / 2) for axis in machine.axes}
@@ -171,6 +181,10 @@ READERS = (
     Reader("covariance", "errors.npz", _covariance, _WITH_U, 0.5, 1, mutate.archive),
     Reader("nc", "program.nc", None, (*_COMPENSATE, "IN/program.nc")),
     Reader("apt", "program.apt", None, (*_COMPENSATE, "IN/program.apt")),
+    Reader("offsets-var", "linuxcnc.var", _offsets, (*_COMPENSATE, "--offsets", "IN/linuxcnc.var", "IN/program.nc")),
+    Reader("offsets-toml", "offsets.toml", _offsets, (*_COMPENSATE, "--offsets", "IN/offsets.toml", "IN/program.nc")),
+    Reader("tools-tbl", "tool.tbl", _tools, (*_COMPENSATE, "--tools", "IN/tool.tbl", "IN/program.nc")),
+    Reader("tools-toml", "tools.toml", _tools, (*_COMPENSATE, "--tools", "IN/tools.toml", "IN/program.nc")),
     Reader("iso230-table", "test.csv", _positioning_test, (*_EVALUATE, "IN/test.csv")),
     Reader("iso230-dat", "test.dat", _positioning_test, (*_EVALUATE, "IN/test.dat")),
     Reader("rtl", "laser.rtl", _instrument),

@@ -35,6 +35,7 @@ components = ["along"]
 parameters.a = { unit = "u" }
 parameters.p = { unit = "axis", grid = [5.0, 10.0] }
 """
+_VAR = "5210 0\n5211 0.5\n5220 1\n" + "".join(f"{5221 + n} {0.5 * n:.6f}\n" for n in range(9)) + "5230 0.0\n"
 EFFECTS = TINY[TINY.index("[[effect]]") :]
 
 
@@ -76,6 +77,10 @@ def valid_files(spec: str, draw: Random) -> dict[str, bytes]:
         "errors.npz": _covariance(machine, draw),
         "program.nc": _nc(machine, draw).encode(),
         "program.apt": _apt(machine).encode(),
+        "linuxcnc.var": _VAR.encode(),
+        "offsets.toml": b'[offset.G54]\nX = 1.5\nY = [0.0, 2.0]\nZ = -3\n[offset."G54.1 P3"]\nX = 0.5\n',
+        "tool.tbl": b"T1 P1 D6.0 Z+5.0 ;end mill\nT2 P2 X0.0 Z7.25\n",
+        "tools.toml": b"[tool.1]\nlength = 5.0\n[tool.2]\nlength = 7.25\npoint = [0.0, 0.0, -7.25]\n",
         "test.csv": _positioning(draw).encode(),
         "test.dat": _dat(draw).encode(),
         "laser.rtl": _rtl(machine, draw),

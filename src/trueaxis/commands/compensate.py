@@ -2,19 +2,20 @@
 
 import argparse
 import re
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import get_args
-
-import numpy as np
 
 from trueaxis.commands.arguments import file_to_write, positive, size
 from trueaxis.commands.misfit import check_fit, misfit_option
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.commands.progress import progress
 from trueaxis.compensate.files import compensate_file
+from trueaxis.compensate.offset_files import offset_of_option, read_offsets, with_options
+from trueaxis.compensate.offsets import Offsets, Range
 from trueaxis.compensate.reliance import Limits, judge_of
 from trueaxis.compensate.settings import Dialect, Integers, Settings
+from trueaxis.compensate.tool_files import read_tools
 from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
 from trueaxis.reporting.reliance import program_sentences, refusal_sentences
@@ -25,16 +26,18 @@ _DESCRIPTION = """\
 Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
 no longer move the tool: the commands are iterated until the actual tool point is the one that an error-free machine
 would reach (Eqs. 55, 56); with --orientation correct rotary axes turn too, until the tool axis points where it would.
-Positions in the program are axis positions (machine coordinates).
+Positions in the program are axis positions (machine coordinates), or those of work offsets that --offset, --offsets
+or the program give; --tools gives tool lengths.
 
-Blocks that move nothing come back byte for byte. Arcs become chords; lines are cut where the errors along them bend.
-Whatever moves or shifts axes in a way the program does not state (offsets, cycles, macros, tool compensation,
-mirror, scaling, inverse time ...) is a fault with its line, and nothing is written. So is an M code that does not mean
-the same on every control, unless --pass-m names it, and a number without a decimal point, unless --integers says
-what it counts.
-An axis has no known position until the program gives it one; --start states where the machine stands before. An axis
-that the program has not commanded gets no word. What is written holds a mark in a comment, and a program with the mark
-is refused: compensated twice, every correction would double.
+Blocks that move nothing come back byte for byte. Arcs become chords; lines are cut where the errors along them bend;
+canned cycles are written out. Whatever moves or shifts axes in a way that is not followed (macros, cutter radius
+compensation, mirror, scaling, turned frames ...) is a fault with its line, and nothing is written. So is an M code that
+does not mean the same on every control, unless --pass-m names it, and a number without a decimal point, unless
+--integers says what it counts.
+An axis has no known position until the program gives it one; rapids before that are compensated for [start] of the
+spec, else home; --start states where the machine stands. An axis that the program has not commanded, in this frame,
+gets no word. What is written holds a mark in a comment, and a program with the mark is refused: compensated twice,
+every correction would double.
 """
 
 _EPILOG = """\
@@ -100,7 +103,8 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--tool-axis", type=_point, default=default.tool_axis, metavar="X,Y,Z",
                         help="direction of the tool axis, tool frame (default 0,0,1)")  # fmt: skip
     parser.add_argument("--start", type=_start, default={}, metavar="X0Y0Z0",
-                        help="axis positions before the first block (default: not known)")  # fmt: skip
+                        help="axis positions before the first block, in machine coordinates "
+                        "(default: not known)")  # fmt: skip
     parser.add_argument("--temperature", type=float, metavar="C",
                         help="degC at which the program runs, for effects that depend on it (default 20)")  # fmt: skip
     parser.add_argument("--time", type=float, metavar="S",
@@ -115,6 +119,15 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         "heidenhain, else such a number is a fault")  # fmt: skip
     parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
                         help="M codes that move no axis and change no mode on this control")  # fmt: skip
+    parser.add_argument("--offset", type=_offset, action="append", default=[], metavar="G54=X1.0,Y2.0,Z3.0",
+                        help="machine position of the zero of a work offset, mm and deg; once for each. It need be "
+                        "known only roughly: the report says what 10 mm cost. A range like X0:500 asks for the worst "
+                        "case")  # fmt: skip
+    parser.add_argument("--offsets", type=Path, metavar="FILE",
+                        help="work offsets: LinuxCNC's .var, or TOML with tables [offset.G54]")  # fmt: skip
+    parser.add_argument("--tools", type=Path, metavar="FILE",
+                        help="tools by number: LinuxCNC's tool.tbl, or TOML with tables [tool.1] of length and offset; "
+                        "G43 then adds the length to Z, and the tip of each tool is compensated")  # fmt: skip
     parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
                         help="folder of derived kernels (default %(default)s)")  # fmt: skip
     parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON too")
@@ -156,6 +169,13 @@ def _start(text: str) -> dict[str, float]:
     return {axis: float(value) for axis, value in found}
 
 
+def _offset(text: str) -> tuple[str, dict[str, Range]]:
+    try:
+        return offset_of_option(text)
+    except ValueError as problem:
+        raise argparse.ArgumentTypeError(str(problem)) from None
+
+
 def _settings(args: argparse.Namespace) -> Settings:
     try:
         return Settings(**{field.name: getattr(args, field.name) for field in fields(Settings) if field.name in args})
@@ -169,7 +189,14 @@ def run(args: argparse.Namespace) -> int:
     Raises InputError when the input is wrong.
     """
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "PROGRAM": args.program}
+    inputs |= {
+        option: path for option, path in {"--offsets": args.offsets, "--tools": args.tools}.items() if path is not None
+    }
     found = overwritten(inputs, {"--out": args.out, "--report": args.report}, args.kernels)
+    with gathering(found):
+        args.offsets = with_options(Offsets() if args.offsets is None else read_offsets(args.offsets), args.offset)
+    with gathering(found):
+        args.tools = None if args.tools is None else read_tools(args.tools)
     with gathering(found):
         settings = _settings(args)
     model = covariance = None
@@ -181,8 +208,10 @@ def run(args: argparse.Namespace) -> int:
         found += overwritten(read, {"--out": args.out, "--report": args.report})
     if found or model is None or covariance is None:
         raise InputError(found)
+    points = {code: dict(position) for code, position in model.machine.reference_points}
+    settings = replace(settings, assumed=dict(model.machine.start), reference_points=points)
     limits = Limits(max_u=args.max_u, max_correction=args.max_correction)
-    judge = judge_of(model, covariance, np.array([settings.tool_point]).T, limits)
+    judge = judge_of(model, covariance, limits)
     try:
         with progress() as show:
             report = compensate_file(

@@ -4,9 +4,13 @@ A program goes through these stages, a bounded batch of blocks at a time:
 
     files       bytes of a program <-> lines; the output is put in place whole or not at all
     nc_reader, apt_reader
-                lines -> items: text that moves nothing, and moves; what is not followed is a fault
+                lines -> items: text that moves nothing, and moves; what is not followed is a fault. Of NC: nc_plain
+                (most blocks), nc_block (words -> nc_meaning), nc_modes, nc_frames (work offsets), nc_tools, nc_motion,
+                nc_cycles, nc_reference
+    offsets, tools
+                what is known of the control before; offset_files, tool_files read it. frames: what is in force
     commanded   which axes the program has put where they stand (tool_changes and stops undo it); the others are held:
-                they get no word
+                they get no word, nor does one that was commanded in another frame. elsewhere: what that may cost
     path        moves -> points; arcs become chords within the chord tolerance
     tracker     with effects: how the axes come and go along it (course, velocity, acting); a point of its own where a
                 reversal makes the commands jump; placed gives the machine at each place
@@ -16,11 +20,13 @@ A program goes through these stages, a bounded batch of blocks at a time:
     executed    commands -> words: nearest, or chosen along the ball bar (word_choice, middles)
     writer      moves -> blocks with new axis words
     mark        the comment by which a compensated program is known, and refused a second time
+    sensitivity what work offsets that are somewhere else change
     visited     the places that the program came to; reliance: how far it relies there on what was measured
     program     all of it; tally: the figures of the report; sign_check: what to compare with the machine before use
 
-Programs are in axis positions (machine coordinates). The solver leaves less than a hundredth of the tolerance; what
-is left of the error after it is the rounding of words. With words of 0.001 mm, |E| of Eq. (6) is then
+Moves are in axis positions (machine coordinates), words in the frame of the program. The solver leaves less than a
+hundredth of the tolerance; what is left of the error after it is the rounding of words. With words of 0.001 mm, |E| of
+Eq. (6) is then
 
     words     mean |E|, mm (bar anywhere / in XY)    blocks       why no better
     nearest   0.00024 / 0.00024                      as given     the paper's result: 0.000244

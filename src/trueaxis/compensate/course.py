@@ -1,5 +1,6 @@
 """How the axes get along the motions of a path: direction, distance since the last reversal, velocity."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -90,18 +91,19 @@ def turnings(wanted: FloatArray, standing: Standing, band: FloatArray) -> tuple[
     """Direction of each axis during each motion, (n_axes, n), and the extremes after the last, (n_axes,).
 
     wanted: (n_axes, n), ends of the motions with what corrections displace them by: an axis that stands in the program
-    is moved by those. band: (n_axes, n), by how much it must come back from its extreme for a reversal.
+    is moved by those; NaN where the axis may stand anywhere. band: (n_axes, n), by how much it must come back from its
+    extreme for a reversal.
     """
     direction = np.empty_like(wanted)
     extreme = standing.extreme.copy()
     for row, (places, bands) in enumerate(zip(wanted.tolist(), band.tolist(), strict=True)):
         way, far = float(standing.direction[row]), float(extreme[row])
-        if np.isnan(far):
-            far = places[0]
         ways = []
         for place, least in zip(places, bands, strict=True):
             ahead = place - far
-            if way == 0.0:
+            if math.isnan(ahead):  # it stands nowhere yet, or may stand anywhere now
+                way, far = 0.0, place
+            elif way == 0.0:
                 if abs(ahead) > least:
                     way, far = (1.0 if ahead > 0.0 else -1.0), place
             elif ahead * way >= 0.0:

@@ -57,7 +57,7 @@ def execute(
     """
     held = held[:, stretch.first : stretch.last]
     chosen = _chosen(stretch, previous, path, solution, passable, model, tool_point, settings, held)
-    base = np.zeros_like(previous) if stretch.absolute else previous
+    base = stretch.base(previous)
     low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
     inside = Lattice(base[:, None], stretch.step).within(chosen.positions, low[:, None], high[:, None])
     held_now = held[:, chosen.point - stretch.first]
@@ -78,7 +78,7 @@ def _chosen(
 ) -> Executed:
     part = slice(stretch.first, stretch.last)
     model = of_points(model, part)
-    base = np.zeros_like(previous) if stretch.absolute else previous
+    base = stretch.base(previous)
     lattice = Lattice(base[:, None], stretch.step)
     commands, target = solution.commands[:, part], solution.target[:, part]
     near = lattice.nearest(commands)
@@ -153,3 +153,14 @@ def joined(parts: list[Executed]) -> Executed:
         np.concatenate([part.passed for part in parts]),
         np.concatenate([part.stopped for part in parts]),
     )
+
+
+def shares_of_time(done: Executed, owner: NDArray[np.int64], path: Path, count: int) -> FloatArray:
+    """Share of each executed motion, (n,), in the way of its move: of the time too, as F is the same all along.
+
+    owner: (n,), move of each; count: of moves. A motion that takes up a reversal has no way of its own.
+    """
+    before = np.concatenate([path.origins[:, :1], done.reference[:, :-1]], axis=1)
+    way = np.nan_to_num(np.sqrt(((done.reference - before) ** 2).sum(axis=0)))
+    whole = np.bincount(owner, weights=way, minlength=count)[owner]
+    return np.asarray(np.where(whole > 0.0, way / np.where(whole > 0.0, whole, 1.0), 1.0))

@@ -16,6 +16,7 @@ from trueaxis.compensate.program import Compensator
 from trueaxis.compensate.reliance import Judge
 from trueaxis.compensate.report import CompensationReport
 from trueaxis.compensate.settings import Settings
+from trueaxis.compensate.sign_check import home_of
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import OutputFiles
 
@@ -92,6 +93,10 @@ def compensate_file(
     foreign = sorted(set(settings.start) - set(model.axes))
     if foreign:
         raise InputError([Fault("--start", "", f"this machine has no axis {' '.join(foreign)}")])
+    if language == "apt" and (settings.offsets.systems or settings.tools is not None):
+        raise InputError([Fault("--offset, --tools", "", "go with NC programs: a CL file is in machine coordinates")])
+    home = dict(zip(model.axes, home_of(model).tolist(), strict=True))
+    settings = replace(settings, assumed=home | dict(settings.assumed))
     linear = [axis for axis in model.axes if axis in "XYZ"]
     if settings.words != "nearest" and len(linear) != 3:
         raise InputError([Fault("--words", "", f"'{settings.words}' needs a machine with X, Y and Z")])

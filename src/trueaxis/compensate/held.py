@@ -13,10 +13,19 @@ Held = NDArray[np.bool_]
 
 def held_axes(moves: Sequence[Move], count: int) -> Held:
     """Which axes are held in which moves, (count, n_moves)."""
-    if not any(move.held for move in moves):
-        return np.zeros((count, len(moves)), dtype=bool)
+    return _flags([move.held for move in moves], count)
+
+
+def axes_elsewhere(moves: Sequence[Move], count: int) -> Held:
+    """Which axes may stand anywhere in which moves, (count, n_moves)."""
+    return _flags([move.elsewhere for move in moves], count)
+
+
+def _flags(of_moves: Sequence[tuple[bool, ...]], count: int) -> Held:
+    if not any(of_moves):
+        return np.zeros((count, len(of_moves)), dtype=bool)
     none = (False,) * count
-    return np.array([move.held or none for move in moves], dtype=bool).T.reshape(count, len(moves))
+    return np.array([flags or none for flags in of_moves], dtype=bool).T.reshape(count, len(of_moves))
 
 
 def standing(positions: FloatArray, held: Held, previous: FloatArray) -> FloatArray:

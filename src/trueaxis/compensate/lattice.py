@@ -1,6 +1,6 @@
 """The positions that NC words can name."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensate.machine import LINEAR, FloatArray, rotary_rows
+from trueaxis.compensate.moves import Move
 from trueaxis.compensate.settings import MM_PER_INCH, Settings
 
 _SAME = 1e-6  # of a step: what doubles lose in positions of the lattice
@@ -39,12 +40,19 @@ class Lattice:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """Points first to last - 1, whose words are of one kind; step as in Lattice."""
+    """Points first to last - 1, whose words are of one kind; step as in Lattice. shift: (n_axes,), position minus word
+    of absolute words.
+    """
 
     first: int
     last: int
     absolute: bool
     step: FloatArray
+    shift: FloatArray
+
+    def base(self, previous: FloatArray) -> FloatArray:
+        """What words count from, (n_axes,); previous: position named by the words before."""
+        return self.shift if self.absolute else previous
 
 
 def word_steps(axes: tuple[str, ...], settings: Settings, inch: bool) -> FloatArray:
@@ -53,15 +61,28 @@ def word_steps(axes: tuple[str, ...], settings: Settings, inch: bool) -> FloatAr
     return np.array([[linear if axis in LINEAR else settings.rotary_resolution] for axis in axes])
 
 
+def shifts(moves: Sequence[Move], count: int) -> FloatArray:
+    """Position minus word of each axis in each move, (count, n_moves), mm and deg."""
+    if not any(move.shift for move in moves):
+        return np.zeros((count, len(moves)))
+    none = (0.0,) * count
+    return np.array([move.shift or none for move in moves]).T.reshape(count, len(moves))
+
+
 def stretches(
-    absolute: NDArray[np.bool_], inch: NDArray[np.bool_], axes: tuple[str, ...], settings: Settings
+    absolute: NDArray[np.bool_],
+    inch: NDArray[np.bool_],
+    shift: FloatArray,
+    axes: tuple[str, ...],
+    settings: Settings,
 ) -> Iterator[Stretch]:
-    """Runs of points between switches of G90/G91 and G20/G21."""
+    """Runs of points between switches of G90/G91, G20/G21 and offsets; shift: (n_axes, n), of absolute words."""
     kind = absolute * 2 + inch
-    edges = [0, *(np.flatnonzero(np.diff(kind)) + 1).tolist(), kind.size]
+    switched = (np.diff(kind) != 0) | (np.diff(shift, axis=1) != 0.0).any(axis=0)
+    edges = [0, *(np.flatnonzero(switched) + 1).tolist(), kind.size]
     steps = {flag: word_steps(axes, settings, flag) for flag in (False, True)}
     for first, last in pairwise(edges):
-        yield Stretch(first, last, bool(absolute[first]), steps[bool(inch[first])])
+        yield Stretch(first, last, bool(absolute[first]), steps[bool(inch[first])], shift[:, first])
 
 
 def rotary_on_words(
@@ -76,7 +97,7 @@ def rotary_on_words(
     last = previous[rows]
     for kind in kinds:
         part = slice(kind.first, kind.last)
-        base = np.zeros_like(last) if kind.absolute else last
+        base = kind.shift[rows] if kind.absolute else last
         out[rows, part] = Lattice(base[:, None], kind.step[rows]).nearest(positions[rows, part])
         last = out[rows, kind.last - 1]
     return out

@@ -42,6 +42,7 @@ KNOWN: dict[int, MCode] = {
     30: MCode("end of program, rewind", Timing.AFTER, ends=True),
 }
 TOOL_CHANGE = 6
+SPINDLE, SPINDLE_STOP = frozenset({3, 4, 5}), 5
 END = frozenset(code for code, known in KNOWN.items() if known.ends)
 STOPS = frozenset(code for code, known in KNOWN.items() if not known.axes_kept and code != TOOL_CHANGE)
 AFTER = frozenset(code for code, known in KNOWN.items() if known.timing == Timing.AFTER)

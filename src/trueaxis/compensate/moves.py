@@ -38,8 +38,11 @@ class Move(NamedTuple):
     again: what the further blocks of a split begin with. split: lead and tail when split, None if the same.
     passable: whether the tool may run through the end without anything due there. feed: F in force, mm/min (deg/min);
     NaN where it is not known or counts by turns of the spindle.
-    held: for each axis whether it gets no word here, see commanded; empty if all may. start_stated: whether it starts
+    held: for each axis whether it gets no word here, see commanded; empty if all may. elsewhere: for each axis whether
+    it may stand anywhere, and `end` is where it is taken to stand; empty if none may. shift: position minus word of
+    each axis, mm and deg; empty if 0. start_stated: whether it starts
     where the program has not commanded the axes to: only its end counts. whole: why it may not be cut; empty if it may.
+    inverse_time: F where it is 1/min of the block (G93), else 0.
     """
 
     line: int
@@ -59,17 +62,49 @@ class Move(NamedTuple):
     passable: bool = True
     feed: float = math.nan
     held: tuple[bool, ...] = ()
+    elsewhere: tuple[bool, ...] = ()
+    shift: tuple[float, ...] = ()
     start_stated: bool = False
     whole: str = ""
+    inverse_time: float = 0.0
+
+
+class Zero(NamedTuple):
+    """A block that gives axes new values where they stand (G92): `source` if its words hold where they stand now.
+
+    rows: axes that it names. shift: position minus word in the frame of these words; lead, tail, gap, inch as in Move.
+    """
+
+    rows: tuple[int, ...]
+    shift: tuple[float, ...]
+    lead: str
+    tail: str
+    gap: str
+    inch: bool
+    source: str
+
+
+class Setup(NamedTuple):
+    """What holds from here on: the work offset (empty: machine coordinates), its values and half of their ranges for
+    each axis, mm and deg; the tool in the spindle (None: not known, the tool point is that of the settings).
+    """
+
+    system: str = ""
+    values: tuple[float, ...] = ()
+    spread: tuple[float, ...] = ()
+    tool: int | None = None
 
 
 class Start(NamedTuple):
-    """Where the machine stands before the next move, uncompensated, mm and deg; NaN where that is not known."""
+    """Where the machine stands before the next move, uncompensated, mm and deg; NaN where that is not known.
 
-    position: tuple[float, ...]
+    None: the axis stands where the words have put it.
+    """
+
+    position: tuple[float | None, ...]
 
 
-Item = str | Move | Start
+Item = str | Move | Start | Zero | Setup
 
 TOOL_CHANGE = (
     "--tool-point is taken to hold after M6 too, whatever the tool; M6 may have moved any axis, so each gets words "

@@ -6,8 +6,8 @@ from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.arc_rounding import allowed_about, allowed_beyond_radius, half_unit, rounding_of
 from trueaxis.compensate.arcs import Arc, ArcError, Vector, arc_about, arc_of_radius
 from trueaxis.compensate.machine import LINEAR
-from trueaxis.compensate.nc_block import Meaning
 from trueaxis.compensate.nc_lexer import decimals_of
+from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.settings import MM_PER_INCH, Integers
 

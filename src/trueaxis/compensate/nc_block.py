@@ -1,12 +1,12 @@
-"""What the words of one NC block ask for."""
-
-from dataclasses import dataclass, field
+"""Sorts the words of one NC block by what they do."""
 
 from trueaxis.compensate import m_codes
 from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.machine import LINEAR, ROTARY
 from trueaxis.compensate.nc_lexer import Block, Word
-from trueaxis.compensate.settings import LEAST_DEG, LEAST_INCH, LEAST_MM, Settings
+from trueaxis.compensate.nc_meaning import Meaning
+from trueaxis.compensate.offsets import system_name
+from trueaxis.compensate.settings import Settings
 
 _AXES = frozenset(LINEAR + ROTARY)
 _CENTRE = frozenset("IJK")
@@ -15,80 +15,22 @@ _PARAMETERS = frozenset("PQLE")
 _OFFSETS = frozenset("DH")
 _HARMLESS = frozenset("FSNT") | _PARAMETERS | _OFFSETS
 _DWELL = frozenset("XUPFS")  # words of a G4 block, of which X and U are a time
+# what a code sets of a Meaning, and to what
+_SETTING: dict[int, tuple[str, int | bool | str]] = {
+    **{code: ("motion", code // 10) for code in codes.MOTION},
+    **{code: ("plane", code) for code in codes.PLANES},
+    **{code: ("system", name) for code, name in codes.SYSTEMS.items()},
+    **{code: ("data_code", code) for code in codes.WITH_DATA},
+    200: ("inch", True), 210: ("inch", False), 900: ("absolute", True), 910: ("absolute", False),
+    codes.TAKE_LENGTH: ("length_code", codes.TAKE_LENGTH), codes.END_LENGTH: ("length_code", codes.END_LENGTH),
+    930: ("feed_mode", "time"), 940: ("feed_mode", "minute"), 950: ("feed_mode", "turn"),
+    980: ("at_initial_level", True), 990: ("at_initial_level", False),
+    **{code: ("cycle", code) for code in codes.CYCLES},
+}  # fmt: skip
 
 
-@dataclass(slots=True)
-class Meaning:
-    """A block taken apart; complaints are (problem, remedy) and none may be passed over.
-
-    motion, plane, inch, absolute, per_turn (F counts by turns), feed (as written): None where the block says nothing
-    of it. axes: words that are positions. decimals: digits written after the decimal point of axis and arc words.
-    undotted: letters of axis and arc words other than 0 without a decimal point. tool: the T word, as `T2`.
-    changes_tool: whether the block may change the tool, see tool_changes.
-    """
-
-    motion: int | None = None
-    plane: int | None = None
-    inch: bool | None = None
-    absolute: bool | None = None
-    per_turn: bool | None = None
-    feed: float | None = None
-    cancel_cycle: bool = False
-    exact_stop: bool = False
-    dwell: bool = False
-    codes: set[int] = field(default_factory=set)
-    miscellaneous: list[int] = field(default_factory=list)
-    axes: dict[str, float] = field(default_factory=dict)
-    centre: dict[str, float] = field(default_factory=dict)
-    radius: float | None = None
-    program_number: bool = False
-    tool: str = ""
-    changes_tool: bool = False
-    undotted: set[str] = field(default_factory=set)
-    decimals: dict[str, int] = field(default_factory=dict)
-    parameters: set[str] = field(default_factory=set)
-    complaints: list[tuple[str, str]] = field(default_factory=list)
-
-    @property
-    def positions(self) -> bool:
-        """Whether the block gives positions: axis words or an arc's centre or radius."""
-        return bool(self.axes or self.centre or self.radius is not None)
-
-    @property
-    def in_machine_coordinates(self) -> bool:
-        """Whether the block has G53."""
-        return codes.MACHINE_COORDINATES in self.codes
-
-    @property
-    def uncertain_codes(self) -> str:
-        """Codes of which it is not known whether they act before or after a motion, as `M70 M71`."""
-        uncertain = [f"M{code}" for code in self.miscellaneous if code not in m_codes.OF_CERTAIN_TIMING]
-        by_tool_word = self.changes_tool and m_codes.TOOL_CHANGE not in self.miscellaneous
-        return " ".join([*uncertain, *([self.tool] if by_tool_word else [])])
-
-    @property
-    def changes_modes(self) -> bool:
-        """Whether later blocks read differently after this one."""
-        return self.cancel_cycle or not (self.motion is self.plane is self.inch is self.absolute is None)
-
-    def count_in_least_increments(self, inch: bool) -> None:
-        """Take numbers without a decimal point as multiples of the least increment."""
-        for letter in self.undotted:
-            least = LEAST_DEG if letter in ROTARY else LEAST_INCH if inch else LEAST_MM
-            for values in (self.axes, self.centre):
-                if letter in values:
-                    values[letter] *= least
-            if letter == "R" and self.radius is not None:
-                self.radius *= least
-            self.decimals[letter] = 4 if least == LEAST_INCH else 3
-
-    def complain(self, problem: str, remedy: str = "") -> None:
-        """Note what is wrong."""
-        self.complaints.append((problem, remedy))
-
-
-def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings) -> Meaning:
-    """Sort the words of a block by what they do."""
+def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings, in_cycle: bool = False) -> Meaning:
+    """Sort the words of a block by what they do; in_cycle: whether a canned cycle is in force."""
     meaning = Meaning()
     if block.problem:
         meaning.complain(block.problem)
@@ -105,8 +47,14 @@ def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings) -
             _miscellaneous(word.value, meaning, settings)
         else:
             others.append(word)
+    goes_on = in_cycle and meaning.motion is None and not meaning.cancel_cycle and not meaning.in_machine_coordinates
+    meaning.drilling = meaning.data_code is None and not meaning.dwell and (meaning.cycle is not None or goes_on)
     for word in others:
         _other(word, meaning, machine_axes)
+    if meaning.system == "G54.1":
+        meaning.system = system_name(f"G54.1P{meaning.parameters.get('P', 0):g}") or ""
+        if not meaning.system:
+            meaning.complain("G54.1 without the number of a work offset", "G54.1 P1 to P300")
     if (
         meaning.dwell
         and any(word.letter == "X" for word in others)
@@ -126,7 +74,7 @@ def _cancels(meaning: Meaning) -> None:
     if alone or meaning.motion is not None:
         meaning.complain(f"{name} and axis words in one block: whose they are is not determined", "make it two blocks")
     elif 921 in with_axes and any((*meaning.axes.values(), *meaning.centre.values(), meaning.radius)):
-        meaning.complain(f"{name} with words other than 0 may shift the frame of the positions", codes.OFFSET_REMEDY)
+        meaning.complain(f"{name} with words other than 0 may shift the frame of the positions", codes.MACHINE_REMEDY)
     meaning.axes, meaning.centre, meaning.radius = {}, {}, None
     meaning.undotted.clear()
 
@@ -138,30 +86,25 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
     elif code in codes.FAULTY and code not in codes.HARMLESS_ON.get(settings.dialect or "", ()):
         meaning.complain(f"{name} {codes.FAULTY[code].why}", codes.FAULTY[code].remedy)
-    elif code in codes.MOTION:
-        _set(meaning, "motion", code // 10, name)
-    elif code in codes.PLANES:
-        _set(meaning, "plane", code, name)
-    elif code in (200, 210):
-        _set(meaning, "inch", code == 200, name)
-    elif code in (900, 910):
-        _set(meaning, "absolute", code == 900, name)
-    elif code in (940, 950):
-        _set(meaning, "per_turn", code == 950, name)
+    elif harm := codes.OTHERWISE_ON.get(settings.dialect or "", {}).get(code):
+        meaning.complain(f"{name} {harm}", codes.MACHINE_REMEDY)
+    elif code in _SETTING:
+        what, setting = _SETTING[code]
+        _set(meaning, what, setting, name)
     elif code == codes.DWELL:
         meaning.dwell = True
     elif code == codes.CANCEL_CYCLE:
         meaning.cancel_cycle = True
     elif code == codes.EXACT_STOP:
         meaning.exact_stop = True
-    elif code not in codes.HARMLESS and code not in codes.FAULTY:
+    elif code not in codes.HARMLESS and code not in codes.FAULTY and code != codes.RESTORE_SHIFT:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
     meaning.codes.add(code)
 
 
-def _set(meaning: Meaning, what: str, value: int | bool, name: str) -> None:
+def _set(meaning: Meaning, what: str, value: int | bool | str, name: str) -> None:
     before = getattr(meaning, what)
-    if before is not None and before != value:
+    if before not in (None, "", value):
         meaning.complain(f"{name} and another code of its group in one block")
     setattr(meaning, what, value)
 
@@ -177,8 +120,8 @@ def _miscellaneous(value: float, meaning: Meaning, settings: Settings) -> None:
 
 def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     letter = word.letter
-    if letter in _PARAMETERS:
-        meaning.parameters.add(letter)
+    if letter in _PARAMETERS or (letter == "K" and meaning.drilling):
+        meaning.parameters[letter] = word.value
     if meaning.dwell and letter in _DWELL:
         return
     if letter == "F":
@@ -187,24 +130,48 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         meaning.tool = f"T{word.value:g}"
     if letter in _AXES:
         _axis(word, meaning, machine_axes)
-    elif letter in _CENTRE:
-        meaning.centre[letter] = word.value
+    elif letter == "R" and (meaning.data_code is not None or meaning.drilling):
+        meaning.data[letter] = word.value
         _number(word, meaning)
     elif letter == "R":
         meaning.radius = word.value
         _number(word, meaning)
+    elif letter in _CENTRE and not (letter == "K" and meaning.drilling):
+        meaning.centre[letter] = word.value
+        _number(word, meaning)
     elif letter == "O":
         meaning.program_number = True
+    else:
+        _number_of_code(word, meaning)
+
+
+def _number_of_code(word: Word, meaning: Meaning) -> None:
+    """A word that is no position: whether it belongs to a code of the block."""
+    letter = word.letter
+    if letter == "H" and meaning.length_code == codes.TAKE_LENGTH and word.value >= 0 and word.value % 1 == 0:
+        meaning.length_of = int(word.value)
     elif letter in _OFFSETS and word.value != 0.0:
         meaning.complain(
-            f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.OFFSET_REMEDY
+            f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.MACHINE_REMEDY
         )
-    elif letter in _PARAMETERS and not (
-        meaning.miscellaneous or meaning.dwell or meaning.codes & codes.WITH_PARAMETERS
-    ):
+    elif letter in _PARAMETERS and not _takes(letter, meaning):
         meaning.complain(f"{letter}{word.value:g} has no code here that it could belong to")
-    elif letter not in _HARMLESS:
+    elif letter not in _HARMLESS and letter != "K":
         meaning.complain(f"address {letter} is not known", "only words whose effect on positions is known are accepted")
+    if letter == "Q" and meaning.drilling:
+        _number(word, meaning)
+
+
+def _takes(letter: str, meaning: Meaning) -> bool:
+    """Whether a code of the block takes a word with this address."""
+    return bool(
+        meaning.miscellaneous
+        or meaning.dwell
+        or meaning.codes & codes.WITH_PARAMETERS
+        or meaning.data_code in (codes.WRITE_DATA, codes.TO_SECOND_REFERENCE)
+        or (letter == "P" and meaning.system.startswith("G54.1"))
+        or (meaning.drilling and letter != "E")
+    )
 
 
 def _axis(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
@@ -214,7 +181,7 @@ def _axis(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
     if letter not in machine_axes:
         meaning.complain(f"{letter}: this machine has no axis {letter}", f"its axes are {' '.join(machine_axes)}")
         return
-    meaning.axes[letter] = word.value
+    (meaning.axes if meaning.data_code is None else meaning.data)[letter] = word.value
     _number(word, meaning)
 
 

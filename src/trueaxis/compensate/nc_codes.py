@@ -18,6 +18,33 @@ MACHINE_COORDINATES = 530  # G53, for its block
 HARMLESS = frozenset(
     {90, 131, 400, 401, 490, 500, 501, 530, 610, 611, 640, 670, 690, 911, 921, 922, 970, 980, 990}
 )  # fmt: skip
+# work offsets; 541 takes its number from P
+SYSTEMS = {540: "G54", 541: "G54.1", 550: "G55", 560: "G56", 570: "G57", 580: "G58", 590: "G59", 591: "G59.1",
+           592: "G59.2", 593: "G59.3"}  # fmt: skip
+WRITE_DATA, LOCAL_SHIFT, SET_POSITION, RESTORE_SHIFT = 100, 520, 920, 923  # G10, G52, G92, G92.3
+END_SHIFT, SUSPEND_SHIFT = 921, 922  # G92.1, G92.2
+TAKE_LENGTH, GIVE_LENGTH, END_LENGTH = 430, 431, 490  # G43, G43.1, G49
+# codes whose axis words are data, not where to go
+TO_REFERENCE, TO_SECOND_REFERENCE = 280, 300  # G28, G30
+WITH_DATA = frozenset({WRITE_DATA, LOCAL_SHIFT, SET_POSITION, GIVE_LENGTH, TO_REFERENCE, TO_SECOND_REFERENCE})
+CYCLES = frozenset({730, 810, 820, 830, 850, 860, 890})  # drilling and boring, followed
+# what one control means by a code that the others use otherwise
+OTHERWISE_ON: dict[str, dict[int, str]] = {
+    "siemens": {
+        580: "shifts single axes (SINUMERIK)", 590: "shifts single axes (SINUMERIK)",
+        430: "is not SINUMERIK's", 431: "is not SINUMERIK's", 100: "is a polar motion (SINUMERIK)",
+        **dict.fromkeys((280, 300, *CYCLES), "is not SINUMERIK's"),
+        520: "is not SINUMERIK's", 920: "limits the spindle (SINUMERIK)",
+    },
+    "heidenhain": {
+        **dict.fromkeys(SYSTEMS, "shifts the datum by its axis words (Heidenhain)"),
+        280: "mirrors (Heidenhain)", 300: "defines the blank (Heidenhain)", 930: "is not Heidenhain's",
+        **dict.fromkeys(CYCLES, "is a cycle of other words (Heidenhain)"),
+        430: "lengthens the path by the radius (Heidenhain)", 431: "is not Heidenhain's",
+        100: "is a polar motion (Heidenhain)", 520: "is not Heidenhain's", 920: "is not Heidenhain's",
+    },
+}  # fmt: skip
+
 # cancels whose axis words only name axes; they must be 0 where they could be a shift
 CANCELS_WITH_AXES = frozenset({501, 921})
 # cancels beside which axis words are a motion on one control and parameters or another code on the next
@@ -48,7 +75,7 @@ _PROBE = Refused("probes: where the axes stop is not in the program", "take it o
 _MACRO = Refused("calls a macro, which is not followed", _MOTIONS)
 _POINT_CONTROL = Refused("moves the linear axes with the rotary ones (tool centre point control)", _MACHINE)
 _SPINDLE = Refused("couples the feed to the spindle (thread)", "take it out before compensating")
-_DATA = Refused("changes offsets or parameters (Fanuc, LinuxCNC) or is a polar motion (Heidenhain)", _MACHINE)
+_DATA = Refused("changes parameters (Fanuc, LinuxCNC) or is a polar motion (Heidenhain)", _MACHINE)
 
 FAULTY: dict[int, Refused] = {
     50: Refused("is a curve, or a mode that may round the path (Fanuc)", "take it out, or have lines and arcs written"),
@@ -57,7 +84,7 @@ FAULTY: dict[int, Refused] = {
     70: Refused("reads diameters (LinuxCNC) or makes an axis imaginary (Fanuc)", _MACHINE),
     71: Refused("interpolates on a cylinder", _MOTIONS),
     80: Refused("reads radii (LinuxCNC) or changes look-ahead (Fanuc)", "take it out before compensating"),
-    100: _DATA, 101: _DATA, 110: _DATA,
+    101: _DATA, 110: _DATA,
     120: Refused("is a circular pocket cycle or a polar motion", _MOTIONS),
     130: Refused("is a circular pocket cycle or a polar motion", _MOTIONS),
     121: Refused("interpolates in polar coordinates", _MOTIONS),
@@ -67,23 +94,18 @@ FAULTY: dict[int, Refused] = {
     220: Refused("limits the stroke (Fanuc), reads radii (Siemens) or starts a cycle", "take it out"),
     230: Refused("ends a limit of the stroke (Fanuc) or reads diameters (Siemens)", "take it out"),
     270: Refused("moves to a reference position (Fanuc), or departs tangentially (Heidenhain)", _MOTIONS),
-    280: Refused("moves by way of a reference position (Fanuc, LinuxCNC), or mirrors (Heidenhain)",
-                 "give the position by G0 (or G53 G0)"),
-    300: Refused("moves by way of a reference position (Fanuc, LinuxCNC), or defines the blank (Heidenhain)",
-                 "give the position by G0 (or G53 G0); leave a blank out"),
     281: _HOME, 290: _HOME, 301: _HOME,
     310: Refused("skips the rest of a motion on a signal (Fanuc), or defines the blank (Heidenhain)", "take it out"),
     330: _SPINDLE, 331: _SPINDLE, 340: _PATTERN, 350: _PATTERN, 360: _PATTERN,
     370: Refused("measures the tool (Fanuc) or defines a pocket (Heidenhain)", "take it out before compensating"),
     382: _PROBE, 383: _PROBE, 384: _PROBE, 385: _PROBE,
-    410: _TOOL, 411: _TOOL, 420: _TOOL, 421: _TOOL, 430: _TOOL, 431: _TOOL, 432: _TOOL, 440: _TOOL,
+    410: _TOOL, 411: _TOOL, 420: _TOOL, 421: _TOOL, 432: _TOOL, 440: _TOOL,
     434: _POINT_CONTROL, 435: _POINT_CONTROL,
     450: _TOOL, 460: _TOOL, 470: _TOOL, 480: _TOOL,
     510: Refused("scales the positions", _MACHINE), 511: Refused("mirrors the positions", _MACHINE),
-    520: _OFFSET, 521: _OFFSET, 522: _OFFSET, 523: _OFFSET,
+    521: _OFFSET, 522: _OFFSET, 523: _OFFSET,
     531: Refused("turns rotary axes to a tilted plane: where to is not in the program", _MACHINE),
-    540: _OFFSET, 541: _OFFSET, 542: _OFFSET, 544: _OFFSET, 550: _OFFSET, 560: _OFFSET, 570: _OFFSET, 580: _OFFSET,
-    590: _OFFSET, 591: _OFFSET, 592: _OFFSET, 593: _OFFSET,
+    542: _OFFSET, 544: _OFFSET,
     600: Refused("positions from one side by an amount that is not in the program (Fanuc), or stops exactly (Siemens)",
                  "take it out, or write G61"),
     650: _MACRO, 660: _MACRO, 661: _MACRO,
@@ -93,17 +115,13 @@ FAULTY: dict[int, Refused] = {
     710: Refused("reads millimetres (Siemens, Heidenhain) or is a lathe cycle (Fanuc, LinuxCNC)",
                  "leave it out where it says millimetres, or write G21"),
     720: Refused("is a canned cycle (Fanuc) or scales (Heidenhain)", _MOTIONS),
-    730: Refused("is a canned cycle (Fanuc, LinuxCNC) or turns the coordinates (Heidenhain)", _MOTIONS),
-    **{10 * code: _CYCLE for code in (74, 75, 76, 77, 78, 79, 81, 82, 83, 84, 85, 86, 87, 88, 89)},
+    **{10 * code: _CYCLE for code in (74, 75, 76, 77, 78, 79, 84, 87, 88)},
     841: _CYCLE, 842: _CYCLE, 843: _CYCLE, 882: _CYCLE,
     901: Refused("makes I J K absolute, which is not handled", "have them written from the start of the arc"),
-    920: Refused("shifts the frame of the positions, or sets where the axes are taken to stand", _MACHINE),
-    923: Refused("restores a shift of the frame that is not in the program", _MACHINE),
-    930: Refused("makes F an inverse time, which changes when a block is cut", "have F written in mm/min (G94)"),
     960: Refused("couples the spindle to an axis position", "write G97 with a speed"),
     1070: Refused("interpolates on a cylinder", _MOTIONS),
     1121: Refused("interpolates in polar coordinates", _MOTIONS),
 }  # fmt: skip
 
 NOT_KNOWN = "only codes whose effect on positions is known are accepted"
-OFFSET_REMEDY = _MACHINE
+MACHINE_REMEDY = _MACHINE

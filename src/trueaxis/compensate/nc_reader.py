@@ -10,33 +10,27 @@ from collections.abc import Iterable, Iterator
 
 from trueaxis.compensate import m_codes
 from trueaxis.compensate import nc_codes as codes
-from trueaxis.compensate.arcs import ArcError
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.mark import COMPENSATED_ALREADY, is_marked
-from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Start
-from trueaxis.compensate.nc_arc import arc_of_block, keep_rounding
-from trueaxis.compensate.nc_block import Meaning, interpret
-from trueaxis.compensate.nc_lexer import NUMBER, Block, lex
-from trueaxis.compensate.nc_start import starts_elsewhere
-from trueaxis.compensate.nc_state import MODE_NOTES, NcState
-from trueaxis.compensate.nc_text import block_text
-from trueaxis.compensate.settings import MM_PER_INCH, Settings
-from trueaxis.compensate.tool_changes import ToolChanges
+from trueaxis.compensate.moves import STOP, Item, Notes, Start
+from trueaxis.compensate.nc_block import interpret
+from trueaxis.compensate.nc_cycles import CycleReader
+from trueaxis.compensate.nc_frames import FrameReader
+from trueaxis.compensate.nc_lexer import Block, lex
+from trueaxis.compensate.nc_meaning import Meaning
+from trueaxis.compensate.nc_modes import ModeReader
+from trueaxis.compensate.nc_motion import MotionReader
+from trueaxis.compensate.nc_plain import PLAIN, plain_move
+from trueaxis.compensate.nc_reference import to_reference
+from trueaxis.compensate.nc_state import NcState
+from trueaxis.compensate.nc_tools import ToolReader
+from trueaxis.compensate.settings import Settings
 
-# most blocks: N, G0 or G1, X Y Z and F, in this order; the groups are lead, G, X, Y, Z, tail, F, line end
-_PLAIN = re.compile(
-    rf"((?:N\d++)?[ \t]*+(?:G0?([01]))?[ \t]*+)"
-    rf"(?:X({NUMBER}))?(?:[ \t]*+Y({NUMBER}))?(?:[ \t]*+Z({NUMBER}))?"
-    rf"([ \t]*+(?:F[ \t]*+(\d++\.?+\d*+|\.\d++))?[ \t]*+)(\r*+\n?+)"
-)
-_STRAIGHT = (Kind.RAPID, Kind.LINE)
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
 _OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it
-_UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
-MACHINE_COORDINATES = (
-    "a G53 block: the blocks without G53 are read in machine coordinates too, so no offset may be active"
-)
-MACHINE_FEED = "some controls make a G53 block at rapid even under G1"
+_NAME = re.compile(r"[Oo]<[\w .+-]*+>\s*+(?:\([^()]*+\))?", re.ASCII)  # of a program, on newer Fanuc controls
+_POSITION = re.compile(r"(?<![A-Za-z])[XYZABCUVW]\s*+[-+.\d]", re.IGNORECASE)
+AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 
 
@@ -48,76 +42,43 @@ class NcReader:
         self._settings = settings
         self._faults = faults
         self._notes = notes
-        self._tools = ToolChanges(settings.dialect, notes)
-        self._gap = " "  # between words, as in the last block that shows it
-        self._undotted_said = False  # whether the fault of numbers without a decimal point is in the log
-        self._state = NcState(axes, [settings.start.get(axis) for axis in axes])
+        self._state = NcState(axes, [settings.start.get(axis) for axis in axes], offsets=settings.offsets)
+        self._modes = ModeReader(self._state, settings, faults, notes)
+        self._tools = ToolReader(self._state, settings, faults, notes)
+        self._frames = FrameReader(self._state, settings, faults, notes)
+        self._motions = MotionReader(
+            self._state, settings, (faults, notes), (self._modes, self._tools, self._frames)
+        )  # fmt: skip
+        self._cycles = CycleReader(self._state, settings, (faults, notes), self._modes, self._frames)
 
     def items(self, lines: Iterable[str]) -> Iterator[Item]:
         """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
         if self._settings.start:
             yield Start(tuple(math.nan if value is None else value for value in self._state.position))
-        plain = _PLAIN.fullmatch
+        yield from self._frames.changed()
+        plain, state, undotted_mm = PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
         for number, line in enumerate(lines, 1):
             match = plain(line)
-            move = self._plain(number, line, match) if match else None
-            yield move if move is not None else self._any(number, line)
-
-    def _plain(self, number: int, line: str, match: re.Match[str]) -> Move | None:
-        """The move of a plain block; None if it needs a closer look."""
-        state = self._state
-        lead, code, x, y, z, tail, feed, eol = match.groups()
-        motion = state.motion if code is None else int(code)
-        position = state.position.copy()
-        if (
-            motion is None
-            or motion > 1
-            or (code is None and state.in_force != motion)
-            or not state.commanded.linear_complete
-            or state.ended
-            or (x is None and y is None and z is None)
-        ):
-            return None
-        rows, numbers, scale, absolute = state.row, state.numbers, MM_PER_INCH if state.inch else 1.0, state.absolute
-        written = [False] * len(position)
-        for axis, text in (("X", x), ("Y", y), ("Z", z)):
-            if text is None:
-                continue
-            row = rows.get(axis)
-            distance = float(text) * scale
-            if row is None or abs(distance) > 1e9:
-                return None
-            if "." not in text and distance and self._settings.undotted != "mm":
-                return None
-            if absolute:
-                position[row] = distance
+            move = plain_move(number, line, match, state, undotted_mm) if match else None
+            if move is not None:
+                yield move
             else:
-                position[row] += distance  # type: ignore[operator]  # known, as all axes are commanded
-            written[row] = True
-            numbers[row] = text
-        if " " in line:
-            self._gap = " "
-        elif sum(written) > 1:
-            self._gap = ""
-        state.motion = state.in_force = motion
-        state.position, state.moved = position, True
-        if feed is not None:
-            state.feed = float(feed) * scale
-        return Move(
-            number, _STRAIGHT[motion], tuple(position), tuple(written), absolute, state.inch,  # type: ignore[arg-type]
-            lead, tail, self._gap, eol, line, feed=state.feed_in_minutes, held=state.commanded.held[absolute],
-        )  # fmt: skip
+                yield from self._any(number, line)
 
-    def _any(self, number: int, line: str) -> Item:
-        """Any block: what it sets, and its move if it has one."""
+    def _any(self, number: int, line: str) -> list[Item]:
+        """Any line: what it sets, and its moves if it has some."""
         if is_marked(line):
             self._faults.add(number, *COMPENSATED_ALREADY)
         body = line.rstrip("\r\n")
         begin = 3 if number == 1 and body.startswith(BYTE_ORDER_MARK) else 0
         text = body[begin:].strip()
+        if self._state.ended:
+            if _POSITION.search(re.sub(r"\([^()]*\)|;.*", "", text)):
+                self._notes.add(number, AFTER_END)
+            return [line]
         if not text or text[0] == "%":
-            self._mark(number, text)
-            return line
+            self._modes.mark(number, text)
+            return [line]
         lead = len(body) - len(body[begin:].lstrip(" \t"))
         aligned = _ALIGNMENT.match(body, lead)
         if aligned:
@@ -125,167 +86,61 @@ class NcReader:
         optional = _OPTIONAL.match(body, lead)
         if optional:
             if self._settings.block_delete == "skip":
-                return line
+                return [line]
             lead = optional.end()
-        block = lex(body, lead)
-        meaning = interpret(block, self._axes, self._settings)
-        meaning.program_number |= aligned is not None and not block.words
-        if optional and self._settings.block_delete == "fault" and (meaning.positions or meaning.changes_modes):
+        named = _NAME.fullmatch(text)
+        block = Block((), "") if named else lex(body, lead)
+        meaning = interpret(block, self._axes, self._settings, self._state.cycle is not None)
+        meaning.program_number |= named is not None or (aligned is not None and not block.words)
+        if optional and self._settings.block_delete == "fault" and self._depends(meaning):
             meaning.complain(
                 "whether this block with / is run depends on a switch", "say --block-delete run or --block-delete skip"
             )
+        return self._block(number, line, body, block, meaning, optional[0] if optional else "")
+
+    def _depends(self, meaning: Meaning) -> bool:
+        """Whether it matters to what follows if a block is run."""
+        tool = self._settings.tools is not None and (meaning.tool or m_codes.TOOL_CHANGE in meaning.miscellaneous)
+        return meaning.positions or meaning.drilling or meaning.changes_modes or bool(tool)
+
+    def _block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
+        """A block: what it sets, and its moves if it has some."""
+        state = self._state
         for problem, remedy in meaning.complaints:
             self._faults.add(number, problem, remedy)
-        self._modes(number, meaning)
-        self._known_numbers(number, meaning)
-        move = self._move(number, line, body, block, meaning, optional[0] if optional else "")
-        if meaning.changes_tool:  # after the motion too: controls do not agree which comes first
-            self._state.commanded.displace()
-        if m_codes.STOPS.intersection(meaning.miscellaneous):
-            self._state.commanded.stop()
-            self._notes.add(number, STOP)
-        if not self._state.ended and m_codes.END.intersection(meaning.miscellaneous):
-            self._state.ended = number
-        return line if move is None else move
-
-    def _mark(self, number: int, text: str) -> None:
-        state = self._state
-        if text.startswith("%"):
-            state.percents += 1
-            if state.percents == 2 and not state.ended:
-                state.ended = number
-            name = text[1:]
-            if not re.fullmatch(r"[\w .\-()]*", name, re.ASCII) or _UNITS_IN_MARK.search(name):
-                self._faults.add(number, f"{text[:20]!r} is no program mark")
-
-    def _modes(self, number: int, meaning: Meaning) -> None:
-        state = self._state
-        if meaning.motion is not None:
-            state.motion = meaning.motion
-        if meaning.cancel_cycle:
-            state.motion = state.in_force = meaning.motion
-        if meaning.plane is not None:
-            state.plane = meaning.plane
-        if meaning.inch is not None:
-            keep_rounding(state, meaning.inch, self._settings.undotted)
-            state.inch = meaning.inch
-            state.said.add("inch")
-        if meaning.absolute is not None:
-            state.absolute = meaning.absolute
-            state.said.add("absolute")
-        state.per_turn = state.per_turn if meaning.per_turn is None else meaning.per_turn
-        if meaning.feed is not None:
-            state.feed = meaning.feed * (MM_PER_INCH if state.inch else 1.0)
-        if meaning.program_number and state.moved and not state.ended:
-            self._faults.add(number, "a program number after motions: subprograms are not followed")
-        meaning.changes_tool = self._tools.may_change(number, meaning)
-        if meaning.changes_tool:
-            state.commanded.displace()
-        for code in meaning.miscellaneous:
-            if code in self._settings.pass_m and code not in m_codes.KNOWN:
-                self._notes.pass_code(number, code)
-
-    def _known_numbers(self, number: int, meaning: Meaning) -> None:
-        """See to what numbers without a decimal point count."""
-        if not meaning.undotted:
-            return
-        if self._settings.undotted == "least-increment":
-            meaning.count_in_least_increments(self._state.inch)
-        elif self._settings.undotted is None and not self._undotted_said:
-            self._undotted_said = True
-            letters = " ".join(sorted(meaning.undotted))
-            self._faults.add(
-                number,
-                f"{letters} without a decimal point: X100 is 100 mm on some controls and 0.1 mm on others",
-                "say --integers mm (or inch, deg) or --integers least-increment (0.001 mm, 0.0001 inch, 0.001 deg)",
-            )
-
-    def _move(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> Move | None:
-        if not meaning.positions or meaning.complaints or not self._may_move(number, meaning):
-            self._stay(meaning)
-            return None
-        state = self._state
-        start, end = state.position, state.after(meaning.axes)
-        needed = start + end if state.motion in (2, 3) else end
-        if None in needed:
-            self._unknown(number, needed, end)
-            return None
-        self._note_modes(number)
-        moved = {*meaning.axes, *(codes.PLANES[state.plane][:2] if state.motion in (2, 3) else ())}
-        commands = tuple(axis in moved for axis in self._axes)  # an arc puts both axes of its plane where it ends
-        own_block = f"and give {meaning.uncertain_codes} a block of its own" if meaning.changes_tool else ""
-        elsewhere = starts_elsewhere(number, state, commands, own_block or self._tools.remedy, self._faults)
-        state.position = end
-        known_end = tuple(value for value in end if value is not None)
-        arc = None
-        if state.motion in (2, 3):
-            try:
-                known_start = tuple(value for value in start if value is not None)
-                arc = arc_of_block(state, known_start, known_end, meaning, self._settings.undotted)
-            except ArcError as problem:
-                self._faults.add(number, str(problem))
-                return None
-        motion = 0 if state.motion == 0 else 1
-        in_force = meaning.motion if meaning.motion is not None else state.in_force
-        insert = meaning.motion is None and in_force != motion
-        if " " in body or "\t" in body:
-            self._gap = " "
-        elif len(block.words) > 1:
-            self._gap = ""
-        text = block_text(body, block.words, self._gap, insert, motion == 1)
-        state.in_force, state.moved = motion, True
-        for word in block.words:
-            if word.letter in meaning.axes:
-                state.numbers[state.row[word.letter]] = body[word.start + 1 : word.end].strip()
-        written = tuple(axis in meaning.axes for axis in self._axes)
-        return Move(
-            number, Kind.ARC if arc else _STRAIGHT[motion], known_end, written, state.absolute, state.inch,
-            text.lead, text.tail, self._gap, line[len(body) :], "" if arc or insert else line,
-            again + (f"G53{self._gap}" if meaning.in_machine_coordinates else ""), text.split, arc,
-            not meaning.miscellaneous and not meaning.exact_stop, state.feed_in_minutes,
-            state.commanded.command(commands, state.absolute), elsewhere,
-            meaning.uncertain_codes,
-        )  # fmt: skip
-
-    def _note_modes(self, number: int) -> None:
-        """Note modes that the program has not stated before its first motion."""
-        if not self._state.moved:
-            for mode, text in MODE_NOTES.items():
-                if mode not in self._state.said:
-                    self._notes.add(number, text)
-
-    def _may_move(self, number: int, meaning: Meaning) -> bool:
-        """Whether positions mean a motion here; a fault if they do not."""
-        state = self._state
-        if state.ended:
-            self._faults.add(number, f"a motion after the end of the program in line {state.ended}")
-        elif state.motion is None:
-            self._faults.add(
-                number, "a position, but no motion (G0 G1 G2 G3) is in force", "put the G code in the block"
-            )
-        elif meaning.in_machine_coordinates and (state.motion > 1 or not state.absolute):
-            self._faults.add(number, "G53 goes with G0 or G1 and G90 only", "write the block so")
-        elif state.motion < 2 and (meaning.centre or meaning.radius is not None):
-            self._faults.add(number, f"I J K R belong to arcs, but G{state.motion} is in force")
+        self._modes.take(number, meaning)
+        self._tools.change(number, meaning)
+        self._modes.known_numbers(number, meaning)
+        self._tools.length(number, meaning)
+        items = self._frames.select(number, meaning)
+        if meaning.data_code is not None or meaning.drilling:
+            items += self._data(number, line, body, block, meaning, again)
         else:
-            if meaning.in_machine_coordinates:
-                self._notes.add(number, MACHINE_FEED if state.motion else MACHINE_COORDINATES)
-            return True
-        return False
+            items.append(self._motions.block(number, line, body, block, meaning, again))
+        if meaning.changes_tool:  # after the motion too: controls do not agree which comes first
+            state.commanded.displace()
+        if m_codes.STOPS.intersection(meaning.miscellaneous):
+            state.commanded.stop()
+            self._notes.add(number, STOP)
+        if m_codes.END.intersection(meaning.miscellaneous):
+            state.ended = number
+        return items
 
-    def _stay(self, meaning: Meaning) -> None:
-        """After a block without a usable move: what it sets, and where it would have gone, to read on sensibly."""
+    def _data(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
+        """A block whose axis words are not simply where to go."""
+        state = self._state
+        if meaning.drilling:
+            return self._cycles.block(number, line, body, block, meaning, again)
         if meaning.motion is not None:
-            self._state.in_force = meaning.motion
-        if meaning.axes and meaning.complaints and self._state.absolute:
-            self._state.position = self._state.after(meaning.axes)
-
-    def _unknown(self, number: int, needed: list[float | None], end: list[float | None]) -> None:
-        missing = {row % len(end) for row, value in enumerate(needed) if value is None}
-        names = " ".join(self._axes[row] for row in sorted(missing))
-        self._faults.add(
-            number,
-            f"the position of {names} is not known here, and the errors depend on it",
-            f"give it in the program or by --start {''.join(f'{axis}0' for axis in names.split())} (with its value)",
-        )
-        self._state.position = [0.0 if value is None else value for value in end]  # said once
+            state.in_force = meaning.motion
+        if meaning.complaints:
+            return [line]
+        if meaning.motion not in (None, 0, 1) or meaning.in_machine_coordinates:
+            self._faults.add(number, "axis words that are data, and a motion, in one block", "make it two blocks")
+            return [line]
+        if meaning.data_code == codes.GIVE_LENGTH:
+            self._tools.data(number, meaning)
+            return [line, *self._frames.changed()]
+        if meaning.data_code in (codes.TO_REFERENCE, codes.TO_SECOND_REFERENCE):
+            return [line, *to_reference(number, meaning, state, self._settings, self._faults, self._notes)]
+        return self._frames.data(number, line, body, block, meaning)

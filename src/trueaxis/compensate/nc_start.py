@@ -14,7 +14,7 @@ def starts_elsewhere(number: int, state: NcState, moved: Sequence[bool], otherwi
     """
     arc = state.motion in (2, 3)
     known = state.commanded.of(row for row, moves in enumerate(moved) if moves)
-    if known == Commanded.DISPLACED and (arc or not state.absolute):
+    if known <= Commanded.DISPLACED and (arc or not state.absolute):
         faults.add(
             number,
             "this motion counts from where the axes stand, and the tool change before it may have moved them",

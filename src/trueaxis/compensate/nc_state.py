@@ -3,8 +3,12 @@
 import math
 from dataclasses import dataclass, field
 
+from trueaxis.compensate.canned_cycles import Cycle
 from trueaxis.compensate.commanded import CommandedAxes
+from trueaxis.compensate.frames import Frames
 from trueaxis.compensate.machine import LINEAR
+from trueaxis.compensate.nc_meaning import FeedMode
+from trueaxis.compensate.offsets import Offsets
 from trueaxis.compensate.settings import MM_PER_INCH
 
 MODE_NOTES = {
@@ -19,11 +23,14 @@ class NcState:
 
     position: programmed position of each axis, mm or deg, None until known. motion: 0 rapid, 1 line, 2 and 3 arc
     (clockwise, counter-clockwise), None: none in force. in_force: the motion in force in the program that is written,
-    where an arc has become lines. feed: F in force, mm/min or deg/min, NaN until known; per_turn: it counts by turns of
-    the spindle instead. ended: line of the end of the program, 0 before. said: which of units (G20 G21) and distances
+    where an arc has become lines. feed: F in force, mm/min or deg/min, NaN until known; feed_mode: how F
+    counts. ended: line of the end of the program, 0 before. said: which of units (G20 G21) and distances
     (G90 G91) the program has stated.
     numbers: of the words that gave the axes their positions, as written in the units in force; half a unit of them in
     mm where the units have changed since; None where no word has.
+    offsets: work offsets known before the program; frames: those in force. tool: in the spindle, None: not known.
+    cycle: the canned cycle in force; at_initial_level: G98; spindle: M3 or M4 while it turns. shift: position minus
+    word of each axis, mm or deg; empty if 0. gap: between words, as in the last block that shows it.
     """
 
     axes: tuple[str, ...]
@@ -34,24 +41,39 @@ class NcState:
     inch: bool = False
     plane: int = 170
     feed: float = math.nan
-    per_turn: bool = False
+    feed_mode: FeedMode = "minute"
     ended: int = 0
     percents: int = 0
     moved: bool = False
     said: set[str] = field(default_factory=set)
+    offsets: Offsets = field(default_factory=Offsets)
+    tool: int | None = None
+    cycle: Cycle | None = None
+    at_initial_level: bool = True
+    spindle: str = ""
+    shift: tuple[float, ...] = ()
+    gap: str = " "
     numbers: list[str | float | None] = field(init=False)
+    frames: Frames = field(init=False)
     commanded: CommandedAxes = field(init=False)
     row: dict[str, int] = field(init=False)
 
     def __post_init__(self) -> None:
-        self.commanded = CommandedAxes(self.axes)
+        self.commanded = CommandedAxes(self.axes, [value is not None for value in self.position])
+        self.frames = Frames(self.axes, self.offsets)
+        self.enter_frame()
         self.numbers = [None] * len(self.axes)
         self.row = {axis: number for number, axis in enumerate(self.axes)}
 
+    def enter_frame(self, machine: bool = False) -> None:
+        """Positions are in the frame that the offsets make, or in machine coordinates, from now on."""
+        self.shift = () if machine else self.frames.shift
+        self.commanded.enter(self.frames.of_machine if machine else self.frames.ids)
+
     @property
     def feed_in_minutes(self) -> float:
-        """F in force, mm/min or deg/min; NaN where it is not known or counts by turns."""
-        return math.nan if self.per_turn else self.feed
+        """F in force, mm/min or deg/min; NaN where it is not known or counts otherwise."""
+        return self.feed if self.feed_mode == "minute" else math.nan
 
     def scale(self, axis: str) -> float:
         """Length (mm) or angle (deg) of one unit of a word of this axis."""
@@ -64,7 +86,7 @@ class NcState:
             row = self.row[axis]
             distance = value * self.scale(axis)
             if self.absolute:
-                end[row] = distance
+                end[row] = distance + self.shift[row] if self.shift else distance
             else:
                 before = end[row]
                 end[row] = None if before is None else before + distance

@@ -18,11 +18,14 @@ class BlockText(NamedTuple):
     split: Split | None
 
 
-def block_text(body: str, words: tuple[Word, ...], gap: str, motion_word: bool, as_line: bool) -> BlockText:
+def block_text(
+    body: str, words: tuple[Word, ...], gap: str, motion_word: bool, as_line: bool, timed: bool = False
+) -> BlockText:
     """Take the axis and arc words out of a block; gap separates words that are put in.
 
     motion_word: put a G1 or G0 before the axis words, since the block's own text has none and the motion in force
-    differs; `as_line` says which, and turns G2 and G3 into G1.
+    differs; `as_line` says which, and turns G2 and G3 into G1. timed: F is the inverse of the block's time: when split,
+    each piece has its own, and this one is left out.
     """
     lead: list[str] = []
     tail: list[str] = []
@@ -47,9 +50,9 @@ def block_text(body: str, words: tuple[Word, ...], gap: str, motion_word: bool, 
         if as_line and word.letter == "G" and word.value in (2.0, 3.0):
             text = between + "G1"
         out.append(text)
-        if _due_at_end(word):
+        if due_at_end(word):
             last.append(text.strip())
-        else:
+        elif not (timed and word.letter == "F"):
             kept.append(text)
     out.append(body[place:])
     kept.append(body[place:])
@@ -58,7 +61,8 @@ def block_text(body: str, words: tuple[Word, ...], gap: str, motion_word: bool, 
         insert = ("G1" if as_line else "G0") + gap
         first = _joined(first, insert, gap)
         kept_lead = [_joined("".join(kept_lead), insert, gap)]
-    split = Split("".join(kept_lead), "".join(kept_tail), gap + gap.join(last)) if last else None
+    at_end = gap + gap.join(last) if last else ""
+    split = Split("".join(kept_lead), "".join(kept_tail), at_end) if last or timed else None
     return BlockText(first, "".join(tail), split)
 
 
@@ -66,7 +70,8 @@ def _joined(lead: str, insert: str, gap: str) -> str:
     return lead + (gap if lead.strip() and not lead.endswith((" ", "\t")) else "") + insert
 
 
-def _due_at_end(word: Word) -> bool:
+def due_at_end(word: Word) -> bool:
+    """Whether a word belongs to the end of the motion of its block."""
     return (word.letter == "M" and word.value in m_codes.AFTER) or (
         word.letter == "G" and round(word.value * 10) == EXACT_STOP
     )

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from trueaxis.compensate.acting import acting
 from trueaxis.compensate.along import Along, PointAlong, PoseAlong
 from trueaxis.compensate.arcs import MOST_CHORDS, Arc, chord_counts
-from trueaxis.compensate.executed import Executed, execute, joined
+from trueaxis.compensate.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.held import Held, held_axes, standing
-from trueaxis.compensate.lattice import Stretch, rotary_on_words, stretches
+from trueaxis.compensate.held import Held, axes_elsewhere, held_axes, standing
+from trueaxis.compensate.lattice import Stretch, rotary_on_words, shifts, stretches
 from trueaxis.compensate.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
-from trueaxis.compensate.moves import Item, Kind, Move, Notes, Start
+from trueaxis.compensate.moves import Item, Kind, Move, Notes, Setup, Start, Zero
 from trueaxis.compensate.orientation import ToolAxis
 from trueaxis.compensate.path import Path, path_of
 from trueaxis.compensate.placed import Everywhere, Placing
@@ -25,6 +25,7 @@ from trueaxis.compensate.solve import solve
 from trueaxis.compensate.solve_pose import solve_pose
 from trueaxis.compensate.subdivide import PROBE_SPACING, subdivide
 from trueaxis.compensate.tally import Solved, Tally
+from trueaxis.compensate.tools import tool_point_of
 from trueaxis.compensate.tracker import Tracker
 from trueaxis.compensate.visited import Visited
 from trueaxis.compensate.writer import BlockWriter
@@ -50,7 +51,7 @@ class Compensator:
         self._settings = settings
         self._faults = faults
         self._notes = notes
-        self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
+        self._tool_point = self._given_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._writer = BlockWriter(model.axes, settings)
         self._turned = self._axis_to_turn()
         rotary = np.array([axis not in LINEAR for axis in model.axes])
@@ -59,9 +60,9 @@ class Compensator:
         self._acting = acting(model, settings)
         self._model = model if self._acting is None else self._acting.model
         self._tracker = None if self._acting is None else Tracker(self._acting, self._along, settings, notes)
-        nowhere = np.full(len(model.axes), np.nan)
-        self._programmed = nowhere  # position programmed last
-        self._written = nowhere  # position named by the words written last
+        self._assumed = np.array([settings.assumed.get(axis, 0.0) for axis in model.axes])
+        self._programmed = np.full(len(model.axes), np.nan)  # position programmed last
+        self._written = self._assumed  # position named by the words written last, or where axes are taken to stand
         self._settled = False  # whether the machine stands at a compensated position
         self._tally = Tally(self._model, settings, () if self._acting is None else self._acting.notes)
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
@@ -93,13 +94,10 @@ class Compensator:
             if load >= self._settings.batch_points:
                 yield self._batch(batch, item if isinstance(item, Move) else None)
                 batch, load = [], 0
-            if isinstance(item, Start):
+            if isinstance(item, Start | Zero | Setup):
                 yield self._batch(batch)
                 batch, load = [], 0
-                self._programmed = self._written = np.array(item.position)
-                self._settled = False
-                if self._tracker is not None:
-                    self._tracker.stand(self._programmed)
+                yield self._between(item)
                 continue
             if not isinstance(item, str) and item.arc is not None:
                 chords = self._chords(item, item.arc)
@@ -114,6 +112,28 @@ class Compensator:
                     load += int(math.dist(last, item.end) / PROBE_SPACING)  # it may be cut as finely as it is probed
                 last = item.end
         yield self._batch(batch)
+
+    def _between(self, item: Start | Zero | Setup) -> str:
+        """Take in what is said between moves; returns its text."""
+        if isinstance(item, Zero):
+            return "" if self._faults.count else self._writer.zero(item, self._written, self._programmed)
+        if isinstance(item, Setup):
+            tools = self._settings.tools
+            tool = None if tools is None or item.tool is None else tools.tools.get(item.tool)
+            self._tool_point = tool_point_of(self._model, tool, self._given_point)
+            self._along = self._comparison()
+            if self._tracker is not None:
+                self._tracker.use(self._along)
+            self._tally.setup(item, self._tool_point)
+            return ""
+        stands = np.array([math.nan if value is None else value for value in item.position])
+        kept = np.array([value is None for value in item.position])
+        self._programmed = np.where(kept, self._programmed, stands)
+        self._written = np.where(kept, self._written, np.where(np.isnan(stands), self._assumed, stands))
+        self._settled = False
+        if self._tracker is not None:
+            self._tracker.stand(self._programmed, kept)
+        return ""
 
     def _chords(self, move: Move, arc: Arc) -> int:
         at = dict(zip(self._model.axes, move.end, strict=True))
@@ -177,7 +197,9 @@ class Compensator:
         waiting = held & self._corrected
         self._note_held(moves, waiting)
         held, waiting = held[:, path.owner], waiting[:, path.owner]
-        kinds = list(stretches(absolute, inch, axes, settings))
+        elsewhere = axes_elsewhere(moves, len(axes))[:, path.owner]
+        shift = shifts(moves, len(axes))[:, path.owner]
+        kinds = list(stretches(absolute, inch, shift, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
         solved = self._solved(path, kinds, model, held)
         last_of_move = np.append(np.diff(path.owner) > 0, True)
@@ -190,7 +212,9 @@ class Compensator:
             parts.append(part)
             previous = part.positions[:, -1]
         done = joined(parts)
-        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting)
+        self._tally.add(
+            len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting, elsewhere
+        )
         owner = path.owner[done.point]
         self._refuse_cuts(moves, owner)
         before = np.concatenate([self._written[:, None], done.positions[:, :-1]], axis=1)
@@ -198,7 +222,9 @@ class Compensator:
         ends = np.array([move.end for move in moves]).T
         starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
         programmed = (ends[:, owner], starts[:, owner])
-        return self._writer.texts(moves, owner, done.positions, before, steps[:, done.point], programmed)
+        lattices = (steps[:, done.point], shift[:, done.point])
+        shares = shares_of_time(done, owner, path, len(moves))
+        return self._writer.texts(moves, owner, done.positions, before, lattices, programmed, shares)
 
     def _note_held(self, moves: list[Move], held: Held) -> None:
         """Note axes that get no word; held: (n_axes, n_moves)."""
@@ -250,9 +276,9 @@ class Compensator:
         return Solved(linear, pose)
 
     @property
-    def visited(self) -> Visited:
-        """The places that the program came to so far."""
-        return self._tally.visited
+    def visited(self) -> tuple[Visited, ...]:
+        """The places that the program came to so far, for each work offset and tool."""
+        return tuple(self._tally.visited.values())
 
     def report(self, program: str, language: str, blocks_in: int, blocks_out: int) -> CompensationReport:
         """What has been done so far."""

@@ -1,11 +1,11 @@
 """How far a compensated program relies on what was measured, and whether that is too far."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.compensate.machine import ROTARY, FloatArray
+from trueaxis.compensate.machine import ROTARY
 from trueaxis.compensate.orientation import SINGULAR
 from trueaxis.compensate.visited import Visited
 from trueaxis.runtime.covariance import Covariance
@@ -58,13 +58,18 @@ class Reliance:
         return self.too_uncertain or self.too_large
 
 
-Judge = Callable[[Visited], Reliance]
+Judge = Callable[[Sequence[Visited]], Reliance]
 
 
-def judge_of(model: MachineModel, covariance: Covariance, tool_point: FloatArray, limits: Limits) -> Judge:
-    """What judges the places that a program came to; tool_point: (3, 1), mm, tool frame."""
+def judge_of(model: MachineModel, covariance: Covariance, limits: Limits) -> Judge:
+    """What judges the places that a program came to."""
 
-    def judge(visited: Visited) -> Reliance:
+    def judge(visited: Sequence[Visited]) -> Reliance:
+        used = [one for one in visited if one.corrections.size] or visited
+        return _worst([judged(one) for one in used])
+
+    def judged(visited: Visited) -> Reliance:
+        tool_point = visited.tool_point
         positions, corrections = visited.positions, visited.corrections
         nodes = [table_positions(covariance, axis) for axis in model.axes]
         samples = visited.samples(nodes) if corrections.size else positions
@@ -90,6 +95,32 @@ def judge_of(model: MachineModel, covariance: Covariance, tool_point: FloatArray
         )
 
     return judge
+
+
+def _worst(found: Sequence[Reliance]) -> Reliance:
+    """The worst in each respect of the work offsets and tools of a program."""
+    if len(found) == 1:
+        return found[0]
+    corrected = max(found, key=lambda one: one.largest_correction / (one.allowed_correction or np.inf))
+    turned = max(found, key=lambda one: one.largest_turn)
+    beyond: dict[tuple[str, tuple[str, ...]], BeyondMeasured] = {}
+    for part in (part for one in found for part in one.beyond):
+        key = (part.axis, part.components)
+        if key not in beyond or part.count > beyond[key].count:
+            beyond[key] = part
+    return Reliance(
+        uncertainty=max((one.uncertainty for one in found), key=lambda extent: extent.counted),
+        beyond=tuple(beyond.values()),
+        largest_correction=corrected.largest_correction,
+        allowed_correction=corrected.allowed_correction,
+        correction_at=corrected.correction_at,
+        largest_turn=turned.largest_turn,
+        allowed_turn=turned.allowed_turn,
+        turned_at=turned.turned_at,
+        at_home=max(one.at_home for one in found),
+        too_uncertain=any(one.too_uncertain for one in found),
+        too_large=any(one.too_large for one in found),
+    )
 
 
 def _allowed_turn(model: MachineModel) -> float | None:

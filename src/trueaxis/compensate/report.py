@@ -5,9 +5,11 @@ from dataclasses import asdict, dataclass
 
 from trueaxis.compensate.acting import EffectNote
 from trueaxis.compensate.reliance import Reliance
+from trueaxis.compensate.sensitivity import OffsetUse
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.sign_check import Senses, SignCheck
 from trueaxis.compensate.statistics import Lines, Summary
+from trueaxis.compensate.tools import ToolUse
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,6 +22,24 @@ class Errors:
     solved: Summary | None
     after: Summary | None
     along: Summary | None
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownPlaces:
+    """Rapids while axes may stand anywhere. assumed: where these are taken to stand until a program first commands
+    them, mm and deg. change: of the words of the other axes over the travel of these, mm.
+    """
+
+    assumed: dict[str, float]
+    change: Summary
+
+    def __str__(self) -> str:
+        named = " ".join(f"{axis}{value:.9g}" for axis, value in self.assumed.items())
+        return (
+            f"{self.change.count} rapids while {' '.join(self.assumed)} may stand anywhere: their words are for "
+            f"{named} (or where the program had the axis before a tool change) and would differ by at most "
+            f"{self.change.largest:.4f} mm (line {self.change.line}) elsewhere in the travel; it gets no word"
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +62,9 @@ class CompensationReport:
     not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
     out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
     uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
-    error left there. Rapids to such points are not in the other figures.
+    error left there. Rapids to such points are not in the other figures. unknown_places: what it may cost there that
+    axes may stand anywhere; None where none may. offsets: the work offsets, and how much the words depend on them.
+    tools: those of --tools, with their points.
     senses: which way the model takes each linear axis to move the tool.
     sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
     passed: M codes that --pass-m vouches for, with their lines.
@@ -76,6 +98,9 @@ class CompensationReport:
     singular: Lines
     uncommanded: Lines
     uncommanded_left: Summary | None
+    unknown_places: UnknownPlaces | None
+    offsets: tuple[OffsetUse, ...]
+    tools: tuple[ToolUse, ...]
     effects: tuple[EffectNote, ...]
     senses: Senses
     sign_check: SignCheck | None
@@ -86,9 +111,22 @@ class CompensationReport:
     @property
     def good(self) -> bool:
         """Whether every point converged, is within the tolerances and within the travel, and it may be relied on."""
-        return not self.refused and not any(
-            found.points
-            for found in (self.not_converged, self.over_tolerance, self.out_of_travel, self.over_orientation)
+        return (
+            not self.refused
+            and not self.over_range
+            and not any(
+                found.points
+                for found in (self.not_converged, self.over_tolerance, self.out_of_travel, self.over_orientation)
+            )
+        )
+
+    @property
+    def over_range(self) -> bool:
+        """Whether points may be above the tolerance at work offsets within the ranges given."""
+        largest = 0.0 if self.after is None else self.after.largest
+        return any(
+            one.change is not None and (one.leaves_travel or largest + one.change > self.settings.tolerance)
+            for one in self.offsets
         )
 
     @property
@@ -100,6 +138,7 @@ class CompensationReport:
         """The report as JSON; `settings.start` as an object of axis positions."""
         tree = asdict(self)
         tree["settings"]["start"] = dict(self.settings.start)
+        tree["settings"]["assumed"] = dict(self.settings.assumed)
         return json.dumps({"schema": 1, "good": self.good, **tree}, indent=1) + "\n"
 
     def __str__(self) -> str:
@@ -141,6 +180,11 @@ class CompensationReport:
                 f"axes not commanded yet get no words: {self.uncommanded}; "
                 f"largest error left {left.largest:.4f} mm at line {left.line}"
             )
+        lines.extend(map(str, (*self.offsets, *self.tools)))
+        if self.over_range:
+            lines.append("above tolerance, or out of travel, at work offsets within the ranges given")
+        if self.unknown_places is not None:
+            lines.append(str(self.unknown_places))
         lines.extend(
             f"M{one.code} passed, as --pass-m says that it moves nothing and changes no mode: "
             f"{one.lines.points} times, lines {one.lines.shown}"

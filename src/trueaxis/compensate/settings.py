@@ -6,6 +6,9 @@ from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Literal
 
+from trueaxis.compensate.offsets import Offsets
+from trueaxis.compensate.tools import ToolTable
+
 Method = Literal["iterative", "ordinary"]
 WordChoice = Literal["nearest", "ends", "middles"]
 Orientation = Literal["keep", "correct"]
@@ -29,11 +32,14 @@ class Settings:
     words: `nearest` rounds; `ends` and `middles` choose words that minimise Eq. (6), see word_choice and middles.
     ball: P_W, centre of the workpiece ball in the workpiece frame; gives E of Eq. (6) its meaning.
     tool_point: P_T in the tool frame. start: axis positions before the first block (those known).
+    assumed: where axes are taken to stand, for rapids, that nothing has given a position yet; home where it is silent.
     orientation: `keep` corrects with the linear axes alone; `correct` turns rotary axes too, so that the tool axis
     points where the error-free machine's would, to orientation_tolerance_urad. tool_axis: its direction, tool frame.
     block_delete: what a motion in a `/` block is: a fault, run, or skipped.
     dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
     the dialect fixes. pass_m: M codes that the user vouches for, see m_codes.
+    offsets: work offsets that are known. tools: tools that are known, None: none are. reference_points: machine
+    positions to which `G28` and `G30` go.
     temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
     batch_points: points computed at a time; bounds the memory.
 
@@ -50,6 +56,7 @@ class Settings:
     ball: tuple[float, float, float] | None = None
     tool_point: tuple[float, float, float] = (0.0, 0.0, 0.0)
     start: Mapping[str, float] = field(default_factory=dict)
+    assumed: Mapping[str, float] = field(default_factory=dict)
     orientation: Orientation = "keep"
     orientation_tolerance_urad: float = 2.0  # words of 0.0001 deg are up to 0.87 urad off in each of two axes
     tool_axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
@@ -57,6 +64,9 @@ class Settings:
     dialect: Dialect | None = None
     integers: Integers | None = None
     pass_m: tuple[int, ...] = ()
+    offsets: Offsets = field(default_factory=Offsets)
+    tools: ToolTable | None = None
+    reference_points: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     temperature: float | None = None
     time: float | None = None
     batch_points: int = 16384
@@ -92,7 +102,7 @@ class Settings:
                 yield f"{name} must be three finite coordinates"
         if math.hypot(*self.tool_axis) < 1e-6:
             yield "tool_axis must be a direction, not zero"
-        if not all(map(math.isfinite, self.start.values())):
+        if not all(map(math.isfinite, (*self.start.values(), *self.assumed.values()))):
             yield "start must hold finite positions"
         for name in ("temperature", "time"):
             value = getattr(self, name)

@@ -108,6 +108,11 @@ class SignChecker:
         self._largest = least
         self.found: SignCheck | None = None
 
+    def use(self, tool_point: FloatArray) -> None:
+        """Another tool point from here on, (3, 1), mm."""
+        self._tool_point = tool_point
+        self._at_home = self._model.deviation(self._home[:, None], tool_point)
+
     def add(
         self, path: Path, deviation: FloatArray, commands: FloatArray, lines: NDArray[np.int64], held: Held
     ) -> None:

@@ -7,19 +7,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensate.acting import EffectNote
+from trueaxis.compensate.elsewhere import change_of_words
 from trueaxis.compensate.executed import Executed
 from trueaxis.compensate.held import Held
 from trueaxis.compensate.machine import ErrorModel, FloatArray
-from trueaxis.compensate.moves import Notes
+from trueaxis.compensate.moves import Notes, Setup
 from trueaxis.compensate.orientation import ToolAxis, angle
 from trueaxis.compensate.path import Path
 from trueaxis.compensate.placed import Placing
-from trueaxis.compensate.report import CompensationReport, Errors, PassedCode
+from trueaxis.compensate.report import CompensationReport, Errors, PassedCode, UnknownPlaces
+from trueaxis.compensate.sensitivity import OffsetUse, offset_use
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.sign_check import SignChecker, senses_of
 from trueaxis.compensate.solve import Solution
 from trueaxis.compensate.solve_pose import PoseSolution
 from trueaxis.compensate.statistics import LineLog, Running
+from trueaxis.compensate.tools import ToolUse
 from trueaxis.compensate.visited import Visited
 from trueaxis.compensate.word_choice import bar_error
 
@@ -51,14 +54,15 @@ class Solved:
 
 
 class Tally:
-    """Counts and figures of one program on one machine; visited: the places that it came to."""
+    """Counts and figures of one program on one machine; visited: the places that it came to, by what was in force."""
 
     def __init__(self, model: ErrorModel, settings: Settings, effects: tuple[EffectNote, ...]) -> None:
         self._settings, self._effects = settings, effects
         self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
         self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
         self._axis = ToolAxis(model, settings.tool_axis)
-        self.visited = Visited(model)
+        self._model, self._setup = model, Setup()
+        self.visited = {self._setup: Visited(model, self._tool_point)}  # by what was in force
         self._senses = senses_of(model, self._tool_point)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
         self._moves = self._points = self._short_blocks = self._take_ups = 0
@@ -68,6 +72,15 @@ class Tally:
         self._orientation = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
         self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
         self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
+        self._axes = model.axes
+        self._elsewhere, self._rows_elsewhere = Running(), set[int]()
+
+    def setup(self, setup: Setup, tool_point: FloatArray) -> None:
+        """Other work offsets or another tool, with its point (3, 1), from here on."""
+        self._setup, self._tool_point = setup, tool_point
+        self._sign.use(tool_point)
+        if setup not in self.visited:
+            self.visited[setup] = Visited(self._model, tool_point)
 
     def add(
         self,
@@ -80,13 +93,15 @@ class Tally:
         settled: bool,
         placing: Placing,
         held: Held,
+        elsewhere: Held,
     ) -> None:
         """Evaluate what was written of one batch.
 
         lines: (n_points,), of the path's points. previous: (n_axes,), position named by the words before; settled:
         whether it was a compensated one. placing: gives the machine along the path. held: (n_axes, n_points), axes that
         got no word although compensation would move them; rapids to such points count apart, since an axis that is not
-        where the program wants it yet is no error of compensation there.
+        where the program wants it yet is no error of compensation there. elsewhere: the same shape, axes that may stand
+        anywhere.
         """
         self._moves += moves
         self._points += path.size
@@ -101,7 +116,7 @@ class Tally:
         written = done.at_points(previous)
         deviation, _ = self._stage("before", model, path.points, path.points, lines)
         self._sign.add(path, deviation, written, lines, held)
-        self.visited.add(path.origins, path.points, np.where(held, 0.0, written - path.points))
+        self.visited[self._setup].add(path.origins, path.points, np.where(held, 0.0, written - path.points))
         waiting = held.any(axis=0)
         self._uncommanded.add(lines[waiting])
         counted: NDArray[np.int64] | slice = slice(None)
@@ -109,11 +124,21 @@ class Tally:
             rows = index[waiting]
             there = placing.at(rows, np.ones(rows.size))
             self._stage(UNCOMMANDED, there, written[:, rows], path.points[:, rows], lines[rows])
+            self._elsewhere_at(placing, path, elsewhere, lines)
             counted = index = index[~(waiting & path.rapid)]
             model = placing.at(index, np.ones(index.size))
         if index.size:
             self._at_points(model, counted, path, solved, written, lines)
         self._along(path, done, lines, previous, settled, placing)
+
+    def _elsewhere_at(self, placing: Placing, path: Path, elsewhere: Held, lines: NDArray[np.int64]) -> None:
+        """Note what it may cost that axes stand elsewhere than they are taken to stand."""
+        rows = np.flatnonzero(elsewhere.any(axis=0))
+        if rows.size:
+            model = placing.at(rows, np.ones(rows.size))
+            change = change_of_words(model, path.points[:, rows], elsewhere[:, rows], self._tool_point)
+            self._elsewhere.add(change, lines[rows])
+            self._rows_elsewhere |= set(np.flatnonzero(elsewhere.any(axis=1)).tolist())
 
     def _at_points(
         self,
@@ -203,12 +228,47 @@ class Tally:
             self._singular.lines(),
             self._uncommanded.lines(),
             self._vector[UNCOMMANDED].summary(),
+            self._unknown_places(),
+            self._offsets(),
+            self._tools(),
             self._effects,
             self._senses,
             self._sign.found,
             tuple(PassedCode(code, log.lines()) for code, log in sorted(notes.passed.items())),
             notes.texts(),
         )
+
+    def _tools(self) -> tuple[ToolUse, ...]:
+        points = {setup.tool: visited.tool_point for setup, visited in self.visited.items() if visited.positions.size}
+        return tuple(
+            ToolUse(tool, (float(point[0, 0]), float(point[1, 0]), float(point[2, 0])))
+            for tool, point in points.items()
+            if tool
+        )
+
+    def _offsets(self) -> tuple[OffsetUse, ...]:
+        used: dict[Setup, list[tuple[FloatArray, FloatArray]]] = {}  # whatever the tool
+        for setup, visited in self.visited.items():
+            if setup.system and visited.positions.size:
+                used.setdefault(setup._replace(tool=None), []).append((visited.positions, visited.tool_point))
+        return tuple(
+            offset_use(
+                self._model,
+                places,
+                setup.system,
+                dict(zip(self._axes, setup.values, strict=True)),
+                np.array(setup.spread),
+            )
+            for setup, places in used.items()
+        )
+
+    def _unknown_places(self) -> UnknownPlaces | None:
+        change = self._elsewhere.summary()
+        if change is None:
+            return None
+        assumed = self._settings.assumed
+        places = {self._axes[row]: assumed.get(self._axes[row], 0.0) for row in sorted(self._rows_elsewhere)}
+        return UnknownPlaces(places, change)
 
 
 def _length(vectors: FloatArray) -> FloatArray:

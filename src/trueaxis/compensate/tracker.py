@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from trueaxis.compensate.acting import Acting
 from trueaxis.compensate.along import Along
 from trueaxis.compensate.course import Course, Standing, since_reversal, turnings
+from trueaxis.compensate.held import Held, axes_elsewhere
 from trueaxis.compensate.lattice import word_steps
 from trueaxis.compensate.machine import FloatArray
 from trueaxis.compensate.moves import Kind, Move, Notes
@@ -43,9 +44,19 @@ class Tracker:
         if acting.reversing and settings.words != "nearest":
             notes.add(0, BACK_AND_FORTH)
 
-    def stand(self, position: FloatArray) -> None:
-        """The axes stand at a position (n_axes,) and have not moved yet."""
-        self._standing = Standing.at(position)
+    def use(self, along: Along) -> None:
+        """Compare corrections otherwise from here on: another tool."""
+        self._along = along
+
+    def stand(self, position: FloatArray, kept: NDArray[np.bool_]) -> None:
+        """Axes stand at a position (n_axes,) and have not moved yet, but for those that are kept as they were."""
+        new, old = Standing.at(position), self._standing
+        self._standing = Standing(
+            np.where(kept, old.extreme, new.extreme),
+            np.where(kept, old.direction, new.direction),
+            np.where(kept, old.since, new.since),
+            new.velocity,
+        )
 
     def place(
         self, path: Path, moves: Sequence[Move], follows: NDArray[np.bool_], following: Move | None
@@ -58,7 +69,8 @@ class Tracker:
         standing = self._standing
         inch = np.array([move.inch for move in moves])[path.owner]
         steps = np.where(inch, self._steps[True], self._steps[False])
-        direction, extreme = self._directions(path, steps)
+        elsewhere = axes_elsewhere(moves, len(self._axes))[:, path.owner]
+        direction, extreme = self._directions(path, steps, elsewhere)
         since, gone = since_reversal(path, direction, standing)
         velocity, duration, at_ends = self._velocities(path, moves, follows, following)
         at_starts = np.concatenate([standing.velocity[:, None], at_ends[:, :-1]], axis=1)
@@ -67,14 +79,14 @@ class Tracker:
         self._standing = Standing(extreme, direction[:, -1], since[:, -1] + gone[:, -1], at_ends[:, -1])
         return self._with_jumps(path, course, jumps)
 
-    def _directions(self, path: Path, steps: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def _directions(self, path: Path, steps: FloatArray, elsewhere: Held) -> tuple[FloatArray, FloatArray]:
         standing = self._standing
         if not self._acting.reversing:
             return np.zeros_like(path.points), standing.extreme
         model = self._placed(
             np.zeros_like(path.points), np.zeros_like(path.points), np.full_like(path.points, FARTHEST)
         )
-        wanted = path.points + self._along.correction(model, path.points)
+        wanted = np.where(elsewhere, np.nan, path.points + self._along.correction(model, path.points))
         band = steps * np.where(path.points == path.origins, STANDS, MOVES)
         direction, extreme = turnings(wanted, standing, band)
         others = [row for row, axis in enumerate(self._axes) if axis not in self._acting.reversing]

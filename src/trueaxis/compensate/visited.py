@@ -13,10 +13,12 @@ MOST_CELLS = 20_000  # of the whole travel: 27 along each of three axes, 7 along
 class Visited:
     """The cells of the travel that a program comes to or passes through, with the largest correction in each.
 
-    largest_turn: the largest correction of a rotary axis, deg, at the programmed position `turned_at`, (n_axes,).
+    tool_point: the one that came there, (3, 1), mm, tool frame. largest_turn: the largest correction of a rotary axis,
+    deg, at the programmed position `turned_at`, (n_axes,).
     """
 
-    def __init__(self, model: ErrorModel) -> None:
+    def __init__(self, model: ErrorModel, tool_point: FloatArray) -> None:
+        self.tool_point = tool_point
         self._linear, self._rotary = list(linear_rows(model.axes)), list(rotary_rows(model.axes))
         self._each = int(MOST_CELLS ** (1.0 / len(model.axes)))
         low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T

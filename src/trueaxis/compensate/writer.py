@@ -6,9 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensate.machine import LINEAR, FloatArray
-from trueaxis.compensate.moves import Move
-from trueaxis.compensate.settings import Settings, decimals
+from trueaxis.compensate.moves import Move, Zero
+from trueaxis.compensate.settings import MM_PER_INCH, Settings, decimals
 
+_LEAST_SHARE = 1e-6  # of the time of a block: a piece of no length has an F all the same
+_F_DIGITS = 7  # of F under G93: times are then right to a part in a million
 _HOLDS = 1e-9  # mm, deg: positions closer than this are the same
 
 
@@ -16,7 +18,7 @@ class BlockWriter:
     """Writes moves; holds the number formats of a machine's words."""
 
     def __init__(self, axes: tuple[str, ...], settings: Settings) -> None:
-        self._formats = {}
+        self._axes, self._formats = axes, {}
         for inch in (False, True):
             linear = settings.inch_resolution if inch else settings.resolution
             steps = [linear if axis in LINEAR else settings.rotary_resolution for axis in axes]
@@ -31,21 +33,25 @@ class BlockWriter:
         owner: NDArray[np.int64],
         positions: FloatArray,
         previous: FloatArray,
-        steps: FloatArray,
+        lattices: tuple[FloatArray, FloatArray],
         programmed: tuple[FloatArray, FloatArray],
+        shares: FloatArray,
     ) -> list[str]:
         """One text for each move: its block, or the blocks it has become.
 
         owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
-        before them (NaN: not known); steps: (n_axes, n), mm or deg per step of a word; programmed: end and start of the
-        move that each belongs to, (n_axes, n). Raises ValueError rather than write a position that is not finite.
+        before them (NaN: not known); lattices: mm or deg per step of a word, and position minus word in G90,
+        (n_axes, n); programmed: end and start of the move that each belongs to, (n_axes, n); shares: (n,), of the time
+        of that move.
+        Raises ValueError rather than write a position that is not finite.
         """
         if not np.isfinite(positions).all():
             raise ValueError("a position to be written is not finite")
         absolute = np.array([move.absolute for move in moves])[owner]
         with np.errstate(invalid="ignore"):
             stays = np.abs(positions - previous) < _HOLDS
-        origin = np.where(absolute, 0.0, previous)
+        steps, shift = lattices
+        origin = np.where(absolute, shift, previous)
         counts = np.rint((positions - origin) / steps).astype(np.int64).T.tolist()
         stay = stays.T.tolist()
         # a word may stay as it is where it names the position to be reached, and an increment where it starts as it did
@@ -61,9 +67,27 @@ class BlockWriter:
             if number == 1:
                 out.append(self._single(move, counts[place], stay[place], unchanged[place]))
             else:
-                out.append(self._several(move, counts[place : place + number], stay[place : place + number]))
+                part = slice(place, place + number)
+                out.append(self._several(move, counts[part], stay[part], shares[part]))
             place += number
         return out
+
+    def zero(self, block: Zero, written: FloatArray, programmed: FloatArray) -> str:
+        """A block that gives axes new values where they stand: where the words, not the program, have put them.
+
+        written, programmed: (n_axes,), mm and deg. A word has the decimals that it needs, up to 7.
+        """
+        if all(abs(written[row] - programmed[row]) < _HOLDS for row in block.rows):
+            return block.source
+        words = []
+        for row in block.rows:
+            axis = self._axes[row]
+            scale = MM_PER_INCH if block.inch and axis in LINEAR else 1.0
+            step, form = self._formats[block.inch][row]
+            value = (written[row] - block.shift[row]) / scale
+            on_step = abs(value - round(value / step) * step) < _HOLDS
+            words.append(f"{axis}{value:.7f}" if not on_step else form % value)
+        return f"{block.lead}{block.gap.join(words)}{block.tail}"
 
     def _single(self, move: Move, counts: list[int], stay: list[bool], unchanged: bool) -> str:
         if unchanged and move.source and all(held or written for held, written in zip(stay, move.written, strict=True)):
@@ -71,15 +95,16 @@ class BlockWriter:
         words = self._words(move, counts, stay, move.written)
         return f"{move.lead}{words}{move.tail}{move.eol}"
 
-    def _several(self, move: Move, counts: list[list[int]], stay: list[list[bool]]) -> str:
+    def _several(self, move: Move, counts: list[list[int]], stay: list[list[bool]], shares: FloatArray) -> str:
         lead, tail, last = move.split or (move.lead, move.tail, "")
         none = (False,) * len(move.written)
         eol = move.eol or "\n"
-        parts = [f"{lead}{self._words(move, counts[0], stay[0], move.written)}{tail}"]
-        for count, held in zip(counts[1:], stay[1:], strict=True):
+        feeds = [_feed(move, share) for share in shares.tolist()]
+        parts = [f"{lead}{self._words(move, counts[0], stay[0], move.written)}{feeds[0]}{tail}"]
+        for count, held, feed in zip(counts[1:], stay[1:], feeds[1:], strict=True):
             words = self._words(move, count, held, none)
             if words:
-                parts.append(move.again + words)
+                parts.append(f"{move.again}{words}{feed}")
         if last:
             parts[-1 if len(parts) > 1 else 0] += last
         return eol.join(parts) + move.eol
@@ -90,3 +115,11 @@ class BlockWriter:
             for (step, form), count, held, named in zip(self._formats[move.inch], counts, stay, written, strict=True)
             if named or not held
         )
+
+
+def _feed(move: Move, share: float) -> str:
+    """The F word of a piece that takes a share of the time of its block, under G93; nothing otherwise."""
+    if not move.inverse_time:
+        return ""
+    value = move.inverse_time / max(share, _LEAST_SHARE)
+    return f"{move.gap}F{np.format_float_positional(value, precision=_F_DIGITS, fractional=False, trim='0')}"

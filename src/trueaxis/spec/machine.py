@@ -7,6 +7,7 @@ from functools import cached_property
 
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME
+from trueaxis.spec.places import Position
 from trueaxis.spec.prior import Prior
 
 AXES = ("X", "Y", "Z", "A", "B", "C")
@@ -45,6 +46,8 @@ class Machine:
     references: pairs (equation label, where the literature has it), printed beside the equations.
     effects: terms beside the geometric errors, in the order of the spec; effect_kinds: the spec's own kinds.
     prior: sizes of errors to expect before measuring.
+    start: axis positions before a program, for the axes named, mm and deg; reference_points: those to which G28 and G30
+    go.
     """
 
     name: str
@@ -59,6 +62,8 @@ class Machine:
     effects: tuple[Effect, ...] = ()
     effect_kinds: tuple[Kind, ...] = ()
     prior: Prior = field(default_factory=Prior)
+    start: Position = ()
+    reference_points: tuple[tuple[str, Position], ...] = ()
 
     @cached_property
     def axes(self) -> tuple[str, ...]:
@@ -117,10 +122,11 @@ class Machine:
     def digest(self) -> str:
         """SHA-256 of the parsed spec: what it says, not how it is laid out.
 
-        References are prose, and sizes to expect change no kernel: both are left out.
+        References are prose; sizes to expect and the positions that programs rely on change no kernel: left out.
         """
         said = asdict(self)
-        del said["references"], said["prior"]
+        for name in ("references", "prior", "start", "reference_points"):
+            del said[name]
         return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
 
 

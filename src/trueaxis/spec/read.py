@@ -11,6 +11,7 @@ from trueaxis.spec.effect_kinds import read_effect_kinds
 from trueaxis.spec.effects import read_effects, with_squareness
 from trueaxis.spec.fields import Complain, Fields
 from trueaxis.spec.machine import AXES, BED, LINEAR, Body, Machine
+from trueaxis.spec.places import read_reference_points, read_start
 from trueaxis.spec.prior import read_prior
 from trueaxis.spec.structure import check_structure
 from trueaxis.spec.structure_code import AxisOrder, StructureCodeError, default_location_errors, parse_structure
@@ -79,8 +80,9 @@ def _machine(top: Fields, complain: Complain, faults: Faults) -> Machine:
     )
     units = {parameter: machine.parameter_unit(parameter) for parameter in machine.location_errors}
     prior = read_prior(top, machine.components, units)
+    start, points = read_start(top, machine.travel), read_reference_points(top, machine.travel)
     top.refuse_others()
-    return replace(machine, prior=prior)
+    return replace(machine, prior=prior, start=start, reference_points=points)
 
 
 @dataclass(frozen=True)
