@@ -1,4 +1,4 @@
-"""On the paper's own plan the estimate makes the machine better at any noise of a laser; the stepwise method does not."""
+"""On the paper's plan the estimate makes the machine better at any noise of a laser; the stepwise method does not."""
 
 import pytest
 
