@@ -55,13 +55,12 @@ def set_up(lock: Path) -> None:
 
 
 def run_tests(rest: list[str]) -> int:
-    """With arguments: pytest with them. Without: the fast tests first, with their coverage, then the slow ones."""
+    """With arguments: pytest with them. Without: the fast tests first, then the slow ones."""
     pytest = (BIN / "python", "-m", "pytest")
     if rest:
         return run(*pytest, *rest)
     parallel = ("-n", "auto", "--dist", "loadgroup", "-q")
-    # What is measured for coverage runs a third slower: the slow tests run lines that fast ones run as well.
-    return run(*pytest, *parallel, "-m", "not slow", "--cov") or run(*pytest, *parallel, "-m", "slow")
+    return run(*pytest, *parallel, "-m", "not slow") or run(*pytest, *parallel, "-m", "slow")
 
 
 def run(*command: object) -> int:

@@ -189,3 +189,11 @@ def test_programs_with_cycles_go_where_the_control_goes(blocks: list[Any], wrong
         assert one.keys() <= other.keys()
         for number, at in one.items():
             assert max(abs(at[axis] - other[number][axis]) for axis in AXES) < 0.3, (number, source, written.decode())
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_a_cycle_feeds_as_a_line_does_where_an_axis_may_stand_anywhere(bench: Bench, code: str) -> None:
+    """Written out by hand it was refused, as a cycle it was taken."""
+    with pytest.raises(InputError, match="the position of Y is not known here") as caught:
+        bench.run(f"G21 G90 G17 M3\nG0 Z20.\n{code} X10. Z-6. R2. F100\nG80\n", paper_sized(), integers="mm")
+    assert len(caught.value.faults) == 1

@@ -147,6 +147,13 @@ def test_a_tool_that_is_in_the_spindle_from_the_start(bench: Bench) -> None:
     assert [use.number for use in bench.report.tools] == [2]
 
 
+def test_the_length_of_another_tool_is_said(bench: Bench) -> None:
+    bench.run("G21 G90\nT1\nM6\nG43 H2 G0 X5. Y5. Z5.\n", paper_sized(), tools=TABLE)
+    assert any("the length of tool 2 is put in force while tool 1" in note for note in bench.report.notes)
+    bench.run("G21 G90\nT1\nM6\nG43 H1 G0 X5. Y5. Z5.\n", paper_sized(), tools=TABLE)
+    assert not any("is put in force while" in note for note in bench.report.notes)
+
+
 def test_a_table_of_linuxcnc_adds_x_and_y(bench: Bench) -> None:
     machine = XyzMachine({"EXX": lambda x: 1e-4 * x, "ECX": lambda x: 1e-5 + 0.0 * x})
     table = ToolTable({1: Tool(50.0, (3.0, 2.0, 0.0))})

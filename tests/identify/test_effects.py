@@ -235,7 +235,7 @@ def test_the_uncertainty_covers_the_scatter() -> None:
     clean, model = measured(components), model_with(BACKLASH, CYCLIC)
     truth = {"width": 6e-3, "amplitude": 2e-3, "phase": 1.0, "pitch": 13.7}
     off_by: dict[str, list[float]] = {name: [] for name in truth}
-    for seed in range(60):
+    for seed in range(30):
         noise = np.random.default_rng(seed).normal(0.0, SIGMA, clean.reading.size)
         data = replace(clean, reading=clean.reading + noise)
         found = identify_global(model, data, replace(OPTIONS, noise_um=SIGMA * 1e3))

@@ -132,6 +132,24 @@ def test_a_run_that_does_not_fit_is_a_misfit(tmp_path: Path, method: str, capsys
     assert fit.runs[0].startswith(("X-", "XZ-"))
 
 
+def test_a_noise_that_is_stated_far_too_small_is_a_misfit(tmp_path: Path) -> None:
+    """Values follow such a noise: whatever a model may lack is no excuse."""
+    data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.5"), tmp_path / "e.json"
+    assert identify(data, out, "--method", "global", "--noise-um", "0.5") == 0
+    assert identify(data, out, "--method", "global", "--noise-um", "0.05") == 1
+    fit = values(out).fit
+    assert fit is not None
+    assert fit.state == "misfit"
+
+
+def test_location_errors_that_are_fixed_at_zero_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    data, out, known = simulated(tmp_path, "dmu60p_regular_runs"), tmp_path / "e.json", tmp_path / "known.json"
+    known.write_text('{"schema": 1, "machine": "dmu60p", "parameters": {"eps_xy": 0.0, "eps_yz": 1e-5}}')
+    assert identify(data, out, "--method", "global", "--noise-um", "0.1", "--known", str(known)) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "eps_xy and eps_yz: taken as known, eps_xy as exactly 0, without uncertainty" in told
+
+
 @pytest.mark.parametrize("method", ["paper", "global"])
 def test_a_good_fit_says_so(tmp_path: Path, method: str) -> None:
     data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.1"), tmp_path / "e.json"

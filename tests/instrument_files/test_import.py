@@ -234,6 +234,17 @@ def test_a_reading_without_unit_is_not_guessed(tmp_path: Path, capsys: pytest.Ca
     assert "the file does not say the unit of its column error; --map unit.reading=um" in told
 
 
+@pytest.mark.parametrize(("own", "said"), [("mm", "um"), ("um", "mm")])
+def test_a_unit_that_contradicts_the_file_is_a_fault(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], own: str, said: str
+) -> None:
+    (tmp_path / "x.csv").write_text(f"target [mm];error [{own}]\n0;0\n10;1e-3\n")
+    words = ["--map", "axis=X", "target.point=0,0,0", "at.Y=0", "at.Z=0"]
+    told = refused(tmp_path / "out", capsys, tmp_path / "x.csv", *words, f"unit.reading={said}")
+    assert f"the file's own unit, {own}" in told
+    imported(tmp_path / "data", tmp_path / "x.csv", *words, f"unit.reading={own}")
+
+
 def test_a_constant_that_is_no_deviation_is_taken_off_and_told(tmp_path: Path) -> None:
     (tmp_path / "x.csv").write_text("target_mm;error_um\n0;40\n100;43\n200;45\n200;46\n100;44\n0;42\n")
     words: list[str | Path] = [tmp_path / "x.csv", "--map", "axis=X", "target.point=0,0,0", "at.Y=0", "at.Z=0"]

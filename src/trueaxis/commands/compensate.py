@@ -18,7 +18,7 @@ from trueaxis.compensate.settings import Dialect, Integers, Settings
 from trueaxis.compensate.tool_files import read_tools
 from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
-from trueaxis.reporting.reliance import program_sentences, refusal_sentences
+from trueaxis.reporting.reliance import prior_sentences, program_sentences, refusal_sentences
 from trueaxis.runtime.model import load_model
 from trueaxis.runtime.uncertainty import covariance_file, load_uncertainty
 
@@ -223,7 +223,8 @@ def run(args: argparse.Namespace) -> int:
         raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None
     print(report)
     if report.reliance is not None:
-        for sentence in program_sentences(report.reliance):
+        rests = prior_sentences(model.errors, report.reliance.uncertainty.components)
+        for sentence in (*program_sentences(report.reliance), *rests):
             print(f"note: {sentence}")
         for sentence in refusal_sentences(report.reliance, args.max_u):
             print(f"{named(args.out)}: not written: {sentence}")

@@ -242,6 +242,8 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
             "--instruments": args.instruments != KINDS,
             "--robust": bool(args.robust),
         }
+        if args.curves != "table":
+            found.append(Fault("--curves", "", "goes with --method stepwise", "the estimate has curves of its own"))
         for option, used in of_least_squares.items():
             if used:
                 found.append(Fault(option, "", "goes with plain least squares", "--prior none"))

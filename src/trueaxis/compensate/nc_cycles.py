@@ -22,7 +22,7 @@ from trueaxis.compensate.nc_frames import FrameReader
 from trueaxis.compensate.nc_lexer import Block
 from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.nc_modes import ModeReader
-from trueaxis.compensate.nc_start import starts_elsewhere
+from trueaxis.compensate.nc_start import starts_elsewhere, unknown_position
 from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.nc_text import due_at_end
 from trueaxis.compensate.settings import Settings
@@ -235,6 +235,11 @@ class _Writer:
         for axis, value in ends.items():
             end[state.row[axis]] = value
         written = tuple(axis in ends for axis in state.axes)
+        missing = " ".join(axis for axis, value in zip(state.axes, end, strict=True) if value is None)
+        if kind != Kind.RAPID and missing:
+            if not self._wrong:
+                self.fault(*unknown_position(missing))
+            return False
         before = self._faults.count
         state.motion = int(kind)
         elsewhere = starts_elsewhere(self._number, state, written, "", self._faults)

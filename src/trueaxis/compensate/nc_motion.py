@@ -9,7 +9,7 @@ from trueaxis.compensate.nc_frames import FrameReader
 from trueaxis.compensate.nc_lexer import Block
 from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.nc_modes import ModeReader
-from trueaxis.compensate.nc_start import starts_elsewhere
+from trueaxis.compensate.nc_start import starts_elsewhere, unknown_position
 from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.nc_text import block_text
 from trueaxis.compensate.nc_tools import ToolReader
@@ -133,9 +133,5 @@ class MotionReader:
     def _unknown(self, number: int, needed: list[float | None], end: list[float | None]) -> None:
         missing = {row % len(end) for row, value in enumerate(needed) if value is None}
         names = " ".join(self._axes[row] for row in sorted(missing))
-        self._faults.add(
-            number,
-            f"the position of {names} is not known here, and the errors depend on it",
-            f"give it in the program or by --start {''.join(f'{axis}0' for axis in names.split())} (with its value)",
-        )
+        self._faults.add(number, *unknown_position(names))
         self._state.position = [0.0 if value is None else value for value in end]  # said once

@@ -27,3 +27,12 @@ def starts_elsewhere(number: int, state: NcState, moved: Sequence[bool], otherwi
             "give the position by G90 G0 or G1 in the program first",
         )
     return known < (Commanded.STOPPED if state.absolute else Commanded.STATED)
+
+
+def unknown_position(names: str) -> tuple[str, str]:
+    """The fault of a feed motion while axes (letters, parted by spaces) may stand anywhere, and what would be right."""
+    given = "".join(f"{axis}0" for axis in names.split())
+    return (
+        f"the position of {names} is not known here, and the errors depend on it",
+        f"give it in the program or by --start {given} (with its value)",
+    )

@@ -15,6 +15,9 @@ _LINUXCNC = "say --dialect linuxcnc if that is the control"
 IN_SPINDLE = "no tool change before this G43: tool {} is taken to be in the spindle"
 
 
+OF_ANOTHER = "the length of tool {} is put in force while tool {} is in the spindle"
+
+
 class ToolReader:
     """Follows the tool of one program and its length in its state; remedy: as of ToolChanges."""
 
@@ -68,6 +71,8 @@ class ToolReader:
         elif self._table is None:
             self._faults.add(number, "G43 shifts positions by a tool value that is not in the program", TOOLS_REMEDY)
         else:
+            if self._state.tool and of_tool and of_tool != self._state.tool:
+                self._notes.add(number, OF_ANOTHER.format(of_tool, self._state.tool))
             if self._state.tool is None and of_tool:
                 self._notes.add(number, IN_SPINDLE.format(of_tool))
                 self._state.tool = of_tool

@@ -45,10 +45,10 @@ class Estimate:
     values: of the machine; unknowns: (n,), mm, rad or 1; spread: (n, r), a root of their covariance; scale: (n,), their
     prior standard deviations, at their estimated sizes; factors: class of sizes -> the estimated size over the
     expected one. noise: of each instrument; scales: of each run with readings, by index, its noise over that of its
-    instrument; outliers: (n_readings,), left out; residual: (n_readings,), mm; freedom: degrees of freedom that are
-    left; rounds, steps: how often noise and sizes, then the unknowns alone were estimated; last_step,
-    last_change: the largest last step in standard uncertainties, and by how much it changed a residual, mm; converged:
-    whether it was none.
+    instrument; stated: instruments whose noise was given: their scales are mm; outliers: (n_readings,), left out;
+    residual: (n_readings,), mm; freedom: degrees of freedom that are left; rounds, steps: how often noise and sizes,
+    then the unknowns alone were estimated; last_step, last_change: the largest last step in standard uncertainties, and
+    by how much it changed a residual, mm; converged: whether it was none.
     """
 
     layout: Layout
@@ -59,6 +59,7 @@ class Estimate:
     factors: Mapping[str, float]
     noise: Mapping[str, Noise]
     scales: Mapping[int, float]
+    stated: frozenset[str]
     outliers: BoolArray
     residual: FloatArray
     freedom: float
@@ -158,6 +159,7 @@ def estimate(
         factors=sizes.factors(x),
         noise=state.noise,
         scales={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},
+        stated=state.stated,
         outliers=outliers,
         residual=left,
         freedom=float((~outliers).sum()) - posterior.told,

@@ -45,6 +45,7 @@ ORIGINS: dict[Determined, str] = {
     "prior": "undetermined: from the prior alone",
 }
 RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
+SLOW = 3.0  # slow over white noise: instruments drift by about as much as they scatter
 FAR = 3.0  # times the size of [prior], from where on a size is reported
 
 
@@ -95,7 +96,9 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         fit=judged.fit,
     )
     report = _report(model, observed, found, components, locations, judged, options)
-    report = replace(report, undetermined=left_open, notes=(*dimension_notes(model, given), *_notes(model, found)))
+    report = replace(
+        report, undetermined=left_open, notes=(*dimension_notes(model, given), *_notes(model, found, given))
+    )
     return Identification(values, report, covariance_of(found.layout, found.spread))
 
 
@@ -111,15 +114,16 @@ def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float]:
 
 def _residuals(model: MachineModel, observed: Observations, found: Estimate, noise: dict[int, float]) -> Residuals:
     good = ~found.outliers
-    known = known_noise(observed, None)
+    known, sizes = known_noise(observed, None), expected_sizes(model, observed.runs, observed.run, observed.positions)
     if set(np.unique(observed.run).tolist()) <= set(noise):
+        sizes = None  # with a noise that is stated too small the values follow it: no allowance for what a model lacks
         known = np.array([noise.get(index, np.nan) for index in range(len(observed.runs))])[observed.run]
     return Residuals(
         observed.run,
         good.astype(np.float64),
         np.where(good, found.residual, 0.0) ** 2,
         known,
-        expected_sizes(model, observed.runs, observed.run, observed.positions),
+        sizes,
         int(found.freedom),
     )
 
@@ -165,7 +169,6 @@ def _report(
     scale = np.array([found.scales.get(index, np.nan) for index in range(len(observed.runs))])
     sigma = {name: one.sigma for name, one in found.noise.items()}
     each = np.array([sigma.get(run.instrument, np.nan) for run in observed.runs]) * scale
-    estimated = options.noise == NoiseModel()
     return IdentificationReport(
         machine=model.name,
         method="global",
@@ -180,13 +183,13 @@ def _report(
         residual_rms_um=float(np.sqrt(np.mean(found.residual[good] ** 2))) * 1e3,
         freedom=int(found.freedom),
         noise_um=float(np.sqrt(np.mean(each[observed.run] ** 2))) * 1e3,
-        noise_origin="estimated with the errors, by restricted maximum likelihood" if estimated else "given",
+        noise_origin=_noise_origin(found),
         locations=tuple(_location(found, name, locations.get(name), unit[name]) for name in model.location_errors),
         components=tuple(_component(name, components.get(name)) for name in model.components),
         undetermined=(),
         quality=judged,
         instruments=_instruments(observed, found),
-        noise_groups=_noise_groups(found) if estimated else (),
+        noise_groups=_noise_groups(observed, found),
     )
 
 
@@ -218,16 +221,42 @@ def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentRep
     return tuple(reports)
 
 
-def _noise_groups(found: Estimate) -> tuple[NoiseGroupReport, ...]:
+def _noise_origin(found: Estimate) -> str:
+    estimated = sorted(found.noise.keys() - found.stated)
+    if not estimated:
+        return "stated"
+    which = f" of {enumerated(estimated)}" if found.stated else ""
+    return f"estimated with the errors{which}, by restricted maximum likelihood"
+
+
+def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupReport, ...]:
+    """Of every instrument, over its runs; what of it is slow."""
     groups = []
     for name, one in found.noise.items():
-        slow = f", of it slow {one.slow * 1e3:.3g}" if one.slow > 0.0 else ""
-        groups.append(NoiseGroupReport(f"{name}{slow}", one.sigma * 1e3, None))
+        scales = [scale for index, scale in found.scales.items() if observed.runs[index].instrument == name]
+        size = one.sigma * float(np.sqrt(np.mean(np.square(scales)))) * 1e3
+        told = " (stated)" if name in found.stated else f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
+        groups.append(NoiseGroupReport(name + told, size, None))
     return tuple(groups)
 
 
-def _notes(model: MachineModel, found: Estimate) -> tuple[str, ...]:
+def _notes(model: MachineModel, found: Estimate, given: ErrorValues) -> tuple[str, ...]:
     notes = []
+    fixed = [name for name in model.location_errors if name in given.parameters]
+    if fixed:
+        zero = [name for name in fixed if given.parameters[name] == 0.0]
+        what = f", {enumerated(zero)} as exactly 0" if zero else ""
+        notes.append(
+            f"{enumerated(fixed)}: taken as known{what}, without uncertainty (--known, --squareness known); "
+            "remove them from the file to have them estimated"
+        )
+    for name, one in found.noise.items():
+        if one.slow > SLOW * one.white:
+            notes.append(
+                f"the slow part of the noise of {name}, {one.slow * 1e3:.3g} um, is {one.slow / one.white:.2g} times "
+                "its white part: readings of a wrong sign, a wrong point in setup.toml or an effect that the model "
+                "lacks look like that (diagnose)"
+            )
     expected = {
         "translation": (model.prior.translation * 1e3, "translation_um"),
         "rotation": (model.prior.rotation * 1e6, "rotation_urad"),

@@ -58,7 +58,7 @@ def report_text(report: IdentificationReport) -> str:
     if report.curve_orders:
         lines += ["", "powers of the polynomials, and rms at positions held out:"]
         lines += [_curve_order(one) for one in report.curve_orders]
-    lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing"]
+    lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing at all is left open"]
     for item in report.undetermined:
         lines += _wrapped(item.combination, "- ")
     for note in report.notes:
@@ -77,7 +77,10 @@ def fit_text(judged: FitQuality) -> str:
     if judged.fit.state == "misfit":
         return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
     if not chi2:
-        return "converged; nothing could be checked: no reading is left over, or the noise is unknown (--noise-um)"
+        return (
+            "converged; the residuals could not be judged: no reading is repeated, and nothing else says how large the "
+            "noise is"
+        )
     return f"converged, {chi2}"
 
 

@@ -143,8 +143,11 @@ def _scale(name: str, head: Heading, keys: RunKeys, faults: Faults, table: Delim
         if not unit:
             return 1.0
         scale = factor(unit, dimension)
+        own = factor(head.unit, dimension) if head.unit else None
         if scale is None:
             keys.wrong(f"unit.{name}", said or unit, right)
+        elif own is not None and own != scale:
+            keys.wrong(f"unit.{name}", said or unit, f"the file's own unit, {head.unit}: leave the key out")
         return scale or 1.0
     scale = factor(unit, dimension)
     if scale is None:

@@ -1,10 +1,10 @@
 """How far a result relies on what was measured, in sentences."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensate.reliance import Reliance
-from trueaxis.runtime.errors import Fit
+from trueaxis.runtime.errors import ErrorValues, Fit
 from trueaxis.runtime.extent import UncertaintyExtent
 from trueaxis.runtime.measured_range import BeyondMeasured
 from trueaxis.spec.machine import LINEAR
@@ -48,6 +48,15 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
             f"be expected would move it by up to {_um(extent.largest_open)}"
         )
     return found
+
+
+def prior_sentences(errors: ErrorValues, named: Collection[str]) -> list[str]:
+    """Values that no reading told and that have an uncertainty all the same, that of the prior; named: told already."""
+    told = {name for item in errors.undetermined for name in item.parameters} - set(named)
+    if errors.covariance is None or not told:
+        return []
+    names = [name for name in (*errors.motion_errors, *errors.parameters) if name in told]
+    return [f"no reading told {', '.join(names)}: they rest on [prior] of the spec, and so does their part of u"]
 
 
 def program_sentences(reliance: Reliance) -> list[str]:
