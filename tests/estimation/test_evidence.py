@@ -48,7 +48,7 @@ class Problem:
         folded = triangle_of([*rest, np.zeros((n + 1, n + 1))])
         self.reduced = Reduced(
             triangle=folded[:n, :n], readings=folded[:n, n], rest=float(folded[n, n] ** 2), blocks=tuple(blocks),
-            count=3 * RUN, log_root=0.0,
+            log_root=0.0,
         )  # fmt: skip
 
     def value(self, x: FloatArray) -> float:
@@ -92,13 +92,12 @@ def test_mean_and_covariance_are_those_of_the_normal_distribution() -> None:
     np.testing.assert_allclose(posterior.mean, gain @ problem.readings, atol=1e-9)
     expected = np.diag(scale**2) - gain @ (problem.jacobian * scale**2)
     np.testing.assert_allclose(posterior.spread @ posterior.spread.T, expected, atol=1e-9)
-    for index, (own, kinds) in enumerate(zip(self_own := problem.own, KINDS, strict=True)):
+    for index, (own, kinds) in enumerate(zip(problem.own, KINDS, strict=True)):
         rows = slice(index * RUN, (index + 1) * RUN)
         cross = np.zeros((2, 3 * RUN))
         cross[:, rows] = (own * problem.sizes.own_scale(kinds, x) ** 2).T
         mean = cross @ np.linalg.solve(covariance, problem.readings)
         np.testing.assert_allclose(posterior.own[index].mean, mean, rtol=1e-6, atol=1e-12)
-    assert len(self_own) == 3
 
 
 def test_uncertain_sizes_widen_the_posterior() -> None:

@@ -38,6 +38,10 @@ DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
 DRAWS, SEED = 8, 20  # of the posterior, from which the noise is taken
 
 
+class NothingHeldError(ValueError):
+    """No reading depends on an error that is to be estimated."""
+
+
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Estimate:
     """What readings say of a machine and of the instruments.
@@ -109,8 +113,8 @@ def estimate(
     """The errors that are not given, from all readings, as a linear mixed model.
 
     given: values that are taken as they are, dimensions too; noise: standard deviation of the readings of runs, by
-    index, mm; that of an instrument is estimated unless all of its runs are there. Raises ValueError where no reading
-    holds an error of the machine.
+    index, mm; that of an instrument is estimated unless all of its runs are there. Raises NothingHeldError where
+    no reading holds an error of the machine.
     """
     given = replace(given or ErrorValues(model.name), u={}, undetermined=(), covariance=None)
     layout = layout_of(model.with_values(given), observed, given)
@@ -122,7 +126,7 @@ def estimate(
     for rounds in range(1, MOST_ROUNDS + 1):
         found = reduced(layout, *_whitened(layout, state))
         if not found.holds(layout.of_machine):
-            raise ValueError("no reading holds an error of the machine")
+            raise NothingHeldError("no reading holds an error of the machine")
         x, posterior = best_sizes(sizes, found, x)
         state = _moved(layout, state, posterior, given)
         known, scales = _noise(layout, state, posterior, draw)

@@ -33,15 +33,14 @@ class OwnBlock:
 class Reduced:
     """What whitened readings say of n unknowns: triangle a + noise = readings, besides the blocks of the runs.
 
-    triangle: (n, n), by scaled unknowns; readings: (n,); rest: sum of the squares that no unknown can change; count: of
-    readings; log_root: half the logarithm of the determinant of the noise.
+    triangle: (n, n), by scaled unknowns; readings: (n,); rest: sum of the squares that no unknown can change; log_root:
+    half the logarithm of the determinant of the noise.
     """
 
     triangle: FloatArray
     readings: FloatArray
     rest: float
     blocks: tuple[OwnBlock, ...]
-    count: int
     log_root: float
 
     def holds(self, first: int) -> bool:
@@ -62,7 +61,7 @@ def reduced(
     folded = np.zeros((0, n + 1))
     waiting: list[FloatArray] = []
     blocks = []
-    count, log_root = 0, 0.0
+    log_root = 0.0
     for rows, whiten, values in zip(runs, whitenings, readings, strict=True):
         kinds = own_kinds(rows.run, layout.straightness[rows.index])
         k = len(kinds)
@@ -84,7 +83,6 @@ def reduced(
         waiting.append(triangle[k:, k:])
         if sum(part.shape[0] for part in waiting) > 3 * n:
             folded, waiting = triangle_of([folded, *waiting]), []
-        count += values.size
         log_root += whiten.log_root
     folded = triangle_of([folded, *waiting, np.zeros((n + 1, n + 1))])
     return Reduced(
@@ -92,6 +90,5 @@ def reduced(
         readings=folded[:n, n],
         rest=float(folded[n, n] ** 2),
         blocks=tuple(blocks),
-        count=count,
         log_root=log_root,
     )

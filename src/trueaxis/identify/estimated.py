@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate, estimate
+from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.judgement import NINE_TENTHS, Determined, Judged, judged_component, judged_location
@@ -73,8 +73,9 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     noise = _given_noise(observed, options.noise)
     try:
         found = estimate(model, observed, given, noise)
-    except ValueError as error:
-        raise InputError([Fault(observed.source, "", str(error), "runs that move an axis")]) from error
+    except NothingHeldError as error:
+        remedy = "runs that move an axis, or fewer values in --known"
+        raise InputError([Fault(observed.source, "", str(error), remedy)]) from error
     residuals = _residuals(model, observed, found, noise)
     if not found.converged:
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
