@@ -214,7 +214,7 @@ def _identify(
     if args.method == STEPWISE:
         options = PaperOptions(args.squareness, known, noise.um, args.curves)
         return identify_paper(model, observed, options)
-    if args.prior == "spec" and not model.effects:
+    if args.prior == "spec":
         return identify_estimated(model, observed, EstimateOptions(args.squareness, known, noise))
     return identify_global(
         model,

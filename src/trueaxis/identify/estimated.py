@@ -7,11 +7,11 @@ import numpy as np
 
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
-from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.judgement import NINE_TENTHS, Determined, Judged, judged_component, judged_location
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
 from trueaxis.faults import Fault, InputError
+from trueaxis.identify.estimated_effects import covariance_with_effects, effect_reports, with_uncertainty
 from trueaxis.identify.fit_quality import (
     FitQuality,
     NotConvergedError,
@@ -34,6 +34,7 @@ from trueaxis.identify.report import (
 from trueaxis.identify.weighting import NoiseModel, weighting
 from trueaxis.identify.words import enumerated, unit_of
 from trueaxis.runtime.curves import Curve, LegendreCurve
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 from trueaxis.runtime.model import MachineModel
 
@@ -52,12 +53,13 @@ FAR = 3.0  # times the size of [prior], from where on a size is reported
 @dataclass(frozen=True, slots=True)
 class EstimateOptions:
     """squareness: what parts it from straightness; known: values taken as they are, dimensions too; noise: what is
-    known of it.
+    known of it; start: values of effects from which their fit starts.
     """
 
     squareness: Choice = "convention"
     known: ErrorValues | None = None
     noise: NoiseModel = field(default_factory=NoiseModel)
+    start: tuple[EffectValues, ...] = ()
 
 
 def identify_estimated(model: MachineModel, observed: Observations, options: EstimateOptions) -> Identification:
@@ -72,7 +74,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         given = replace(given, parameters={**zeros, **given.parameters})
     noise = _given_noise(observed, options.noise)
     try:
-        found = estimate(model, observed, given, noise)
+        found = estimate(model, observed, given, noise, options.start)
     except NothingHeldError as error:
         remedy = "runs that move an axis, or fewer values in --known"
         raise InputError([Fault(observed.source, "", str(error), remedy)]) from error
@@ -90,7 +92,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         else ()
     )
     values = replace(
-        found.values,
+        with_uncertainty(found.values, found),
         motion_errors={**_curves(model, observed, found), **given.motion_errors},
         u={name: one.u for name, one in locations.items()},
         undetermined=left_open,
@@ -98,9 +100,12 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     )
     report = _report(model, observed, found, components, locations, judged, options)
     report = replace(
-        report, undetermined=left_open, notes=(*dimension_notes(model, given), *_notes(model, found, given))
+        report,
+        effects=effect_reports(values, found),
+        undetermined=left_open,
+        notes=(*dimension_notes(model, given), *_notes(model, found, given)),
     )
-    return Identification(values, report, covariance_of(found.layout, found.spread))
+    return Identification(values, report, covariance_with_effects(found))
 
 
 def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float]:
