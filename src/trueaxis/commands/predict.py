@@ -37,7 +37,9 @@ Predict where the tool point really is. For each row of --at (a column per axis:
 tool_y, tool_z: the point in the tool frame, mm; dir_X ..., time_s and temperature_c: how the axes came there, when, how
 warm, for machines with effects) the deviation, actual minus ideal, is computed on the exact model and
 written as dx, dy, dz (mm, workpiece frame) behind the columns of the row, and its standard uncertainty as u_dx, u_dy,
-u_dz: empty where it is not known, or where the deviation rests on values that no reading determined."""
+u_dz: empty where it is not known, or where the deviation rests on values that no reading determined. u_prior_dx,
+u_prior_dy, u_prior_dz are the part of it that rests on [prior] of the spec; the rest comes from the readings, and the
+squares of both parts add up."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -102,7 +104,7 @@ def run(args: argparse.Namespace) -> int:
     if args.max_u is not None and largest > args.max_u:
         print(f"{named(args.out)}: not written: {above_sentence(float(largest), args.max_u)}")
         return 1
-    write_files({args.out: dump_predicted(points, deviation, args.out.suffix, uncertainty.u)})
+    write_files({args.out: dump_predicted(points, deviation, args.out.suffix, uncertainty.u, uncertainty.u_prior)})
     print(f"{named(args.out)}: {deviation.shape[1]} points")
     return 0
 

@@ -40,7 +40,11 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
     found = []
     if extent.unknown < extent.points:
         of = " of the positions where it is known" if extent.unknown else ""
-        found.append(f"largest standard uncertainty of the tool point {where}{of}, from home: {_um(extent.largest_u)}")
+        prior = extent.largest_u_prior
+        part = "" if not prior else f"; largest part of one that rests on [prior] of the spec: {_um(prior)}"
+        found.append(
+            f"largest standard uncertainty of the tool point {where}{of}, from home: {_um(extent.largest_u)}{part}"
+        )
     if extent.open:
         found.append(
             f"at {extent.open} of {extent.points} positions {where} the tool point rests on components that the "

@@ -4,23 +4,27 @@ The deviation is a first-order function of the error values within their size sq
 J C J' with J its derivative by the values and C their covariance.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import numpy.typing as npt
 
 from trueaxis.effects.kind import Effect
 from trueaxis.faults import Fault, InputError
 from trueaxis.runtime.bases import Basis, unmeasured_basis
 from trueaxis.runtime.context import Context
-from trueaxis.runtime.covariance import Covariance, digest_of_values, read_covariance
-from trueaxis.runtime.curves import Curve, FloatArray, basis_of_curve
+from trueaxis.runtime.covariance import Covariance, digest_of_values
+from trueaxis.runtime.covariance_file import read_covariance
+from trueaxis.runtime.curves import Curve, FloatArray, TableCurve, basis_of_curve
 from trueaxis.runtime.effect_terms import component_term
 from trueaxis.runtime.effect_values import EffectValues, identity
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import Machine
+
+BoolArray = npt.NDArray[np.bool_]
 
 OPEN_MOVES = 1e-6  # mm: what an undetermined combination of the prior's size moves the tool by before it counts
 _ENTRIES = 4_000_000  # of the derivatives held at a time: 32 MB
@@ -31,11 +35,14 @@ _SAMPLES = 65  # positions of a travel at which the size of a curve is judged
 class ToolUncertainty:
     """Of n tool points in the workpiece frame, mm.
 
-    u: (3, n), standard uncertainty, NaN where it is not known or where `open` is not zero; open: (3, n), by how much
+    u: (3, n), standard uncertainty, NaN where it is not known or where `open` is not zero; u_prior: (3, n), the part of
+    it that rests on the prior, NaN also where the parts are not known; the other part is that of the readings, and the
+    squares of both add up to that of u. open: (3, n), by how much
     combinations that nothing determines move the point at the size that the prior allows, 0 where they do not.
     """
 
     u: FloatArray
+    u_prior: FloatArray
     open: FloatArray
 
 
@@ -85,16 +92,42 @@ def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
     undetermined = np.array([*(name in named for name in owners), *([False] * (u.size - len(owners)))], dtype=bool)
     known = bool(np.isfinite(u).any())
     opened = undetermined | (np.isnan(u) if known else np.zeros(u.size, dtype=bool))
+    root, of_prior = _own_root(u, _own_parts(errors, curves, bases, locations, u.size), opened)
     return Covariance(
         machine=machine.name,
         components=tuple(bases),
         bases=tuple(bases.values()),
         locations=locations,
-        root=np.diag(np.where(opened, 0.0, u)) if known else None,
+        root=root if known else None,
         open=np.eye(u.size)[:, opened],
         effects=tuple(values.effect.label for values in errors.effects),
         effect_parameters=tuple(names),
+        of_prior=of_prior if known else None,
     )
+
+
+def _own_parts(
+    errors: ErrorValues, curves: Mapping[str, Curve], bases: Mapping[str, Basis], locations: Sequence[str], count: int
+) -> FloatArray:
+    """(2, count): the parts of u by the readings and by the prior, NaN where a value does not have them."""
+    found = np.full((2, count), np.nan)
+    start = 0
+    for name, basis in bases.items():
+        curve = curves.get(name)
+        if not isinstance(curve, TableCurve | None) and curve.u_readings is not None and curve.u_prior is not None:
+            found[:, start : start + basis.count] = curve.u_readings, curve.u_prior
+        start += basis.count
+    for at, name in enumerate(locations, start):
+        found[:, at] = errors.u_readings.get(name, np.nan), errors.u_prior.get(name, np.nan)
+    return found
+
+
+def _own_root(u: FloatArray, parts: FloatArray, opened: BoolArray) -> tuple[FloatArray, int | None]:
+    """A root of the covariance of values that are independent, and how many of its columns are the prior's."""
+    if np.isnan(parts[:, ~opened]).any():
+        return np.diag(np.where(opened, 0.0, u)), None
+    readings, by_prior = np.where(opened, 0.0, parts)
+    return np.hstack([np.diag(readings), np.diag(by_prior)]), u.size
 
 
 def tool_uncertainty(
@@ -115,7 +148,7 @@ def tool_uncertainty(
     None: axes stand and have not moved. Memory is bounded whatever n is.
     """
     n = positions.shape[1]
-    u, opened = np.full((3, n), np.nan), np.zeros((3, n))
+    u, u_prior, opened = np.full((3, n), np.nan), np.full((3, n), np.nan), np.zeros((3, n))
     steps = open_steps(model.machine, covariance)
     columns = 0 if covariance.root is None else int(covariance.root.shape[1])
     for rows in _pieces(n, max(covariance.count, columns, steps.shape[1])):
@@ -131,9 +164,12 @@ def tool_uncertainty(
         if covariance.root is not None:
             spread = _rows(by_value) @ covariance.root
             u[:, rows] = np.sqrt((spread**2).sum(axis=1)).reshape(3, -1)
+            if covariance.of_prior is not None:
+                by_prior = spread[:, columns - covariance.of_prior :]
+                u_prior[:, rows] = np.sqrt((by_prior**2).sum(axis=1)).reshape(3, -1)
     opened[opened <= OPEN_MOVES] = 0.0
-    u[opened > 0.0] = np.nan
-    return ToolUncertainty(u=u, open=opened)
+    u[opened > 0.0] = u_prior[opened > 0.0] = np.nan
+    return ToolUncertainty(u=u, u_prior=u_prior, open=opened)
 
 
 def _rows(by_value: FloatArray) -> FloatArray:
