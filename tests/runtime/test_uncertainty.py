@@ -20,11 +20,11 @@ from trueaxis.runtime.errors import ErrorValues, Undetermined, dump_errors
 from trueaxis.runtime.extent import uncertainty_extent, volume_grid
 from trueaxis.runtime.measured_range import beyond_measured
 from trueaxis.runtime.model import MachineModel, load_errors, load_model
+from trueaxis.runtime.own_uncertainty import own_uncertainty
 from trueaxis.runtime.uncertainty import (
     derivative,
     home_of,
     load_uncertainty,
-    own_uncertainty,
     prior_size,
     tool_uncertainty,
 )

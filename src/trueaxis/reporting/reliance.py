@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensate.reliance import Reliance
+from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.errors import ErrorValues, Fit
 from trueaxis.runtime.extent import UncertaintyExtent
 from trueaxis.runtime.measured_range import BeyondMeasured
@@ -28,6 +29,17 @@ def open_sentence(points: int, total: int, largest: float, names: Sequence[str])
     return (
         f"at {points} of {total} positions the deviation rests on values that the readings did not determine{of}: "
         f"errors of the size to be expected would move the tool by up to {_um(largest)} there; no u is given"
+    )
+
+
+def placement_sentence(placement: Sequence[float] | FloatArray, centre: Sequence[float] | FloatArray) -> str:
+    """What a best fit takes off; placement: shift at the centre and rotation, mm and rad; centre: mm."""
+    shift = ", ".join(f"{1e3 * part:.3g}" for part in placement[:3])
+    turn = ", ".join(f"{1e6 * part:.3g}" for part in placement[3:])
+    at = " ".join(f"{axis}{part:.4g}" for axis, part in zip("XYZ", centre, strict=True))
+    return (
+        f"the best fit shifts the workpiece by {shift} um (x, y, z, at {at} of the workpiece frame) and turns it by "
+        f"{turn} urad (about x, y, z)"
     )
 
 
