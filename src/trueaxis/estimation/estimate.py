@@ -44,11 +44,12 @@ class NothingHeldError(ValueError):
 class Estimate:
     """What readings say of a machine and of the instruments.
 
-    values: of the machine; unknowns: (n,), mm, rad or 1; spread: (n, r), a root of their covariance; scale: (n,), their
-    prior standard deviations, at their estimated sizes; factors: class of sizes -> the estimated size over the
-    expected one. noise: of each instrument; scales: of each run with readings, by index, its noise over that of its
-    instrument; stated: instruments whose noise was given: their scales are mm; zeroed: effects that are zero, since the
-    readings make their square negative; outliers: (n_readings,), left out;
+    values: of the machine; unknowns: (n,), mm, rad or 1; spread: (n, r), a root of their covariance, the last
+    `of_prior` columns of which are the prior's part, the others that of the readings; scale: (n,), their prior standard
+    deviations, at their estimated sizes; factors: class of sizes -> the estimated size over the expected one. noise: of
+    each instrument; scales: of each run with readings, by index, its noise over that of its instrument; stated:
+    instruments whose noise was given: their scales are mm; zeroed: effects that are zero, since the readings make their
+    square negative; outliers: (n_readings,), left out;
     residual: (n_readings,), mm; freedom: degrees of freedom that are left; rounds, steps: how often noise and sizes,
     then the unknowns alone were estimated; last_step, last_change: the largest last step in standard uncertainties, and
     by how much it changed a residual, mm; converged: whether it was none.
@@ -58,6 +59,7 @@ class Estimate:
     values: ErrorValues
     unknowns: FloatArray
     spread: FloatArray
+    of_prior: int
     scale: FloatArray
     factors: Mapping[str, float]
     noise: Mapping[str, Noise]
@@ -194,6 +196,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         values=layout.values(state.unknowns, setting.given),
         unknowns=state.unknowns,
         spread=posterior.spread * layout.sizes[:, np.newaxis],
+        of_prior=posterior.of_prior,
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
         noise=state.noise,

@@ -56,7 +56,7 @@ def effect_reports(values: ErrorValues, found: Estimate) -> tuple[EffectReport, 
 
 def covariance_with_effects(found: Estimate) -> Covariance:
     """Of curves, location errors and parameters of effects; what is not defined, as the phase of nothing, is open."""
-    covariance = covariance_of(found.layout, found.spread)
+    covariance = covariance_of(found.layout, found.spread, found.of_prior)
     members = found.layout.effects.members
     if not members:
         return covariance
