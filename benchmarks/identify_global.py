@@ -14,8 +14,8 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.estimation.observations import Observations
-from trueaxis.identify.global_fit.method import identify_global
-from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.setup import PointOn, Run
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import load_model
@@ -47,14 +47,14 @@ def case(readings: int, degree: int) -> None:
     known = ErrorValues(model.name, dict.fromkeys(model.dimensions, 10.0))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     start = time.perf_counter()
-    found = identify_global(model, data, GlobalOptions(known=known, degree=degree))
+    options = EstimateOptions(known=known, noise=NoiseModel(um=1.0), prior=False, degree=degree)
+    found = identify_estimated(model, data, options)
     seconds = time.perf_counter() - start
     memory = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
-    block = found.report.blocks[0]
-    matrix = readings * block.unknowns * 8 / 2**20
+    unknowns = found.covariance.count
+    matrix = readings * unknowns * 8 / 2**20
     print(
-        f"{readings:8d} {block.unknowns:8d} {block.rank:5d} {seconds:8.1f} {memory:8.0f} {matrix:8.0f} "
-        f"{found.report.noise_um:8.4f}",
+        f"{readings:8d} {unknowns:8d} {seconds:8.1f} {memory:8.0f} {matrix:8.0f} {found.report.iterations:10d}",
         flush=True,
     )
 
@@ -64,7 +64,7 @@ def main() -> int:
     if len(sys.argv) == 3:
         case(int(sys.argv[1]), int(sys.argv[2]))
         return 0
-    print("readings unknowns  rank  seconds       MB  (matrix) noise um")
+    print("readings unknowns  seconds       MB  (matrix) iterations")
     for readings, degree in CASES:
         subprocess.run([sys.executable, __file__, str(readings), str(degree)], check=True)
     return 0

@@ -8,13 +8,12 @@ import numpy as np
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
-from trueaxis.estimation.judgement import NINE_TENTHS, Judged, judged_component, judged_location, open_counts
-from trueaxis.estimation.machine import lever
+from trueaxis.estimation.judgement import judged_component, judged_location, open_counts
 from trueaxis.estimation.observations import Observations
 from trueaxis.faults import Fault, InputError
-from trueaxis.identify.estimated_effects import covariance_with_effects, effect_reports, with_uncertainty
+from trueaxis.identify.estimated_effects import covariance_with_effects, with_uncertainty
+from trueaxis.identify.estimated_report import estimated_report
 from trueaxis.identify.fit_quality import (
-    FitQuality,
     NotConvergedError,
     Residuals,
     expected_sizes,
@@ -22,37 +21,19 @@ from trueaxis.identify.fit_quality import (
     quality,
     run_residuals,
 )
-from trueaxis.identify.notes import dimension_notes
-from trueaxis.identify.report import (
-    ComponentReport,
-    Identification,
-    IdentificationReport,
-    InstrumentReport,
-    Known,
-    LocationReport,
-    NoiseGroupReport,
-)
+from trueaxis.identify.report import Identification
 from trueaxis.identify.weighting import NoiseModel, weighting
-from trueaxis.identify.words import enumerated, unit_of
+from trueaxis.identify.words import enumerated
 from trueaxis.runtime.curves import Curve, LegendreCurve
 from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.runtime.errors import Determined, ErrorValues, Undetermined
+from trueaxis.runtime.errors import ErrorValues, Undetermined
 from trueaxis.runtime.model import MachineModel
 
 Choice = Literal["convention", "known"]
-KNOWN: dict[Determined, Known] = {"data": "determined", "partly": "partly", "prior": "undetermined"}
-ORIGINS: dict[Determined, str] = {
-    "data": "from the readings",
-    "partly": "from the readings and the prior",
-    "prior": "undetermined: from the prior alone",
-}
 SILENT = {
     True: "no reading tells them, they rest on [prior]",
     False: "the readings leave combinations of them open, which are zero here",
 }
-RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
-SLOW = 3.0  # slow over white noise: instruments drift by about as much as they scatter
-FAR = 3.0  # times the size of [prior], from where on a size is reported
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,12 +97,17 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         undetermined=left_open,
         fit=judged.fit,
     )
-    report = _report(model, observed, found, components, locations, judged, options)
-    report = replace(
-        report,
-        effects=effect_reports(values, found),
-        undetermined=left_open,
-        notes=(*dimension_notes(model, given), *_notes(model, found, given)),
+    report = estimated_report(
+        model,
+        observed,
+        found,
+        values,
+        given,
+        components=components,
+        locations=locations,
+        judged=judged,
+        squareness=options.squareness,
+        prior=options.prior,
     )
     return Identification(values, report, covariance_with_effects(found))
 
@@ -186,141 +172,3 @@ def _measured(model: MachineModel, observed: Observations) -> dict[str, tuple[fl
                 low, high = found.get(name, (np.inf, -np.inf))
                 found[name] = (min(low, float(at.min())), max(high, float(at.max())))
     return found
-
-
-def _report(
-    model: MachineModel,
-    observed: Observations,
-    found: Estimate,
-    components: dict[str, Judged],
-    locations: dict[str, Judged],
-    judged: FitQuality,
-    options: EstimateOptions,
-) -> IdentificationReport:
-    _layout, good = found.layout, ~found.outliers
-    unit = {name: model.machine.parameter_unit(name) for name in model.location_errors}
-    scale = np.array([found.scales.get(index, np.nan) for index in range(len(observed.runs))])
-    sigma = {name: one.sigma for name, one in found.noise.items()}
-    each = np.array([sigma.get(run.instrument, np.nan) for run in observed.runs]) * scale
-    return IdentificationReport(
-        machine=model.name,
-        method="global",
-        squareness=RULES[options.squareness],
-        readings=observed.reading.size,
-        left_out=(),
-        lever=lever(model),
-        rank_tolerance=0.0,
-        blocks=(),
-        iterations=found.rounds + found.steps,
-        last_change=found.last_change,
-        residual_rms_um=float(np.sqrt(np.mean(found.residual[good] ** 2))) * 1e3,
-        freedom=int(found.freedom),
-        noise_um=float(np.sqrt(np.mean(each[observed.run] ** 2))) * 1e3,
-        noise_origin=_noise_origin(found),
-        locations=tuple(_location(found, name, locations.get(name), unit[name]) for name in model.location_errors),
-        components=tuple(_component(name, components.get(name)) for name in model.components),
-        undetermined=(),
-        quality=judged,
-        instruments=_instruments(observed, found),
-        noise_groups=_noise_groups(observed, found),
-    )
-
-
-def _location(found: Estimate, name: str, judged: Judged | None, unit: str) -> LocationReport:
-    value = found.values.parameters.get(name, 0.0)
-    if judged is None:
-        return LocationReport(name, value, None, unit, "given")
-    return LocationReport(
-        name,
-        value,
-        _known_u(judged),
-        unit,
-        ORIGINS[judged.determined],
-        u_readings=judged.u_readings,
-        u_prior=judged.u_prior,
-    )
-
-
-def _known_u(judged: Judged) -> float | None:
-    return judged.u if np.isfinite(judged.u) else None
-
-
-def _component(name: str, judged: Judged | None) -> ComponentReport:
-    if judged is None:
-        return ComponentReport(name, "given", 0.0, None, unit_of(name))
-    return ComponentReport(
-        name,
-        KNOWN[judged.determined],
-        judged.largest,
-        _known_u(judged),
-        unit_of(name),
-        u_readings=judged.u_readings,
-        u_prior=judged.u_prior,
-    )
-
-
-def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentReport, ...]:
-    layout = found.layout
-    u = np.linalg.norm(found.spread, axis=1)
-    silent = (u > NINE_TENTHS * found.scale) | open_counts(np.linalg.norm(found.open, axis=1), u)
-    reports = []
-    for place, unknown in enumerate(layout.shared, layout.of_machine):
-        if silent[place]:
-            continue
-        letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
-        runs = ", ".join(observed.runs[index].id for index in unknown.runs)
-        unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
-        value = float(found.unknowns[place])
-        reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
-    return tuple(reports)
-
-
-def _noise_origin(found: Estimate) -> str:
-    estimated = sorted(found.noise.keys() - found.stated)
-    if not estimated:
-        return "stated"
-    which = f" of {enumerated(estimated)}" if found.stated else ""
-    return f"estimated with the errors{which}, by restricted maximum likelihood"
-
-
-def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupReport, ...]:
-    """Of every instrument, over its runs; what of it is slow."""
-    groups = []
-    for name, one in found.noise.items():
-        scales = [scale for index, scale in found.scales.items() if observed.runs[index].instrument == name]
-        size = one.sigma * float(np.sqrt(np.mean(np.square(scales)))) * 1e3
-        told = " (stated)" if name in found.stated else f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
-        groups.append(NoiseGroupReport(name + told, size, None))
-    return tuple(groups)
-
-
-def _notes(model: MachineModel, found: Estimate, given: ErrorValues) -> tuple[str, ...]:
-    notes = []
-    fixed = [name for name in model.location_errors if name in given.parameters]
-    if fixed:
-        zero = [name for name in fixed if given.parameters[name] == 0.0]
-        what = f", {enumerated(zero)} as exactly 0" if zero else ""
-        notes.append(
-            f"{enumerated(fixed)}: taken as known{what}, without uncertainty (--known, --squareness known); "
-            "remove them from the file to have them estimated"
-        )
-    for name, one in found.noise.items():
-        if one.slow > SLOW * one.white:
-            notes.append(
-                f"the slow part of the noise of {name}, {one.slow * 1e3:.3g} um, is {one.slow / one.white:.2g} times "
-                "its white part: readings of a wrong sign, a wrong point in setup.toml or an effect that the model "
-                "lacks look like that (diagnose)"
-            )
-    expected = {
-        "translation": (model.prior.translation * 1e3, "translation_um"),
-        "rotation": (model.prior.rotation * 1e6, "rotation_urad"),
-        "location rad": (model.prior.location_angle * 1e6, "location_urad"),
-        "location mm": (model.prior.location_length * 1e3, "location_um"),
-    }
-    for kind, (size, key) in expected.items():
-        factor = found.factors.get(kind, 1.0)
-        if not 1.0 / FAR <= factor <= FAR:
-            notes.append(f"[prior] {key} = {size:g}: these readings ask for {size * factor:.3g}")
-    if found.outliers.any():
-        notes.append(f"{int(found.outliers.sum())} readings are left out as outliers")
-    return tuple(notes)

@@ -11,16 +11,13 @@ from trueaxis.identify.fit_quality import Residuals, expected_sizes, known_noise
 from trueaxis.identify.global_fit import describe, describe_effects
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
 from trueaxis.identify.global_fit.result import GlobalResult
-from trueaxis.identify.global_fit.robust import DOUBTED, TUNING
 from trueaxis.identify.notes import dimension_notes, weak_notes
 from trueaxis.identify.report import (
     BlockReport,
     ComponentReport,
-    DoubtedReading,
     Identification,
     IdentificationReport,
     NoiseGroupReport,
-    OrderReport,
 )
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.bases import unmeasured_basis
@@ -33,8 +30,7 @@ def identification(result: GlobalResult) -> Identification:
     plan = result.layout
     undetermined = describe.undetermined(result)
     fitted = plan.values(result.unknowns, result.given)
-    doubted = float(np.mean(result.robust_weight < DOUBTED))
-    judged = quality(residuals_of(result), result.observed.runs, doubted)
+    judged = quality(residuals_of(result), result.observed.runs)
     values = replace(
         fitted,
         motion_errors={**fitted.motion_errors, **describe.curves(result), **result.given.motion_errors},
@@ -77,11 +73,7 @@ def identification(result: GlobalResult) -> Identification:
             *describe.instrument_notes(result),
         ),
         instruments=describe.instrument_values(result),
-        noise_groups=tuple(NoiseGroupReport(group.group, group.um, group.freedom) for group in result.groups),
-        noise_ratio=_noise_ratio(result),
-        robust=_robust(result),
-        doubted=_doubted(result),
-        orders=_orders(result),
+        noise_groups=tuple(NoiseGroupReport(group.group, group.um) for group in result.groups),
         effects=describe_effects.effects(result),
     )
     return Identification(values, report, _covariance(result, found))
@@ -153,47 +145,3 @@ def _by_unknown(result: GlobalResult) -> tuple[FloatArray, FloatArray]:
     lacking = np.flatnonzero(np.isnan(found).any(axis=1))
     found[lacking] = 0.0
     return found, np.eye(found.shape[0])[:, lacking]
-
-
-def _noise_ratio(result: GlobalResult) -> float | None:
-    if result.noise.origin.startswith("from the residuals") or result.noise.sigma is None or result.noise.freedom <= 0:
-        return None
-    used = result.roots * np.sqrt(result.robust_weight) * result.residual
-    return float(np.sqrt(used @ used / result.noise.freedom)) / result.noise.sigma
-
-
-def _robust(result: GlobalResult) -> str:
-    kind = result.options.robust
-    return f"{kind.capitalize()}, tuning {TUNING[kind]:g}" if kind else ""
-
-
-def _doubted(result: GlobalResult) -> tuple[DoubtedReading, ...]:
-    """The readings that count for less than half, the least first."""
-    observed, weight = result.observed, result.robust_weight
-    rows = np.flatnonzero(weight < DOUBTED)
-    scale = result.noise.sigma or np.nan
-    found = [
-        DoubtedReading(
-            run=observed.runs[observed.run[row]].id,
-            seq=int(row if observed.seq is None else observed.seq[row]),
-            weight=float(weight[row]),
-            residual_um=float(result.residual[row]) * 1e3,
-            z=float(result.roots[row] * result.residual[row] / scale),
-        )
-        for row in rows
-    ]
-    return tuple(sorted(found, key=lambda one: (-abs(one.z), one.run, one.seq)))
-
-
-def _orders(result: GlobalResult) -> OrderReport | None:
-    orders = result.orders
-    if orders is None:
-        return None
-    return OrderReport(
-        orders.degrees,
-        orders.highest,
-        orders.parts,
-        orders.held_out_full_um,
-        orders.held_out_um,
-        orders.held_out_none_um,
-    )
