@@ -47,7 +47,7 @@ def run_demo(out: Path, noise_um: float, seed: int) -> str:
         ("measured_as_published", "identified_as_published.json", "--report identification_as_published.json"),
         ("measured", "identified_points.json", "--report identification.json"),
     ):
-        _command(out, f"identify {MACHINE} --data {data} --out {found} {noise} {options}")
+        _command(out, f"identify {MACHINE} --method stepwise --data {data} --out {found} {noise} {options}")
     pictured = "--picture error_curves.png"
     # 1: at more noise a small component has no significant polynomial, and fit says which.
     _command(out, f"fit {MACHINE} --errors identified_points.json --out identified.json {pictured}", allowed=(0, 1))
