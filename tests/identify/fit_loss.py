@@ -49,7 +49,7 @@ def identified(one: World, seed: int) -> Identification:
 def loss(one: World, seed: int, max_order: int = 7) -> Loss:
     """Of one machine: drawn, measured, estimated, fitted."""
     found = identified(one, seed)
-    fits, _ = fit_legendre(found.values, found.covariance, max_order=max_order, alpha=0.05)
+    fits, _ = fit_legendre(found.values, found.covariance, one.model.machine, max_order=max_order, alpha=0.05)
     fitted, covariance = with_polynomials(found.values, found.covariance, one.model.machine, fits)
     truth = draw_machine(one.design.machine, seed)
     points = random_points(one.design.machine, seed, POINTS)

@@ -100,7 +100,7 @@ def run(args: argparse.Namespace) -> int:
     if found or errors is None or covariance is None:
         raise InputError(found)
     fits = fit_tables(errors.motion_errors, max_order=args.max_order, alpha=args.alpha)
-    of_estimate, resting = fit_legendre(errors, covariance, max_order=args.max_order, alpha=args.alpha)
+    of_estimate, resting = fit_legendre(errors, covariance, machine, max_order=args.max_order, alpha=args.alpha)
     if not fits and not of_estimate:
         raise InputError([_nothing_to_fit(errors, args.errors)])
     fitted, of_fitted = with_polynomials(errors, covariance, machine, of_estimate)

@@ -1,9 +1,9 @@
 """Curves of an estimate to optimal polynomials: generalised least squares with the posterior covariance.
 
-Which powers a component needs is judged by itself, on values at as many positions as its curve has coefficients, with
-their covariance: where a curve is sampled then makes no difference. The coefficients of all polynomials, together with
-the curves that stay and the location errors, are then the least squares of the whole posterior, so that sums of errors
-that are known better than each of them are kept.
+Which powers a component needs is judged by the covariance that it has where all other values are as estimated: sums of
+errors are often known better than each of them, and a term that such a sum needs is significant. The curve is taken at
+as many positions as it has coefficients; other positions make no difference. The coefficients of all polynomials,
+together with the curves that stay and the location errors, are then the least squares of the whole posterior.
 """
 
 from collections.abc import Mapping
@@ -33,11 +33,13 @@ def whitening(root: FloatArray) -> FloatArray:
 
 
 def fit_legendre(
-    errors: ErrorValues, covariance: Covariance, *, max_order: int, alpha: float
+    errors: ErrorValues, covariance: Covariance, machine: Machine, *, max_order: int, alpha: float
 ) -> tuple[dict[str, OptimalFit], tuple[str, ...]]:
     """The optimal polynomial of every Legendre curve that the readings tell of, without terms where none is
     significant; and the names of the curves that rest on the prior.
     """
+    known = covariance.root is not None and bool(_dense(covariance).any())
+    white = _whitened(_dense(covariance), covariance, machine) if known else None
     silent = {name for item in errors.undetermined for name in item.parameters}
     silent |= {name for name, by in errors.determined.items() if by == "prior"}
     fits: dict[str, OptimalFit] = {}
@@ -48,28 +50,34 @@ def fit_legendre(
         if name in silent:
             resting.append(name)
             continue
+        own = white[:, covariance.rows_of(name)] if white is not None and name in covariance.components else None
         order = min(max_order, curve.basis.degree)
-        samples = legendre_samples(name, curve, covariance, order)
-        fits[name] = fit_samples(samples, max_order=order, alpha=alpha)
+        fits[name] = fit_samples(legendre_samples(curve, own, order), max_order=order, alpha=alpha)
     return fits, tuple(resting)
 
 
-def legendre_samples(name: str, curve: LegendreCurve, covariance: Covariance, order: int) -> Samples:
+def _whitened(root: FloatArray, covariance: Covariance, machine: Machine) -> FloatArray:
+    """(n, n): makes all values independent; root: (n, r), of their covariance."""
+    sizes = _sizes(covariance, machine)
+    return whitening(root / sizes[:, np.newaxis]) / sizes
+
+
+def legendre_samples(curve: LegendreCurve, white: FloatArray | None, order: int) -> Samples:
     """Values at as many positions as there are coefficients, evenly over the travel, and their whitening.
 
-    What polynomials of the `order` cannot follow counts as an uncertainty of each value: a curve is no polynomial, and
-    where it is hardly known it would otherwise take up what is left elsewhere.
+    white: (n, degree), columns of a whitening of all values, None where no covariance is known. What polynomials of the
+    `order` cannot follow counts as an uncertainty of each value: a curve is no polynomial, and where it is hardly known
+    it would otherwise take up what is left elsewhere.
     """
     basis = curve.basis
     grid = np.linspace(basis.low, basis.high, basis.degree + 1)
     positions = np.delete(grid, int(np.argmin(np.abs(grid - basis.home))))
-    whiten = None
-    if covariance.root is not None and name in covariance.components:
-        rows = _dense(covariance)[covariance.rows_of(name)]
-        if rows.any():
-            rest = discrepancy(positions, curve(positions), basis.home, tuple(range(1, order + 1)))
-            whiten = whitening(np.hstack([basis(positions).T @ rows, rest * np.eye(positions.size)]))
-    return Samples(positions, curve(positions), np.ones(positions.size), whiten, basis.home)
+    values, whiten = curve(positions), None
+    if white is not None:
+        given_others = np.linalg.inv(np.linalg.qr(white, mode="r"))  # a root of the covariance, the others as they are
+        rest = discrepancy(positions, values, basis.home, tuple(range(1, order + 1)))
+        whiten = whitening(np.hstack([basis(positions).T @ given_others, rest * np.eye(positions.size)]))
+    return Samples(positions, values, np.ones(positions.size), whiten, basis.home)
 
 
 def discrepancy(positions: FloatArray, values: FloatArray, home: float, powers: tuple[int, ...]) -> float:
@@ -108,9 +116,8 @@ def with_polynomials(
     if not known:
         return alone, covariance
     design, start, terms = _design(errors, covariance, known)
-    root, sizes = _dense(covariance), _sizes(covariance, machine)
-    rest = _discrepancies(errors, covariance, known)
-    white = whitening(np.hstack([root, rest]) / sizes[:, np.newaxis]) / sizes
+    root = _dense(covariance)
+    white = _whitened(np.hstack([root, _discrepancies(errors, covariance, known)]), covariance, machine)
     whole = white @ design
     units = np.linalg.norm(whole, axis=0)
     by_values = lstsq(whole / units, white)[0] / units[:, np.newaxis]
