@@ -32,6 +32,7 @@ class Problem:
             bases=bases,
             kinds=("translation", "translation", "location rad", "laser scale"),
             count=2 * DEGREE + 2,
+            of_machine=2 * DEGREE + 1,
         )
         self.sizes = Sizes(cast(Layout, layout), KINDS)
         self.jacobian = 30.0 * draw.standard_normal((3 * RUN, layout.count))

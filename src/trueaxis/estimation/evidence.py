@@ -13,6 +13,7 @@ import numpy as np
 from scipy.linalg import solve_triangular
 from scipy.optimize import minimize
 
+from trueaxis.estimation.parts import parted_root
 from trueaxis.estimation.posterior import OwnPosterior, Posterior
 from trueaxis.estimation.reduce import OwnBlock, Reduced, triangle_of
 from trueaxis.estimation.sizes import Sizes
@@ -161,6 +162,7 @@ def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
     """The posterior averaged over the sizes that the readings leave possible: their uncertainty is in it.
 
     Sizes are drawn about the best ones, x, in pairs that lie opposite each other, by what the readings tell of them.
+    The root of its covariance is that of its two parts.
     """
     batches = _batches(reduced.blocks)
     best = _evidence(sizes, reduced, batches, x)[2]
@@ -173,14 +175,18 @@ def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
         for sign in (1, -1)
     ]
     mean = np.mean([one.mean for one in each], axis=0)
-    share = 1.0 / np.sqrt(len(each))
-    stacked = np.hstack(
-        [share * one.spread for one in each] + [share * (one.mean - mean)[:, np.newaxis] for one in each]
-    )
-    spread = triangle_of([stacked.T]).T
+    spread, of_prior = parted_root(each, mean, sizes.layout.of_machine)
     own = tuple(
         OwnPosterior(np.mean([one.own[place].mean for one in each], axis=0), of.by_others, of.alone)
         for place, of in enumerate(best.own)
     )
     scale = np.sqrt(np.mean([one.scale**2 for one in each], axis=0))
-    return Posterior(mean=mean, spread=spread, scale=scale, own=own, own_told=best.own_told, told=best.told)
+    return Posterior(
+        mean=mean,
+        spread=spread,
+        scale=scale,
+        own=own,
+        own_told=best.own_told,
+        told=best.told,
+        of_prior=of_prior,
+    )
