@@ -26,7 +26,7 @@ PROPOSED = "a plan of `plan`, the estimate"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Study:
-    """noise_um: (n,); nothing: what is left without compensation, um; left: way -> (n, seeds), um. By volume.left_um."""
+    """noise_um: (n,); nothing: what is left without compensation, um; left: way -> (n, seeds), um; see volume.py."""
 
     noise_um: tuple[float, ...]
     nothing: float

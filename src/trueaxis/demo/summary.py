@@ -42,7 +42,7 @@ def _lines(figures: Figures) -> Iterator[str]:
     yield ""
     yield from _volume(figures)
     yield ""
-    yield f"beside the paper's figures: its method, at the noise that its residuals imply, {figures.paper_noise_um:g} um"
+    yield f"beside the paper's figures: its method, at the noise its residuals imply, {figures.paper_noise_um:g} um"
     yield ""
     yield from _identification(figures)
     yield ""
