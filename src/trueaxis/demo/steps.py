@@ -22,8 +22,11 @@ from trueaxis.told import NOT_DELIVERED
 MACHINE, TRUTH = "machine/dmu60p.toml", "machine/dmu60p_errors.json"
 PAPER_NOISE_UM = 0.004  # what the residual error of the paper implies
 BALLBAR_NOISE_UM = 0.1
-PLAN_HOURS = 7  # what `plan` reckons for the paper's 18 runs with all set-ups
-PROPOSE = f"plan {MACHINE} --with laser --hours {PLAN_HOURS} --out proposed_plan"
+PLAN_HOURS, PLAN_NOISE_UM = (
+    7,
+    0.3,
+)  # what `plan` reckons for the paper's 18 runs with all set-ups; of a laser as they are
+PROPOSE = f"plan {MACHINE} --with laser --hours {PLAN_HOURS} --noise-um {PLAN_NOISE_UM} --out proposed_plan"
 WAYS = {
     "ordinary": "--method ordinary",
     "iterative": "--method iterative",
