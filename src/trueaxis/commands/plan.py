@@ -92,6 +92,11 @@ def add_parser(subparsers: "Subparsers") -> None:
         "as EYX, or a location error",
     )  # fmt: skip
     parser.add_argument(
+        "--datum", choices=("home", "best-fit"), default="home",
+        help="what the tool point is known against by proposed runs: the tool point at home (default), or a workpiece "
+        "placed where it fits best: balls and beams do not see a turn of the whole volume",
+    )  # fmt: skip
+    parser.add_argument(
         "--out", type=Path, metavar="DIR", help="another folder, to be written: the plan with the proposed runs"
     )
     parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON, too")
@@ -181,7 +186,7 @@ def _options(args: argparse.Namespace, model: MachineModel, known: ErrorValues |
         problem = "is no error that is to be identified"
         raise InputError([Fault("--for", args.wanted, problem, f"{VOLUME}, or one of {', '.join(unknown)}")])
     tools = tuple(args.tool_point) or ((0.0, 0.0, 0.0),)
-    return PlanOptions(given=given, noise=args.noise_um, tools=tools, wanted=args.wanted)
+    return PlanOptions(given=given, noise=args.noise_um, tools=tools, wanted=args.wanted, datum=args.datum)
 
 
 def _written(args: argparse.Namespace, setup: str, file: Path, made: Proposed) -> dict[Path, bytes | str]:

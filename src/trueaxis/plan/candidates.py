@@ -11,18 +11,30 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.estimation.machine import LINEAR, IdentifiedMachine
+from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import column
 from trueaxis.measure.setup import Device, Instrument, PointOn, Run, Vector
+from trueaxis.plan.paths import (
+    at_share,
+    follow,
+    follow_circle,
+    follow_turn,
+    grid,
+    home_position,
+    line,
+    linear_axes,
+    places,
+    rotary_axes,
+    there_and_back,
+    tilted,
+    turn,
+)
+
+__all__ = ["Candidate", "Kit", "candidates", "follow"]
 
 LENGTHS = (150.0, 300.0)  # mm: of ball bars, where the plan has none (ISO 230-4 tests use such)
-STATIONS = 16  # of a line: waves of an eighth of it are resolved
 CIRCLE = 36  # readings of a circle, one way
-TURN, TURN_STATIONS = 180.0, 25  # deg: a rotary axis is turned this far to either side at most
-TILT = 45.0  # deg: at which other rotary axes stand, besides home
-GRID, PLATE = 5, 400.0  # positions along a side, mm: of a calibrated plate that is probed
-SHARE = 0.5  # of the positions of a path that must be within the travels
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,12 +71,12 @@ def candidates(machine: IdentifiedMachine, kit: Kit) -> list[Candidate]:
 
 def _lines(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """Along every linear axis, the others at the middle or at ends of their travels: displacement and straightness."""
-    for tool, axis in product(kit.tools, _linear(machine)):
-        others = [other for other in _linear(machine) if other != axis]
+    for tool, axis in product(kit.tools, linear_axes(machine)):
+        others = [other for other in linear_axes(machine) if other != axis]
         for shares in [(0.5,) * len(others), *product((0.0, 1.0), repeat=len(others))]:
             ends = {other: (share, share) for other, share in zip(others, shares, strict=True)}
-            positions = _path(machine, {axis: (0.0, 1.0), **ends})
-            at = " ".join(f"{name}{_at(machine, name, share):g}" for name, (share, _) in ends.items())
+            positions = line(machine, {axis: (0.0, 1.0), **ends})
+            at = _at_text({other: at_share(machine, other, share) for other, (share, _) in ends.items()})
             place = f"{axis} moving at {at}" if at else f"{axis} moving"
             motion = _motion(machine, positions, tool)
             along = int(np.abs(motion).argmax())
@@ -76,7 +88,7 @@ def _lines(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 
 def _diagonals(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """Displacement along the diagonals of the faces and of the volume (ISO 230-6)."""
-    linear = _linear(machine)
+    linear = linear_axes(machine)
     for tool, count in product(kit.tools, (2, 3)):
         for moved in combinations(linear, count):
             rest = [axis for axis in linear if axis not in moved]
@@ -84,59 +96,55 @@ def _diagonals(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
             for ways, shares in product(signs, product((0.0, 1.0), repeat=len(rest))):
                 ends = {axis: (1.0 - way, way) for axis, way in zip(moved, (1.0, *ways), strict=True)}
                 ends |= {axis: (share, share) for axis, share in zip(rest, shares, strict=True)}
-                positions = _path(machine, ends)
+                positions = line(machine, ends)
                 direction = _vector(_motion(machine, positions, tool), 9)
-                first, last = (", ".join(f"{axis}{_at(machine, axis, ends[axis][k]):g}" for axis in linear)
-                               for k in (0, 1))  # fmt: skip
+                first, last = (
+                    _at_text({axis: at_share(machine, axis, ends[axis][k]) for axis in linear}) for k in (0, 1)
+                )
                 what = f"laser, diagonal from {first} to {last}, displacement"
                 yield _seen("laser", machine, positions, tool, direction, what)
 
 
 def _grids(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """A calibrated plate probed in planes of the axes, low, in the middle and high; read in x, y and z."""
-    linear = _linear(machine)
+    linear = linear_axes(machine)
     for tool, plane in product(kit.tools, combinations(linear, 2)):
         rest = [axis for axis in linear if axis not in plane]
-        sides = [_plate(machine, axis) for axis in plane]
         for shares in product((0.0, 0.5, 1.0), repeat=len(rest)):
-            rows = {plane[0]: np.repeat(sides[0], GRID), plane[1]: np.tile(sides[1], GRID)}
-            rows |= {
-                axis: np.full(GRID**2, _at(machine, axis, share)) for axis, share in zip(rest, shares, strict=True)
-            }
-            positions = _there_and_back(_rows(machine, rows, GRID**2))
-            at = " ".join(f"{axis}{_at(machine, axis, share):g}" for axis, share in zip(rest, shares, strict=True))
+            at = {axis: at_share(machine, axis, share) for axis, share in zip(rest, shares, strict=True)}
+            positions = grid(machine, plane, at)
             for unit, name in zip(np.eye(3), "xyz", strict=True):
-                what = f"probe in {name}, grid in {''.join(plane)} at {at}"
+                what = f"probe in {name}, grid in {''.join(plane)} at {_at_text(at)}"
                 yield _seen("probe", machine, positions, tool, _vector(unit), what)
 
 
 def _sphere_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """A probe follows a sphere on the workpiece while a rotary axis turns; read in x, y, z of the bed."""
-    for tool, axis, place in product(kit.tools, _rotary(machine), _places(machine)):
-        for at in _tilted(machine, axis, place):
+    for tool, axis, place in product(kit.tools, rotary_axes(machine), places(machine)):
+        for at in tilted(machine, axis, place):
             centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
-            turning = _turning(machine, axis, at)
-            positions = follow(machine, turning, tool, np.repeat(centre, turning.shape[1], axis=1))
+            turning = turn(machine, axis, at)
+            positions = follow_turn(machine, turning, tool, np.repeat(centre, turning.shape[1], axis=1))
             if positions is None:
                 continue
             sphere = PointOn("workpiece", _vector(centre[:, 0]))
             home = dict(zip(machine.axes, positions[:, 0].tolist(), strict=True))
             for unit, name in zip(np.eye(3), "xyz", strict=True):
                 run = Run("", "probe", PointOn("tool", tool), sphere, "bed", home, _vector(unit))
-                what = f"probe in {name}, {_turn_of(machine, axis, at)} about a sphere at {_told(sphere)}"
-                yield Candidate(run, _there_and_back(positions), what)
+                what = f"probe in {name}, {_turn_text(machine, axis, at)} about a sphere at {_told(sphere)}"
+                yield Candidate(run, there_and_back(positions), what)
 
 
 def _circles(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """The tool ball on circles about a workpiece ball, in the planes of the workpiece; arcs where travels end."""
     angle = 2.0 * np.pi * np.arange(CIRCLE) / CIRCLE
     planes = combinations(range(3), 2)
-    for tool, place, plane, length in product(kit.tools, _places(machine), planes, kit.lengths):
+    for tool, place, plane, length in product(kit.tools, places(machine), planes, kit.lengths):
         centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
         way = np.repeat(centre, angle.size, axis=1)
         way[plane[0]] += length * np.cos(angle)
         way[plane[1]] += length * np.sin(angle)
-        positions = follow(machine, np.repeat(place, angle.size, axis=1), tool, way)
+        positions = follow_circle(machine, np.repeat(place, angle.size, axis=1), tool, way)
         if positions is not None:
             kind = "circle" if positions.shape[1] == angle.size else "arc"
             yield _bar(machine, tool, centre, length, positions, f"{kind} in {''.join('xyz'[i] for i in plane)}")
@@ -145,14 +153,14 @@ def _circles(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 def _bar_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """A rotary axis turns, the tool ball follows beside the workpiece ball: along x, y or z of the workpiece."""
     length = min(kit.lengths)
-    for tool, axis, place, side in product(kit.tools, _rotary(machine), _places(machine), range(3)):
-        for at in _tilted(machine, axis, place):
+    for tool, axis, place, side in product(kit.tools, rotary_axes(machine), places(machine), range(3)):
+        for at in tilted(machine, axis, place):
             centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
-            turning = _turning(machine, axis, at)
+            turning = turn(machine, axis, at)
             way = np.repeat(centre + length * np.eye(3)[:, [side]], turning.shape[1], axis=1)
-            positions = follow(machine, turning, tool, way)
+            positions = follow_turn(machine, turning, tool, way)
             if positions is not None:
-                what = f"{_turn_of(machine, axis, at)}, bar along {'xyz'[side]}"
+                what = f"{_turn_text(machine, axis, at)}, bar along {'xyz'[side]}"
                 yield _bar(machine, tool, centre, length, positions, what)
 
 
@@ -175,51 +183,9 @@ def _bar(
     machine: IdentifiedMachine, tool: Vector, centre: FloatArray, length: float, positions: FloatArray, what: str
 ) -> Candidate:
     ball = PointOn("workpiece", _vector(centre[:, 0]))
-    run = Run("", "ballbar", PointOn("tool", tool), ball, "bed", _home(machine), None, length)
+    run = Run("", "ballbar", PointOn("tool", tool), ball, "bed", home_position(machine), None, length)
     text = f"ball bar of {length:g} mm, {what}, about {_told(ball)}"
-    return Candidate(run, _there_and_back(positions), text)
-
-
-def follow(machine: IdentifiedMachine, positions: FloatArray, tool: Vector, way: FloatArray) -> FloatArray | None:
-    """(n_axes, m): positions with the linear axes such that a tool point is at `way` (3, n) in the workpiece frame.
-
-    Those outside the travels are left out; None where less than SHARE of them are within, or no axes reach it.
-    """
-    linear = [index for index, axis in enumerate(machine.axes) if axis in LINEAR]
-    start = positions.copy()
-    start[linear] = 0.0
-    seen = machine.view_ideal("tool_in_workpiece", start, column(tool))
-    slopes = np.empty((positions.shape[1], 3, len(linear)))
-    for place, index in enumerate(linear):
-        moved = start.copy()
-        moved[index] = 1.0
-        slopes[:, :, place] = (machine.view_ideal("tool_in_workpiece", moved, column(tool)) - seen).T
-    if len(linear) != 3 or np.abs(np.linalg.det(slopes)).min(initial=1.0) < 1e-6:
-        return None
-    found = start
-    found[linear] = np.linalg.solve(slopes, (way - seen).T[:, :, np.newaxis])[:, :, 0].T
-    found = np.round(found, 3) + 0.0
-    limits = np.array([machine.travel[axis] for axis in machine.axes])
-    within = ((found >= limits[:, :1]) & (found <= limits[:, 1:])).all(axis=0)
-    return np.ascontiguousarray(found[:, within]) if within.mean() >= SHARE else None
-
-
-def _path(machine: IdentifiedMachine, ends: Mapping[str, tuple[float, float]]) -> FloatArray:
-    """(n_axes, 2 STATIONS - 1): axes together from one share of their travels to another and back, the rest at home."""
-    rows = {
-        axis: np.linspace(_at(machine, axis, first), _at(machine, axis, last), STATIONS)
-        for axis, (first, last) in ends.items()
-    }
-    return _there_and_back(_rows(machine, rows, STATIONS))
-
-
-def _rows(machine: IdentifiedMachine, rows: Mapping[str, FloatArray], count: int) -> FloatArray:
-    home = _home(machine)
-    return np.round(np.array([rows.get(axis, np.full(count, home[axis])) for axis in machine.axes]), 3) + 0.0
-
-
-def _there_and_back(positions: FloatArray) -> FloatArray:
-    return np.ascontiguousarray(np.hstack([positions, positions[:, -2::-1]]))
+    return Candidate(run, there_and_back(positions), text)
 
 
 def _motion(machine: IdentifiedMachine, positions: FloatArray, tool: Vector) -> FloatArray:
@@ -230,61 +196,13 @@ def _motion(machine: IdentifiedMachine, positions: FloatArray, tool: Vector) -> 
     return np.asarray(moved / np.linalg.norm(moved))
 
 
-def _places(machine: IdentifiedMachine) -> list[FloatArray]:
-    """(n_axes, 1) each: the middle of the linear travels, and every combination of their quarters; the rest at home."""
-    linear, home = _linear(machine), _home(machine)
-    found = []
-    for shares in [(0.5,) * len(linear), *product((0.25, 0.75), repeat=len(linear))]:
-        at = {axis: _at(machine, axis, share) for axis, share in zip(linear, shares, strict=True)}
-        found.append(np.array([[at.get(axis, home[axis])] for axis in machine.axes]))
-    return found
+def _turn_text(machine: IdentifiedMachine, axis: str, place: FloatArray) -> str:
+    others = {other: float(place[machine.axes.index(other), 0]) for other in rotary_axes(machine) if other != axis}
+    return f"{axis} turning at {_at_text(others)}" if others else f"{axis} turning"
 
 
-def _tilted(machine: IdentifiedMachine, axis: str, place: FloatArray) -> Iterator[FloatArray]:
-    """A place as it is, and with every other rotary axis at TILT."""
-    yield place
-    others = [machine.axes.index(other) for other in _rotary(machine) if other != axis]
-    if others:
-        limits = np.array([machine.travel[machine.axes[index]] for index in others])
-        tilted = place.copy()
-        tilted[others, 0] = np.clip(TILT, limits[:, 0], limits[:, 1])
-        yield tilted
-
-
-def _turning(machine: IdentifiedMachine, axis: str, place: FloatArray) -> FloatArray:
-    low, high = machine.travel[axis]
-    turning = np.repeat(place, TURN_STATIONS, axis=1)
-    turning[machine.axes.index(axis)] = np.linspace(max(low, -TURN), min(high, TURN), TURN_STATIONS)
-    return turning
-
-
-def _turn_of(machine: IdentifiedMachine, axis: str, place: FloatArray) -> str:
-    others = [other for other in _rotary(machine) if other != axis]
-    at = " ".join(f"{other}{place[machine.axes.index(other), 0]:g}" for other in others)
-    return f"{axis} turning at {at}" if at else f"{axis} turning"
-
-
-def _plate(machine: IdentifiedMachine, axis: str) -> FloatArray:
-    low, high = machine.travel[axis]
-    half = 0.5 * min(high - low, PLATE)
-    return 0.5 * (low + high) + np.linspace(-half, half, GRID)
-
-
-def _at(machine: IdentifiedMachine, axis: str, share: float) -> float:
-    low, high = machine.travel[axis]
-    return low + (high - low) * share
-
-
-def _home(machine: IdentifiedMachine) -> dict[str, float]:
-    return {axis: min(max(0.0, low), high) for axis, (low, high) in machine.travel.items()}
-
-
-def _linear(machine: IdentifiedMachine) -> list[str]:
-    return [axis for axis in machine.axes if axis in LINEAR]
-
-
-def _rotary(machine: IdentifiedMachine) -> list[str]:
-    return [axis for axis in machine.axes if axis not in LINEAR]
+def _at_text(positions: Mapping[str, float]) -> str:
+    return " ".join(f"{axis}{position:g}" for axis, position in positions.items())
 
 
 def _vector(values: FloatArray, digits: int = 3) -> Vector:

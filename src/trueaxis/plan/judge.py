@@ -11,9 +11,11 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
 from trueaxis.estimation.tool_point import tool_point, volume
 from trueaxis.identify.words import unit_of
+from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Vector
 from trueaxis.plan.measuring_time import minutes
 from trueaxis.plan.report import ErrorReport, Expectations, NoiseReport, ToolReport
+from trueaxis.plan.runs import PlannedRuns
 
 
 def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], tools: Sequence[Vector]) -> Expectations:
@@ -37,18 +39,24 @@ def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], too
 
 def _tool(found: Estimate, tools: Sequence[Vector]) -> ToolReport:
     """Over the volume, before the convention for straightness and squareness, which moves no tool point."""
-    seen = tool_point(found, volume(found.layout.model), tools)
+    positions = volume(found.layout.model)
+    seen, placed = tool_point(found, positions, tools), tool_point(found, positions, tools, "best-fit")
     worst = int(np.argmax(seen.u))
-    u_rms, u_prior_rms, prior_rms = (float(np.sqrt(np.mean(part**2))) for part in (seen.u, seen.u_prior, seen.prior))
     at = dict(zip(found.layout.model.axes, np.round(seen.positions[:, worst], 1).tolist(), strict=True))
     return ToolReport(
         tools=tuple(tools),
-        u_rms=u_rms,
-        u_prior_rms=u_prior_rms,
-        prior_rms=prior_rms,
+        u_rms=_rms(seen.u),
+        u_prior_rms=_rms(seen.u_prior),
+        prior_rms=_rms(seen.prior),
+        u_placed_rms=_rms(placed.u),
+        prior_placed_rms=_rms(placed.prior),
         u_worst=float(seen.u[worst]),
         worst=at,
     )
+
+
+def _rms(values: FloatArray) -> float:
+    return float(np.sqrt(np.mean(values**2)))
 
 
 def _components(found: Estimate) -> tuple[ErrorReport, ...]:

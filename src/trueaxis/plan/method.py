@@ -8,6 +8,7 @@ import numpy as np
 from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.expected import expected
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.tool_point import Datum
 from trueaxis.identify.weighting import NoiseModel
 from trueaxis.identify.words import unit_of
 from trueaxis.measure.setup import Device, Instrument, Run, Vector
@@ -29,13 +30,15 @@ FIRST = "a plan from nothing"
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlanOptions:
     """given: error values that are no unknowns; noise: what is known of it; tools: points in the tool frame whose
-    uncertainty counts, mm; wanted: what proposed runs are to tell best: VOLUME, a component or a location error.
+    uncertainty counts, mm; wanted: what proposed runs are to tell best: VOLUME, a component or a location error;
+    datum: against which the tool point is known then.
     """
 
     given: ErrorValues
     noise: NoiseModel
     tools: tuple[Vector, ...]
     wanted: str = VOLUME
+    datum: Datum = "home"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -146,7 +149,7 @@ def _kit_of(runs: Sequence[Run], options: PlanOptions, instruments: Sequence[Ins
 
 def _wish(options: PlanOptions, kit: Kit) -> Wish:
     noise = noise_of_instruments(kit.instruments, kit.devices, options.noise)
-    return Wish(wanted=options.wanted, tools=options.tools, noise=noise)
+    return Wish(wanted=options.wanted, datum=options.datum, tools=options.tools, noise=noise)
 
 
 def _unit(model: MachineModel, wanted: str) -> str:

@@ -10,7 +10,7 @@ from trueaxis.estimation.gauge import levelling
 from trueaxis.estimation.judgement import SAMPLES
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.runs import measured_runs
-from trueaxis.estimation.tool_point import POINTS, derivative_from_home, volume
+from trueaxis.estimation.tool_point import POINTS, Datum, moved_by, volume
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Run, Vector
 from trueaxis.plan.candidates import Candidate, Kit, candidates
@@ -27,10 +27,11 @@ LEAST_FREEDOM = 20  # degrees of freedom of repeats: the noise of an instrument 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wish:
     """What proposed runs are for. wanted: VOLUME, a component or a location error; tools: points in the tool frame
-    whose place counts, mm; noise: standard deviation of readings by instrument, mm.
+    whose place against the datum counts, mm; noise: standard deviation of readings by instrument, mm.
     """
 
     wanted: str
+    datum: Datum
     tools: tuple[Vector, ...]
     noise: dict[str, float]
 
@@ -130,7 +131,7 @@ def _target(layout: Layout, wish: Wish) -> FloatArray:
     """(q, n): rows whose variances sum up to the mean variance of what is wanted, by unknowns in mm and rad."""
     found = np.zeros((1, layout.count))
     if wish.wanted == VOLUME:
-        moved = derivative_from_home(layout, volume(layout.model), wish.tools) / np.sqrt(POINTS)
+        moved = moved_by(layout, volume(layout.model), wish.tools, wish.datum) / np.sqrt(POINTS)
         return np.hstack([moved, np.zeros((moved.shape[0], layout.count - layout.of_machine))])
     if wish.wanted in layout.locations:
         found[0, int(layout.offsets[-1]) + layout.locations.index(wish.wanted)] = 1.0

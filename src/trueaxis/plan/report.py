@@ -59,14 +59,17 @@ class NoiseReport:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ToolReport:
     """The tool point over the volume, seen from home, mm. u_rms, u_prior_rms, prior_rms: root mean squares of the
-    standard uncertainty, of its part that rests on the prior, and of what is expected without readings; u_worst: the
-    largest u of the positions looked at, at which `worst` (axis -> mm or deg) is.
+    standard uncertainty, of its part that rests on the prior, and of what is expected without readings; u_placed_rms,
+    prior_placed_rms: the first and the last of a workpiece placed where it fits best; u_worst: the largest u of the
+    positions looked at, at `worst` (axis -> mm or deg).
     """
 
     tools: tuple[Vector, ...]
     u_rms: float
     u_prior_rms: float
     prior_rms: float
+    u_placed_rms: float
+    prior_placed_rms: float
     u_worst: float
     worst: dict[str, float]
 

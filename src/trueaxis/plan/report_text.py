@@ -87,7 +87,8 @@ def _tool(tool: ToolReport) -> str:
     return (
         f"tool point {points} over the volume, seen from home: u {small(tool.u_rms, 'mm')} RMS, "
         f"{small(tool.u_worst, 'mm')} at worst ({at}); {small(tool.prior_rms, 'mm')} without readings; "
-        f"{small(tool.u_prior_rms, 'mm')} of it rest on [prior]"
+        f"{small(tool.u_prior_rms, 'mm')} of it rest on [prior]; on a workpiece placed where it fits best: u "
+        f"{small(tool.u_placed_rms, 'mm')} RMS, {small(tool.prior_placed_rms, 'mm')} without readings"
     )
 
 
