@@ -84,7 +84,7 @@ def _reached(
     found[linear] = np.linalg.solve(slopes, (way - seen).T[:, :, np.newaxis])[:, :, 0].T
     found = np.round(found, 3) + 0.0
     limits = np.array([machine.travel[axis] for axis in machine.axes])
-    within = ((found >= limits[:, :1]) & (found <= limits[:, 1:])).all(axis=0)
+    within = np.asarray(((found >= limits[:, :1]) & (found <= limits[:, 1:])).all(axis=0))
     return found, within
 
 

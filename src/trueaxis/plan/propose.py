@@ -102,7 +102,7 @@ def _repeated(one: Candidate) -> Candidate:
 
 def _passes(one: Candidate) -> int:
     """How often a run is repeated: each time as many readings are taken again, but for where it turns."""
-    return -(-LEAST_FREEDOM // (one.positions.shape[1] - 2))
+    return -(-LEAST_FREEDOM // max(int(one.positions.shape[1]) - 2, 1))
 
 
 def named(proposal: Proposal, taken: Sequence[Run], prefix: str) -> Proposal:

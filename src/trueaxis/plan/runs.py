@@ -35,7 +35,8 @@ class PlannedRuns:
     @property
     def counts(self) -> list[int]:
         """Readings of every run."""
-        return np.bincount(self.readings.run, minlength=len(self.runs)).tolist()
+        counts: list[int] = np.bincount(self.readings.run, minlength=len(self.runs)).tolist()
+        return counts
 
     def of(self, ids: Collection[str]) -> "PlannedRuns":
         """Some of the runs alone, as if the others were not there."""
