@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import polars as pl
 import pytest
 
 from tests.identify.test_command import ERRORS, KERNELS, MACHINE, identify, simulated
@@ -168,8 +169,9 @@ def test_uncertainty_of_known_values_is_kept(tmp_path: Path, capsys: pytest.Capt
         words = ["predict", str(MACHINE), "--errors", str(out), "--at", str(tmp_path / "p.csv")]
         if out.exists():
             assert main([*words, "--out", str(tmp_path / "o.csv"), *KERNELS]) == 0
-            u = float((tmp_path / "o.csv").read_text().splitlines()[1].split(",")[-3])
-            assert u == pytest.approx(0.1, rel=0.05), method
+            table = pl.read_csv(tmp_path / "o.csv")
+            assert table["u_dx"][0] == pytest.approx(0.1, rel=0.05), method
+            assert table["u_prior_dx"][0] < 0.01, method  # what is stated counts with the readings
     assert (tmp_path / "global.json").exists()
 
 

@@ -159,3 +159,83 @@ def test_absurd_values_are_faults_of_every_command(tmp_path: Path, capsys: pytes
     assert fit(path, tmp_path / "f.json") == 2
     assert capsys.readouterr().err.count("motion_errors.EXX: is not finite") == 0
     assert [file.name for file in tmp_path.glob("*") if file.name not in ("e.json", "points.csv")] == []
+
+
+@pytest.fixture(scope="module")
+def estimated(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the estimate makes of the regular plan."""
+    folder = tmp_path_factory.mktemp("estimated")
+    data = simulated(folder, "dmu60p_regular_runs", "--noise-um", "0.3")
+    assert identify(data, folder / "e.json", "--method", "global", "--report", str(folder / "r.json")) == 0
+    return folder / "e.json"
+
+
+def test_the_parts_of_u_are_written_and_predicted(
+    tmp_path: Path, estimated: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    tree = json.loads(estimated.read_text())
+    assert set(tree["determined"].values()) <= {"data", "partly", "prior"}
+    assert {"EXX", "eps_xy"} <= set(tree["determined"])
+    curve = tree["motion_errors"]["EXX"]
+    np.testing.assert_allclose(np.hypot(curve["u_readings"], curve["u_prior"]), curve["u"], rtol=1e-6)
+    assert np.hypot(tree["u_readings"]["eps_xy"], tree["u_prior"]["eps_xy"]) == pytest.approx(tree["u"]["eps_xy"])
+    report = json.loads((estimated.parent / "r.json").read_text())
+    assert report["components"][0]["u_prior"] > 0.0
+    assert predict(tmp_path, estimated, "--datum", "home") == 0
+    table = pl.read_csv(tmp_path / "out.csv")
+    u, prior = (table.select(f"{kind}_d{axis}" for axis in "xyz").to_numpy()[1:] for kind in ("u", "u_prior"))
+    assert (prior <= u).all()
+    assert prior.max() > 0.0
+    capsys.readouterr()
+    words = ["compensate", str(MACHINE), "--errors", str(estimated), str(tmp_path / "part.nc")]
+    (tmp_path / "part.nc").write_text("G21 G90\nG1 X270. Y350. Z150. F1000\nX280.\n")
+    assert main([*words, "--out", str(tmp_path / "c.nc"), *KERNELS]) == 0
+    assert "largest part of one that rests on [prior] of the spec" in capsys.readouterr().out
+
+
+def test_files_without_the_parts_are_read(tmp_path: Path, estimated: Path) -> None:
+    """As identify wrote them before: u is the same, its parts are not known."""
+    tree = json.loads(estimated.read_text())
+    for key in ("u_readings", "u_prior", "determined"):
+        del tree[key]
+    for curve in tree["motion_errors"].values():
+        del curve["u_readings"], curve["u_prior"]
+    with np.load(estimated.with_suffix(".npz")) as archive:
+        arrays = {key: np.array(archive[key]) for key in archive}
+    head = json.loads(arrays["head"].tobytes())
+    del head["prior_columns"]
+    arrays["head"] = np.frombuffer(json.dumps(head).encode(), dtype=np.uint8)
+    (tmp_path / "e.json").write_text(json.dumps(tree))
+    np.savez(tmp_path / "e.npz", **arrays)
+    tables = []
+    for errors in (estimated, tmp_path / "e.json"):
+        assert predict(tmp_path, errors) == 0
+        tables.append(pl.read_csv(tmp_path / "out.csv"))
+    np.testing.assert_allclose(tables[1]["u_dx"].to_numpy(), tables[0]["u_dx"].to_numpy())
+    assert tables[1].select("u_prior_dx", "u_prior_dy", "u_prior_dz").null_count().row(0) == (4, 4, 4)
+
+
+def test_values_without_their_covariance_keep_the_parts(tmp_path: Path, estimated: Path) -> None:
+    """As if independent: each coefficient with its parts."""
+    tree = json.loads(estimated.read_text())
+    del tree["covariance"]
+    (tmp_path / "e.json").write_text(json.dumps(tree))
+    assert predict(tmp_path, tmp_path / "e.json") == 0
+    table = pl.read_csv(tmp_path / "out.csv")
+    u, prior = (table[column].to_numpy() for column in ("u_dx", "u_prior_dx"))
+    assert (prior <= u).all()
+    assert prior.max() > 0.0
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [({"determined": {"EXX": "surely"}}, "determined.EXX"), ({"u_prior": {"eps_xy": -1.0}}, "u_prior.eps_xy")],
+)
+def test_parts_that_identify_does_not_write_are_faults(
+    tmp_path: Path, estimated: Path, change: dict[str, Any], words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    tree = json.loads(estimated.read_text()) | change
+    (tmp_path / "e.json").write_text(json.dumps(tree))
+    (tmp_path / "e.npz").write_bytes(estimated.with_suffix(".npz").read_bytes())
+    assert predict(tmp_path, tmp_path / "e.json") == 2
+    assert words in capsys.readouterr().err

@@ -39,7 +39,7 @@ from trueaxis.measure.data import read_data
 from trueaxis.measure.points import read_points
 from trueaxis.measure.readings_reader import read_readings
 from trueaxis.measure.setup_reader import read_setup
-from trueaxis.runtime.covariance import read_covariance
+from trueaxis.runtime.covariance_file import read_covariance
 from trueaxis.runtime.errors import read_errors
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.read import parse_machine

@@ -14,7 +14,8 @@ from tests.fuzz.expressions import expression
 from tests.instrument_files.writers import rtl
 from tests.machines import ROOT, machine_of
 from trueaxis.runtime.bases import LegendreBasis
-from trueaxis.runtime.covariance import Covariance, dump_covariance
+from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.covariance_file import dump_covariance
 from trueaxis.spec import Machine
 
 MACHINES = tuple(sorted((ROOT / "machines").glob("*.toml")))  # with kernels in generated/

@@ -30,8 +30,10 @@ from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.points import PRIOR_COLUMNS, UNCERTAINTY_COLUMNS
 from trueaxis.runtime.bases import Basis, HatBasis, LegendreBasis, PowerBasis
-from trueaxis.runtime.covariance import Covariance, dump_covariance, read_covariance
+from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.covariance_file import dump_covariance, read_covariance
 from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel, load_model
@@ -273,7 +275,8 @@ def test_commands_write_and_read_it(tmp_path: Path) -> None:
     arguments = ["predict", str(MACHINE), "--errors", str(out), "--covariance", str(file), "--at", str(points)]
     assert main([*arguments, "--out", str(tmp_path / "p.csv"), *KERNELS]) == 0
     table = pl.read_csv(tmp_path / "p.csv")
-    assert table.columns[-6:] == ["dx", "dy", "dz", "u_dx", "u_dy", "u_dz"]
+    assert table.columns[-9:] == ["dx", "dy", "dz", *UNCERTAINTY_COLUMNS, *PRIOR_COLUMNS]
+    assert table["u_prior_dx"].to_list() == [0.0, 0.0]  # plain least squares
     assert table["u_dx"][0] > table["u_dx"][1] > 0.0
     assert table["u_dx"][0] < 0.02
 

@@ -13,6 +13,7 @@ from tests.measure.command_line import command_line
 from tests.measure.effect_machine import EFFECTS, FloatArray, effect, errors_text, simulated, write_machine
 from trueaxis.commands import predict
 from trueaxis.faults import InputError
+from trueaxis.measure.points import PRIOR_COLUMNS, UNCERTAINTY_COLUMNS
 
 RADIUS, FEED, SIZE = 150.0, 3000.0, 2e-3
 ANGLES = np.radians(np.arange(720.0) / 2.0 + 0.4)
@@ -243,7 +244,11 @@ def test_predict_in_the_context_of_the_points(spec: Path, tmp_path: Path) -> Non
     at.write_text("X,Y,Z,dir_X,temperature_c\n100,0,0,1,22\n100,0,0,-1,19\n100,0,0,,20\n")
     assert command_line(predict, spec, spec.parent / "generated", *files) == 0
     found = pl.read_csv(out)
-    assert found.columns == ["X", "Y", "Z", "dir_X", "temperature_c", "dx", "dy", "dz", "u_dx", "u_dy", "u_dz"]
+    assert found.columns == [
+        *("X", "Y", "Z", "dir_X", "temperature_c", "dx", "dy", "dz"),
+        *UNCERTAINTY_COLUMNS,
+        *PRIOR_COLUMNS,
+    ]
     assert found["dir_X"].to_list() == [1.0, -1.0, None]
     np.testing.assert_allclose(found["dx"], [1e-3 + 2e-3, -1e-3 - 1e-3, 0.0], rtol=0, atol=1e-15)
     at.write_text("X,Y,Z,temperature_c\n100,0,0,22\n100,0,0,\n")

@@ -15,7 +15,7 @@ from tests.measure.adapter import Dmu60pAxes
 from tests.measure.command_line import errors_tree, run
 from trueaxis.commands import predict as command
 from trueaxis.faults import InputError
-from trueaxis.measure.points import read_points
+from trueaxis.measure.points import PRIOR_COLUMNS, UNCERTAINTY_COLUMNS, read_points
 from trueaxis.measure.predict import check_predicted
 
 
@@ -47,9 +47,10 @@ def test_deviations_are_those_of_the_independent_exact_machine(
     (frame.write_csv if suffix == "csv" else frame.write_parquet)(at)
     assert run(command, "--errors", errors, "--at", at, "--out", out) == 0
     found = pl.read_csv(out) if suffix == "csv" else pl.read_parquet(out)
-    assert found.columns == [*frame.columns, "dx", "dy", "dz", "u_dx", "u_dy", "u_dz"]
+    assert found.columns == [*frame.columns, "dx", "dy", "dz", *UNCERTAINTY_COLUMNS, *PRIOR_COLUMNS]
     assert found.select(frame.columns).equals(frame)
-    assert found.select("u_dx", "u_dy", "u_dz").null_count().row(0) == (40, 40, 40)  # these error values have none
+    unknown = found.select(*UNCERTAINTY_COLUMNS, *PRIOR_COLUMNS).null_count().row(0)
+    assert unknown == (40,) * 6  # these error values have none
     machine = dmu60p(cubic_errors())
     for row in found.iter_rows(named=True):
         point = [row.get(f"tool_{axis}", 0.0) for axis in "xyz"]
@@ -92,7 +93,7 @@ def test_no_points_give_no_rows(tmp_path: Path, errors: Path) -> None:
     at, out = tmp_path / "points.csv", tmp_path / "out.csv"
     at.write_text("X,Y,Z\n")
     assert run(command, "--errors", errors, "--at", at, "--out", out) == 0
-    assert out.read_text() == "X,Y,Z,dx,dy,dz,u_dx,u_dy,u_dz\n"
+    assert out.read_text() == "X,Y,Z,dx,dy,dz,u_dx,u_dy,u_dz,u_prior_dx,u_prior_dy,u_prior_dz\n"
 
 
 @pytest.mark.parametrize(

@@ -13,24 +13,18 @@ from trueaxis.cli import main
 from trueaxis.faults import InputError
 from trueaxis.runtime.bases import HatBasis, LegendreBasis, PowerBasis, unmeasured_basis
 from trueaxis.runtime.context import Context
-from trueaxis.runtime.covariance import (
-    Covariance,
-    digest_of_values,
-    dump_covariance,
-    factor,
-    linked,
-    read_covariance,
-)
+from trueaxis.runtime.covariance import Covariance, digest_of_values, factor
+from trueaxis.runtime.covariance_file import dump_covariance, linked, read_covariance
 from trueaxis.runtime.curves import Curve, FloatArray, PolynomialCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues, Undetermined, dump_errors
 from trueaxis.runtime.extent import uncertainty_extent, volume_grid
 from trueaxis.runtime.measured_range import beyond_measured
 from trueaxis.runtime.model import MachineModel, load_errors, load_model
+from trueaxis.runtime.own_uncertainty import own_uncertainty
 from trueaxis.runtime.uncertainty import (
     derivative,
     home_of,
     load_uncertainty,
-    own_uncertainty,
     prior_size,
     tool_uncertainty,
 )

@@ -13,7 +13,8 @@ from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
 from trueaxis.reporting.reliance import above_sentence, extent_sentences
-from trueaxis.runtime.covariance import Covariance, linked
+from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.covariance_file import linked
 from trueaxis.runtime.curves import TableCurve
 from trueaxis.runtime.errors import ErrorValues, dump_errors
 from trueaxis.runtime.extent import UncertaintyExtent, uncertainty_extent, volume_grid

@@ -35,7 +35,8 @@ from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.active_compensation import active_file
 from trueaxis.measure.setup import Setup
 from trueaxis.runtime.believable import check_believable
-from trueaxis.runtime.covariance import Covariance, linked
+from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.covariance_file import linked
 from trueaxis.runtime.errors import ErrorValues, dump_errors
 from trueaxis.runtime.model import MachineModel
 from trueaxis.runtime.uncertainty import load_uncertainty
@@ -214,7 +215,7 @@ def _identify(
     if args.method == STEPWISE:
         options = PaperOptions(args.squareness, known, noise.um, args.curves)
         return identify_paper(model, observed, options)
-    if args.prior == "spec" and not model.effects:
+    if args.prior == "spec":
         return identify_estimated(model, observed, EstimateOptions(args.squareness, known, noise))
     return identify_global(
         model,

@@ -14,8 +14,16 @@ from trueaxis.input_files import gathering
 from trueaxis.measure.context_needs import faults_of_points
 from trueaxis.measure.points import Points, dump_predicted, read_points
 from trueaxis.measure.predict import check_predicted, predict
-from trueaxis.reporting.reliance import above_sentence, misfit_sentence, open_sentence, range_sentences
+from trueaxis.reporting.reliance import (
+    above_sentence,
+    misfit_sentence,
+    open_sentence,
+    placement_sentence,
+    range_sentences,
+)
+from trueaxis.runtime.best_fit import Placements, placements
 from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.extent import MOST_NAMED, open_names
 from trueaxis.runtime.measured_range import beyond_measured
 from trueaxis.runtime.model import MachineModel, load_model
@@ -37,7 +45,9 @@ Predict where the tool point really is. For each row of --at (a column per axis:
 tool_y, tool_z: the point in the tool frame, mm; dir_X ..., time_s and temperature_c: how the axes came there, when, how
 warm, for machines with effects) the deviation, actual minus ideal, is computed on the exact model and
 written as dx, dy, dz (mm, workpiece frame) behind the columns of the row, and its standard uncertainty as u_dx, u_dy,
-u_dz: empty where it is not known, or where the deviation rests on values that no reading determined."""
+u_dz: empty where it is not known, or where the deviation rests on values that no reading determined. u_prior_dx,
+u_prior_dy, u_prior_dz are the part of it that rests on [prior] of the spec; the rest comes from the readings, and the
+squares of both parts add up."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -53,9 +63,10 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="covariance of the error values (default: the file that they name, else their own uncertainties)",
     )  # fmt: skip
     parser.add_argument(
-        "--datum", choices=("machine", "home"), default="machine",
-        help="what deviations are relative to: the error-free machine, or the tool point at home (every axis at 0, or "
-        "at the end of its travel next to it), where work offsets are touched off (%(default)s)",
+        "--datum", choices=("machine", "home", "best-fit"), default="machine",
+        help="what deviations and their uncertainties are relative to: the error-free machine; the tool point at home "
+        "(every axis at 0, or at the end of its travel next to it), where work offsets are touched off; or the rigid "
+        "placement of the workpiece, a shift and a small rotation, that fits the points best (%(default)s)",
     )  # fmt: skip
     parser.add_argument(
         "--max-u", type=size, metavar="MM",
@@ -90,9 +101,14 @@ def run(args: argparse.Namespace) -> int:
         if lacking := faults_of_points(model, points.context, str(args.at)):
             raise InputError(lacking)
         model = model.in_context(points.context)
-    datum = home_of(model) if args.datum == "home" else None
-    deviation = predict(model, points, datum)
+    home = home_of(model) if args.datum == "home" else None
+    datum: FloatArray | Placements | None = home
+    deviation = predict(model, points, home)
     check_predicted(deviation, prior_size(model, points.positions, points.tool), str(args.errors))
+    if args.datum == "best-fit":
+        datum = placements(model.ideal(points.positions, points.tool))
+        deviation, placement = datum.fit(deviation)
+        print(f"note: {placement_sentence(placement, datum.centre)}")
     uncertainty = tool_uncertainty(
         model, covariance, points.positions, points.tool, datum=datum, context=points.context
     )
@@ -102,7 +118,7 @@ def run(args: argparse.Namespace) -> int:
     if args.max_u is not None and largest > args.max_u:
         print(f"{named(args.out)}: not written: {above_sentence(float(largest), args.max_u)}")
         return 1
-    write_files({args.out: dump_predicted(points, deviation, args.out.suffix, uncertainty.u)})
+    write_files({args.out: dump_predicted(points, deviation, args.out.suffix, uncertainty.u, uncertainty.u_prior)})
     print(f"{named(args.out)}: {deviation.shape[1]} points")
     return 0
 

@@ -17,8 +17,10 @@ POSITIONS, SEED = 40, 3
 NOTHING = 1e-9  # of the largest singular value: combinations that move no tool point
 
 
-def covariance_of(layout: Layout, root: FloatArray) -> Covariance:
-    """Of the machine's values alone; root: (n_unknowns, r) or (of_machine, r)."""
+def covariance_of(layout: Layout, root: FloatArray, of_prior: int | None = None) -> Covariance:
+    """Of the machine's values alone; root: (n_unknowns, r) or (of_machine, r); of_prior: of its columns, the last ones,
+    are the prior's part.
+    """
     return Covariance(
         machine=layout.model.name,
         components=layout.components,
@@ -26,6 +28,7 @@ def covariance_of(layout: Layout, root: FloatArray) -> Covariance:
         locations=layout.locations,
         root=root[: layout.of_machine],
         open=np.zeros((layout.of_machine, 0)),
+        of_prior=of_prior,
     )
 
 

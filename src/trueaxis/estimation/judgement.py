@@ -1,14 +1,13 @@
 """What of an estimate is told by the readings, and what rests on the prior."""
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
 from trueaxis.estimation.estimate import Estimate
 from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.errors import Determined
 
-Determined = Literal["data", "partly", "prior"]
 SAMPLES = 33  # positions of a travel at which a curve is judged
 TENTH, NINE_TENTHS = 0.1, 0.9  # of the prior: below the one the prior hardly matters, above the other nothing else does
 
@@ -51,24 +50,13 @@ def judged_location(found: Estimate, name: str) -> Judged:
 
 
 def _judged(found: Estimate, change: FloatArray) -> Judged:
-    """change: (m, n), the values to judge by the unknowns.
-
-    The posterior covariance is K R K' + (1 - K J) A (1 - K J)': with 1 - K J = Sigma A^-1 the second part is
-    Sigma A^-1 Sigma.
-    """
+    """change: (m, n), the values to judge by the unknowns; a curve by its root mean square over the travel."""
     values = np.abs(change @ found.unknowns)
     spread = change @ found.spread
-    by_prior = (spread @ found.spread.T) / found.scale
-    u = np.linalg.norm(spread, axis=1)
-    u_prior = np.minimum(np.linalg.norm(by_prior, axis=1), u)
+    readings, by_prior = np.split(spread, [spread.shape[1] - found.of_prior], axis=1)
+    u, u_readings, u_prior = (np.linalg.norm(part, axis=1) for part in (spread, readings, by_prior))
     prior = np.linalg.norm(change * found.scale, axis=1)
-    u_readings = np.sqrt(np.maximum(u**2 - u_prior**2, 0.0))
     rms = [float(np.sqrt(np.mean(one**2))) for one in (u, u_readings, u_prior, prior)]
-    determined: Determined = "partly"
-    if rms[2] < rms[1] or rms[2] < TENTH * rms[3]:
-        determined = "data"
-    elif rms[0] > NINE_TENTHS * rms[3]:
-        determined = "prior"
     at = int(np.argmax(u))
     return Judged(
         largest=float(values.max()),
@@ -77,5 +65,12 @@ def _judged(found: Estimate, change: FloatArray) -> Judged:
         prior_rms=rms[3],
         u_readings=float(u_readings[at]),
         u_prior=float(u_prior[at]),
-        determined=determined,
+        determined=determined_by(*rms),
     )
+
+
+def determined_by(u: float, u_readings: float, u_prior: float, prior: float) -> Determined:
+    """By what a value is determined; prior: its prior standard deviation, of the unit of the others."""
+    if u_prior < u_readings or u_prior < TENTH * prior:
+        return "data"
+    return "prior" if u > NINE_TENTHS * prior else "partly"

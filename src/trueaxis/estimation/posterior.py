@@ -20,7 +20,8 @@ class OwnPosterior:
 class Posterior:
     """What the readings say of the scaled unknowns at some sizes.
 
-    mean: (n,); spread: (n, n), a root of the covariance; scale: (n,), prior standard deviations; own: of each block;
+    mean: (n,); spread: (n, r), a root of the covariance, whose last `of_prior` columns are the prior's part of it, the
+    others that of the readings (0: not parted); scale: (n,), prior standard deviations; own: of each block;
     own_told: by class the sum of (1 - variance / prior variance)^2 of the unknowns of single runs; told: how many
     unknowns the readings tell, the sum of 1 - variance / prior variance.
     """
@@ -31,3 +32,4 @@ class Posterior:
     own: tuple[OwnPosterior, ...]
     own_told: tuple[tuple[str, float], ...]
     told: float
+    of_prior: int = 0

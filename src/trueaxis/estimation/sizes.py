@@ -18,12 +18,13 @@ from trueaxis.estimation.instruments import (
     STATED,
     STATED_FACTOR,
 )
-from trueaxis.estimation.layout import Layout
+from trueaxis.estimation.layout import EFFECT, Layout
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.measure.machine import FloatArray
 
 CLASS_FACTOR = 4.0  # by which a size may be other than expected, one standard deviation
+FIXED = 1.0  # of a size that is not estimated
 COMPONENT_FACTOR = 1.6  # by which the sizes of components of one class differ
 
 
@@ -32,12 +33,13 @@ class Sizes:
 
     def __init__(self, layout: Layout, kinds: Sequence[Sequence[str]]) -> None:
         self.layout = layout
+        self._own_kinds = kinds
         classes = list(dict.fromkeys(layout.kinds))
         own = list(dict.fromkeys(kind for of_run in kinds for kind in of_run))
         self.names = (*classes, *(f"of {name}" for name in layout.components), *own, *SHAPE)
         self._own_at = {kind: len(classes) + len(layout.components) + place for place, kind in enumerate(own)}
         factors = [
-            *(_factor(kind) if kind in SHARED_SIZES else CLASS_FACTOR for kind in classes),
+            *(_factor(kind) if kind in SHARED_SIZES else FIXED if kind == EFFECT else CLASS_FACTOR for kind in classes),
             *([COMPONENT_FACTOR] * len(layout.components)),
             *map(_factor, own),
         ]
@@ -71,6 +73,10 @@ class Sizes:
         return np.array(
             [OWN_SIZES[kind] * np.exp(x[self._own_at[kind]] * self.spread[self._own_at[kind]]) for kind in kinds]
         )
+
+    def own_scales(self, x: FloatArray) -> list[FloatArray]:
+        """The same of every run."""
+        return [self.own_scale(kinds, x) for kinds in self._own_kinds]
 
     def information(self, posterior: Posterior, slope: FloatArray) -> FloatArray:
         """Expected Fisher information of x with the prior's, 1: what the readings tell of the sizes at all.

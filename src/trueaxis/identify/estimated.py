@@ -7,11 +7,11 @@ import numpy as np
 
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
-from trueaxis.estimation.gauge import covariance_of
-from trueaxis.estimation.judgement import NINE_TENTHS, Determined, Judged, judged_component, judged_location
+from trueaxis.estimation.judgement import NINE_TENTHS, Judged, judged_component, judged_location
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
 from trueaxis.faults import Fault, InputError
+from trueaxis.identify.estimated_effects import covariance_with_effects, effect_reports, with_uncertainty
 from trueaxis.identify.fit_quality import (
     FitQuality,
     NotConvergedError,
@@ -34,7 +34,8 @@ from trueaxis.identify.report import (
 from trueaxis.identify.weighting import NoiseModel, weighting
 from trueaxis.identify.words import enumerated, unit_of
 from trueaxis.runtime.curves import Curve, LegendreCurve
-from trueaxis.runtime.errors import ErrorValues, Undetermined
+from trueaxis.runtime.effect_values import EffectValues
+from trueaxis.runtime.errors import Determined, ErrorValues, Undetermined
 from trueaxis.runtime.model import MachineModel
 
 Choice = Literal["convention", "known"]
@@ -52,12 +53,13 @@ FAR = 3.0  # times the size of [prior], from where on a size is reported
 @dataclass(frozen=True, slots=True)
 class EstimateOptions:
     """squareness: what parts it from straightness; known: values taken as they are, dimensions too; noise: what is
-    known of it.
+    known of it; start: values of effects from which their fit starts.
     """
 
     squareness: Choice = "convention"
     known: ErrorValues | None = None
     noise: NoiseModel = field(default_factory=NoiseModel)
+    start: tuple[EffectValues, ...] = ()
 
 
 def identify_estimated(model: MachineModel, observed: Observations, options: EstimateOptions) -> Identification:
@@ -66,13 +68,13 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     Raises InputError where no reading holds an error, or where the noise that is given does not fit the runs;
     NotConvergedError where the estimate does not stand still.
     """
-    given = replace(options.known or ErrorValues(model.name), u={}, undetermined=(), covariance=None, fit=None)
+    given = _as_known(options.known or ErrorValues(model.name))
     if options.squareness == "known":
         zeros = dict.fromkeys(model.location_errors, 0.0)
         given = replace(given, parameters={**zeros, **given.parameters})
     noise = _given_noise(observed, options.noise)
     try:
-        found = estimate(model, observed, given, noise)
+        found = estimate(model, observed, given, noise, options.start)
     except NothingHeldError as error:
         remedy = "runs that move an axis, or fewer values in --known"
         raise InputError([Fault(observed.source, "", str(error), remedy)]) from error
@@ -90,17 +92,30 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         else ()
     )
     values = replace(
-        found.values,
+        with_uncertainty(found.values, found),
         motion_errors={**_curves(model, observed, found), **given.motion_errors},
         u={name: one.u for name, one in locations.items()},
+        u_readings={name: one.u_readings for name, one in locations.items()},
+        u_prior={name: one.u_prior for name, one in locations.items()},
+        determined={name: one.determined for name, one in (*components.items(), *locations.items())},
         undetermined=left_open,
         fit=judged.fit,
     )
     report = _report(model, observed, found, components, locations, judged, options)
     report = replace(
-        report, undetermined=left_open, notes=(*dimension_notes(model, given), *_notes(model, found, given))
+        report,
+        effects=effect_reports(values, found),
+        undetermined=left_open,
+        notes=(*dimension_notes(model, given), *_notes(model, found, given)),
     )
-    return Identification(values, report, covariance_of(found.layout, found.spread))
+    return Identification(values, report, covariance_with_effects(found))
+
+
+def _as_known(values: ErrorValues) -> ErrorValues:
+    """Without what is said of their own identification."""
+    return replace(
+        values, u={}, u_readings={}, u_prior={}, determined={}, undetermined=(), covariance=None, fit=None
+    )  # fmt: skip
 
 
 def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float]:
@@ -132,13 +147,14 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
 def _curves(model: MachineModel, observed: Observations, found: Estimate) -> dict[str, Curve]:
     measured = _measured(model, observed)
     curves: dict[str, Curve] = {}
-    u = np.linalg.norm(found.spread, axis=1)
+    readings, by_prior = np.split(found.spread, [found.spread.shape[1] - found.of_prior], axis=1)
+    parts = [np.linalg.norm(part, axis=1) for part in (found.spread, readings, by_prior)]
     for place, name in enumerate(found.layout.components):
         first = int(found.layout.offsets[place])
         curve = found.values.motion_errors[name]
         assert isinstance(curve, LegendreCurve)
-        mine = u[first : first + curve.basis.degree]
-        curves[name] = replace(curve, u=tuple(mine.tolist()), measured=measured.get(name))
+        u, u_readings, u_prior = (tuple(part[first : first + curve.basis.degree].tolist()) for part in parts)
+        curves[name] = replace(curve, u=u, u_readings=u_readings, u_prior=u_prior, measured=measured.get(name))
     return curves
 
 
@@ -198,13 +214,23 @@ def _location(found: Estimate, name: str, judged: Judged | None, unit: str) -> L
     value = found.values.parameters.get(name, 0.0)
     if judged is None:
         return LocationReport(name, value, None, unit, "given")
-    return LocationReport(name, value, judged.u, unit, ORIGINS[judged.determined])
+    return LocationReport(
+        name, value, judged.u, unit, ORIGINS[judged.determined], u_readings=judged.u_readings, u_prior=judged.u_prior
+    )
 
 
 def _component(name: str, judged: Judged | None) -> ComponentReport:
     if judged is None:
         return ComponentReport(name, "given", 0.0, None, unit_of(name))
-    return ComponentReport(name, KNOWN[judged.determined], judged.largest, judged.u, unit_of(name))
+    return ComponentReport(
+        name,
+        KNOWN[judged.determined],
+        judged.largest,
+        judged.u,
+        unit_of(name),
+        u_readings=judged.u_readings,
+        u_prior=judged.u_prior,
+    )
 
 
 def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentReport, ...]:

@@ -33,24 +33,35 @@ class BlockReport:
 
 @dataclass(frozen=True, slots=True)
 class LocationReport:
-    """A location error: value and standard uncertainty (None: unknown) in `unit`, and where it comes from."""
+    """A location error: value and standard uncertainty (None: unknown) in `unit`, and where it comes from.
+
+    u_readings, u_prior: the parts of u by the readings and by the prior, None where they are not known.
+    """
 
     name: str
     value: float
     u: float | None
     unit: str
     origin: str
+    u_readings: float | None = None
+    u_prior: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class ComponentReport:
-    """A component over the measured positions: largest value and standard uncertainty (None: unknown), mm or rad."""
+    """A component over the measured positions: largest value and standard uncertainty (None: unknown), mm or rad.
+
+    u_readings, u_prior: the parts of u, where it is largest, by the readings and by the prior, None where they are not
+    known.
+    """
 
     name: str
     known: Known
     largest: float
     u: float | None
     unit: str
+    u_readings: float | None = None
+    u_prior: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

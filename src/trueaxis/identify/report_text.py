@@ -165,15 +165,24 @@ def _block(number: int, block: BlockReport) -> list[str]:
 
 def _location(location: LocationReport) -> str:
     value, unit = _small(location.value, location.unit)
-    return f"  {location.name:<10} {value:+10.4g} {unit:<5} {_with_u(location.u, location.unit)}  {location.origin}"
+    u = _with_u(location.u, location.unit) + _parts(location)
+    return f"  {location.name:<10} {value:+10.4g} {unit:<5} {u}  {location.origin}"
 
 
 def _component(component: ComponentReport) -> str:
     value, unit = _small(component.largest, component.unit)
-    largest = f"largest {value:10.4g} {unit:<5} {_with_u(component.u, component.unit)}"
+    largest = f"largest {value:10.4g} {unit:<5} {_with_u(component.u, component.unit)}{_parts(component)}"
     if component.known in ("not measured", "given"):
         largest = ""
     return f"  {component.name:<4} {component.known:<13} {largest}".rstrip()
+
+
+def _parts(one: LocationReport | ComponentReport) -> str:
+    """The two parts of u."""
+    if one.u_readings is None or one.u_prior is None:
+        return ""
+    readings, prior = (_small(part, one.unit)[0] for part in (one.u_readings, one.u_prior))
+    return f" (readings {readings:.3g}, prior {prior:.3g})"
 
 
 def _with_u(u: float | None, unit: str) -> str:

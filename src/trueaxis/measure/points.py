@@ -20,6 +20,7 @@ TOOL_COLUMNS = ("tool_x", "tool_y", "tool_z")
 CONTEXT_COLUMNS = ("time_s", "temperature_c")
 DEVIATION_COLUMNS = ("dx", "dy", "dz")
 UNCERTAINTY_COLUMNS = ("u_dx", "u_dy", "u_dz")
+PRIOR_COLUMNS = ("u_prior_dx", "u_prior_dy", "u_prior_dz")  # the parts of these that rest on the prior
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,12 +71,20 @@ def _context(
     return replace(context, directions=directions)
 
 
-def dump_predicted(points: Points, deviation: FloatArray, suffix: str, u: FloatArray | None = None) -> bytes:
-    """The columns of the points followed by dx, dy, dz (mm) and, where given, u_dx, u_dy, u_dz, as CSV or Parquet.
+def dump_predicted(
+    points: Points,
+    deviation: FloatArray,
+    suffix: str,
+    u: FloatArray | None = None,
+    u_prior: FloatArray | None = None,
+) -> bytes:
+    """The columns of the points, dx, dy, dz (mm) and, where given, u_dx ... and u_prior_dx ..., as CSV or Parquet.
 
-    deviation: (3, n), mm; suffix: `.parquet` for Parquet; u: (3, n), standard uncertainties, mm, NaN where unknown.
+    deviation: (3, n), mm; suffix: `.parquet` for Parquet; u: (3, n), standard uncertainties, u_prior: (3, n), the parts
+    of them that rest on the prior, mm, NaN where unknown.
     """
     added = [pl.Series(name, row) for name, row in zip(DEVIATION_COLUMNS, deviation, strict=True)]
-    if u is not None:
-        added += [pl.Series(name, row).fill_nan(None) for name, row in zip(UNCERTAINTY_COLUMNS, u, strict=True)]
+    for names, rows in ((UNCERTAINTY_COLUMNS, u), (PRIOR_COLUMNS, u_prior)):
+        if rows is not None:
+            added += [pl.Series(name, row).fill_nan(None) for name, row in zip(names, rows, strict=True)]
     return table_bytes(points.frame.with_columns(added), suffix)

@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensate.reliance import Reliance
+from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.errors import ErrorValues, Fit
 from trueaxis.runtime.extent import UncertaintyExtent
 from trueaxis.runtime.measured_range import BeyondMeasured
@@ -31,6 +32,17 @@ def open_sentence(points: int, total: int, largest: float, names: Sequence[str])
     )
 
 
+def placement_sentence(placement: Sequence[float] | FloatArray, centre: Sequence[float] | FloatArray) -> str:
+    """What a best fit takes off; placement: shift at the centre and rotation, mm and rad; centre: mm."""
+    shift = ", ".join(f"{1e3 * part:.3g}" for part in placement[:3])
+    turn = ", ".join(f"{1e6 * part:.3g}" for part in placement[3:])
+    at = " ".join(f"{axis}{part:.4g}" for axis, part in zip("XYZ", centre, strict=True))
+    return (
+        f"the best fit shifts the workpiece by {shift} um (x, y, z, at {at} of the workpiece frame) and turns it by "
+        f"{turn} urad (about x, y, z)"
+    )
+
+
 def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
     """The largest uncertainty of the tool point over positions; where: such as `over the travel`."""
     if not extent.points:
@@ -40,7 +52,11 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
     found = []
     if extent.unknown < extent.points:
         of = " of the positions where it is known" if extent.unknown else ""
-        found.append(f"largest standard uncertainty of the tool point {where}{of}, from home: {_um(extent.largest_u)}")
+        prior = extent.largest_u_prior
+        part = "" if not prior else f"; largest part of one that rests on [prior] of the spec: {_um(prior)}"
+        found.append(
+            f"largest standard uncertainty of the tool point {where}{of}, from home: {_um(extent.largest_u)}{part}"
+        )
     if extent.open:
         found.append(
             f"at {extent.open} of {extent.points} positions {where} the tool point rests on components that the "

@@ -1,7 +1,7 @@
 """Error curves to and from the objects of an error-values file."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ HIGHEST_POWER = 99  # a power of a travel of 1000 mm then still is a finite numb
 
 MOST_TERMS = 99  # of a Legendre basis, as of a polynomial
 
+_U = ("u", "u_readings", "u_prior")
 _KEYS = {
     "polynomial": ("powers", "coefficients"),
     "legendre": ("range", "coefficients"),
@@ -35,7 +36,7 @@ def read_curve(value: Any, path: JsonPath, faults: Faults) -> Curve | None:
         problem = "is missing" if "basis" not in value else f"{shown(basis)} is not a basis"
         faults.add(key_path((*path, "basis")), problem, 'give "polynomial", "legendre" or "table"')
         return None
-    known = ("basis", *_KEYS[basis], "u", *(() if basis == "table" else ("measured",)))
+    known = ("basis", *_KEYS[basis], *(("u",) if basis == "table" else (*_U, "measured")))
     for key in value:
         if key not in known:
             faults.add(key_path((*path, key)), f"is not a key of a {basis}", f"known: {', '.join(known)}")
@@ -72,18 +73,14 @@ def curve_object(curve: Curve) -> dict[str, Any]:
             "powers": [int(curve.powers[i]) for i in order],
             "coefficients": [float(curve.coefficients[i]) for i in order],
         }
-        if curve.u is not None:
-            found["u"] = [u_value(curve.u[i]) for i in order]
-        return found | _measured(curve)
+        return found | _uncertainty_object(curve, order) | _measured(curve)
     if isinstance(curve, LegendreCurve):
         found = {
             "basis": "legendre",
             "range": [float(curve.basis.low), float(curve.basis.high)],
             "coefficients": [float(one) for one in curve.coefficients],
         }
-        if curve.u is not None:
-            found["u"] = [u_value(u) for u in curve.u]
-        return found | _measured(curve)
+        return found | _uncertainty_object(curve, range(len(curve.coefficients))) | _measured(curve)
     found = {
         "basis": "table",
         "positions": [float(position) for position in curve.positions],
@@ -92,6 +89,11 @@ def curve_object(curve: Curve) -> dict[str, Any]:
     if curve.u is not None:
         found["u"] = [u_value(u) for u in curve.u]
     return found
+
+
+def _uncertainty_object(curve: PolynomialCurve | LegendreCurve, order: Iterable[int]) -> dict[str, Any]:
+    lists = zip(_U, (curve.u, curve.u_readings, curve.u_prior), strict=True)
+    return {key: [u_value(u[i]) for i in order] for key, u in lists if u is not None}
 
 
 def _measured(curve: PolynomialCurve | LegendreCurve) -> dict[str, Any]:
@@ -106,25 +108,27 @@ def u_value(u: float) -> float | None:
 def _polynomial(value: dict[str, Any], path: JsonPath, faults: Faults) -> PolynomialCurve | None:
     powers = _powers(value["powers"], (*path, "powers"), faults)
     coefficients = numbers(value["coefficients"], (*path, "coefficients"), faults)
-    u = _uncertainties(value, path, faults)
+    u, u_readings, u_prior = (_uncertainties(value, key, path, faults) for key in _U)
     measured = _range(value, path, faults)
-    if _same_length(value, ("powers", "coefficients", "u"), path, faults):
-        return PolynomialCurve(powers, coefficients, u, measured)
+    if _same_length(value, ("powers", "coefficients", *_U), path, faults):
+        return PolynomialCurve(powers, coefficients, u, measured, u_readings, u_prior)
     return None
 
 
 def _legendre(value: dict[str, Any], path: JsonPath, faults: Faults) -> LegendreCurve | None:
     ends = numbers(value["range"], (*path, "range"), faults)
     coefficients = numbers(value["coefficients"], (*path, "coefficients"), faults)
-    u = _uncertainties(value, path, faults)
+    u, u_readings, u_prior = (_uncertainties(value, key, path, faults) for key in _U)
     measured = _range(value, path, faults)
-    same = _same_length(value, ("coefficients", "u"), path, faults)
+    same = _same_length(value, ("coefficients", *_U), path, faults)
     if len(coefficients) > MOST_TERMS:
         faults.add(key_path((*path, "coefficients")), f"are {len(coefficients)}", f"at most {MOST_TERMS}")
     if len(ends) != 2 or not ends[1] - ends[0] >= LEAST_SPACING:
         faults.add(key_path((*path, "range")), "is no range", "[lowest, highest] position of the travel, mm or deg")
         return None
-    return LegendreCurve(travel_basis(ends, len(coefficients)), coefficients, u, measured) if same else None
+    if not same:
+        return None
+    return LegendreCurve(travel_basis(ends, len(coefficients)), coefficients, u, measured, u_readings, u_prior)
 
 
 def _range(value: dict[str, Any], path: JsonPath, faults: Faults) -> tuple[float, float] | None:
@@ -156,7 +160,7 @@ def _powers(value: Any, path: JsonPath, faults: Faults) -> tuple[int, ...]:
 def _table(value: dict[str, Any], path: JsonPath, faults: Faults) -> TableCurve | None:
     positions = numbers(value["positions"], (*path, "positions"), faults)
     values = numbers(value["values"], (*path, "values"), faults)
-    u = _uncertainties(value, path, faults)
+    u = _uncertainties(value, "u", path, faults)
     if value["positions"] == []:
         faults.add(key_path((*path, "positions")), "is empty", "give one position at least")
     for index in np.flatnonzero(~(np.diff(positions) >= LEAST_SPACING)):
@@ -168,13 +172,13 @@ def _table(value: dict[str, Any], path: JsonPath, faults: Faults) -> TableCurve 
     return None
 
 
-def _uncertainties(value: dict[str, Any], path: JsonPath, faults: Faults) -> tuple[float, ...] | None:
-    if "u" not in value:
+def _uncertainties(value: dict[str, Any], key: str, path: JsonPath, faults: Faults) -> tuple[float, ...] | None:
+    if key not in value:
         return None
-    if not isinstance(value["u"], list):
-        faults.add(key_path((*path, "u")), f"{shown(value['u'])} is not a list of standard uncertainties")
+    if not isinstance(value[key], list):
+        faults.add(key_path((*path, key)), f"{shown(value[key])} is not a list of standard uncertainties")
         return None
-    return tuple(read_u(u, (*path, "u", index), faults) for index, u in enumerate(value["u"]))
+    return tuple(read_u(u, (*path, key, index), faults) for index, u in enumerate(value[key]))
 
 
 def _same_length(value: dict[str, Any], keys: tuple[str, ...], path: JsonPath, faults: Faults) -> bool:

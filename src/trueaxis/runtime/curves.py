@@ -17,13 +17,16 @@ class PolynomialCurve:
     """sum(coefficients[i] * s**powers[i]) of the commanded axis position s (mm, deg); value in mm or rad.
 
     powers: distinct whole numbers >= 0; u: standard uncertainty per coefficient, NaN where unknown, None when not
-    given; measured: lowest and highest position that was measured, None where that is not known.
+    given; u_readings, u_prior: its parts by the readings and by the prior, as u; measured: lowest and highest position
+    that was measured, None where that is not known.
     """
 
     powers: tuple[int, ...]
     coefficients: tuple[float, ...]
     u: tuple[float, ...] | None = None
     measured: tuple[float, float] | None = None
+    u_readings: tuple[float, ...] | None = None
+    u_prior: tuple[float, ...] | None = None
 
     def __call__(self, positions: FloatArray) -> FloatArray:
         """Values, of the shape of `positions`; Horner's scheme, so that no power of s is ever formed in full."""
@@ -63,13 +66,16 @@ class TableCurve:
 class LegendreCurve:
     """Sum of Legendre polynomials over the travel of an axis, zero at its home; beyond the travel the end values hold.
 
-    basis: of the axis position, mm or deg; coefficients: of its functions, mm or rad; u, measured: as of a polynomial.
+    basis: of the axis position, mm or deg; coefficients: of its functions, mm or rad; u, u_readings, u_prior, measured:
+    as of a polynomial.
     """
 
     basis: LegendreBasis
     coefficients: tuple[float, ...]
     u: tuple[float, ...] | None = None
     measured: tuple[float, float] | None = None
+    u_readings: tuple[float, ...] | None = None
+    u_prior: tuple[float, ...] | None = None
 
     def __call__(self, positions: FloatArray) -> FloatArray:
         """Values, of the shape of `positions`."""

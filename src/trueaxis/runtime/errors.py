@@ -18,7 +18,9 @@ from trueaxis.runtime.effect_values import EffectValues, in_order
 from trueaxis.runtime.strict_json import JsonPath, key_path, number, parse, shown
 
 SCHEMA = 1
-_KEYS = ("schema", "machine", "fit", "covariance", "parameters", "motion_errors", "effects", "u", "undetermined")
+_U = ("u", "u_readings", "u_prior")
+_VALUES = ("parameters", "motion_errors", "effects")
+_KEYS = ("schema", "machine", "fit", "covariance", *_VALUES, *_U, "determined", "undetermined")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +34,8 @@ class Undetermined:
     parameters: tuple[str, ...]
 
 
+Determined = Literal["data", "partly", "prior"]
+DETERMINED: tuple[Determined, ...] = get_args(Determined)
 FitState = Literal["converged", "misfit"]
 FIT_STATES: tuple[FitState, ...] = get_args(FitState)
 
@@ -62,7 +66,9 @@ class ErrorValues:
     """Error values of a machine; what is not named is zero.
 
     parameters: name -> value (mm or rad); motion_errors: component -> curve; u: standard uncertainties of
-    parameters, NaN where unknown (those of curves are in the curves); undetermined: what identification left open;
+    parameters, NaN where unknown (those of curves are in the curves); u_readings, u_prior: their two parts, by the
+    readings and by the prior, the squares of which add up to that of u; determined: by what motion errors and
+    parameters are determined; undetermined: what identification left open;
     effects: values of the machine's effects; fit: how identification ended, None where nothing says so;
     covariance: the file of their covariance, None where there is none.
     """
@@ -75,6 +81,9 @@ class ErrorValues:
     effects: tuple[EffectValues, ...] = ()
     fit: Fit | None = None
     covariance: CovarianceLink | None = None
+    u_readings: Mapping[str, float] = field(default_factory=dict)
+    u_prior: Mapping[str, float] = field(default_factory=dict)
+    determined: Mapping[str, Determined] = field(default_factory=dict)
 
 
 def read_errors(
@@ -99,13 +108,14 @@ def read_errors(
         raise InputError(faults.found)
     _check_head(tree, machine, faults)
     values = _numbers_by_name(tree, "parameters", parameters, number, faults)
-    uncertainties = _numbers_by_name(tree, "u", parameters, read_u, faults)
+    uncertainties = {key: _numbers_by_name(tree, key, parameters, read_u, faults) for key in _U}
     curves: dict[str, Curve] = {}
     for name, value in _named(tree, "motion_errors", components, "motion error", faults):
         curve = read_curve(value, ("motion_errors", name), faults)
         if curve is not None:
             curves[name] = curve
     undetermined = _undetermined(tree.get("undetermined", []), faults)
+    determined = _determined(tree, (*components, *parameters), faults)
     fit = _fit(tree["fit"], faults) if "fit" in tree else None
     link = _covariance(tree["covariance"], faults) if "covariance" in tree else None
     found = read_effects(tree.get("effects", []), effects, kinds, faults)
@@ -115,7 +125,17 @@ def read_errors(
             place = key_path(("parameters", name))
             faults.add(place, f"is told by the effect {one.effect.label} as well", "keep one")
     faults.raise_if_any()
-    return ErrorValues(machine, values, curves, uncertainties, undetermined, found, fit, link)
+    return ErrorValues(
+        machine=machine,
+        parameters=values,
+        motion_errors=curves,
+        undetermined=undetermined,
+        effects=found,
+        fit=fit,
+        covariance=link,
+        determined=determined,
+        **uncertainties,
+    )
 
 
 def dump_errors(
@@ -139,12 +159,16 @@ def dump_errors(
             "sha256_of_values": errors.covariance.sha256_of_values,
         }
     tree["parameters"] = {name: float(errors.parameters[name]) for name in parameters if name in errors.parameters}
-    if errors.u:
-        tree["u"] = {name: u_value(errors.u[name]) for name in parameters if name in errors.u}
+    for key, by_name in zip(_U, (errors.u, errors.u_readings, errors.u_prior), strict=True):
+        if by_name:
+            tree[key] = {name: u_value(by_name[name]) for name in parameters if name in by_name}
     tree["motion_errors"] = {
         name: curve_object(errors.motion_errors[name]) for name in components if name in errors.motion_errors
     }
     tree["effects"] = [effect_object(one) for one in in_order(errors.effects, effects)]
+    if errors.determined:
+        named = [name for name in (*components, *parameters) if name in errors.determined]
+        tree["determined"] = {name: errors.determined[name] for name in named}
     if errors.undetermined:
         tree["undetermined"] = [
             {"combination": item.combination, "parameters": list(item.parameters)} for item in errors.undetermined
@@ -184,6 +208,17 @@ def _numbers_by_name(
 ) -> dict[str, float]:
     entries = _named(tree, key, known, "parameter", faults)
     return {name: read(value, (key, name), faults) for name, value in entries}
+
+
+def _determined(tree: dict[str, Any], known: Sequence[str], faults: Faults) -> dict[str, Determined]:
+    found: dict[str, Determined] = {}
+    for name, value in _named(tree, "determined", known, "error", faults):
+        state = next((one for one in DETERMINED if value == one), None)
+        if state is None:
+            faults.add(key_path(("determined", name)), f"is {shown(value)}", f"one of {', '.join(DETERMINED)}")
+        else:
+            found[name] = state
+    return found
 
 
 def _undetermined(entries: Any, faults: Faults) -> tuple[Undetermined, ...]:

@@ -22,6 +22,7 @@ class UncertaintyExtent:
     """Of the tool point at a number of positions, relative to home.
 
     points: how many; largest_u: largest standard uncertainty of a coordinate, mm, of those that are known (0: none);
+    largest_u_prior: largest part of one that rests on the prior, mm, None where the parts are not known;
     unknown: positions at which an uncertainty is not known; open: those of them that rest on what nothing determines;
     largest_open: by how much that moves the tool at the size of the prior, mm; components: those that are open there,
     and location errors.
@@ -31,6 +32,7 @@ class UncertaintyExtent:
 
     points: int
     largest_u: float
+    largest_u_prior: float | None
     unknown: int
     open: int
     largest_open: float
@@ -55,6 +57,9 @@ def uncertainty_extent(
     return UncertaintyExtent(
         points=positions.shape[1],
         largest_u=float(known.max(initial=0.0)),
+        largest_u_prior=None
+        if covariance.of_prior is None
+        else float(np.nan_to_num(uncertainty.u_prior).max(initial=0.0)),
         unknown=int(np.isnan(uncertainty.u).any(axis=0).sum()),
         open=int(rests.sum()),
         largest_open=float(uncertainty.open.max(initial=0.0)),

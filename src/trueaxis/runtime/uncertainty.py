@@ -12,14 +12,16 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect
 from trueaxis.faults import Fault, InputError
-from trueaxis.runtime.bases import Basis, unmeasured_basis
+from trueaxis.runtime.best_fit import Placements
 from trueaxis.runtime.context import Context
-from trueaxis.runtime.covariance import Covariance, digest_of_values, read_covariance
-from trueaxis.runtime.curves import Curve, FloatArray, basis_of_curve
+from trueaxis.runtime.covariance import Covariance, digest_of_values
+from trueaxis.runtime.covariance_file import read_covariance
+from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.effect_terms import component_term
 from trueaxis.runtime.effect_values import EffectValues, identity
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
+from trueaxis.runtime.own_uncertainty import own_uncertainty
 from trueaxis.spec.machine import Machine
 
 OPEN_MOVES = 1e-6  # mm: what an undetermined combination of the prior's size moves the tool by before it counts
@@ -31,11 +33,14 @@ _SAMPLES = 65  # positions of a travel at which the size of a curve is judged
 class ToolUncertainty:
     """Of n tool points in the workpiece frame, mm.
 
-    u: (3, n), standard uncertainty, NaN where it is not known or where `open` is not zero; open: (3, n), by how much
+    u: (3, n), standard uncertainty, NaN where it is not known or where `open` is not zero; u_prior: (3, n), the part of
+    it that rests on the prior, NaN also where the parts are not known; the other part is that of the readings, and the
+    squares of both add up to that of u. open: (3, n), by how much
     combinations that nothing determines move the point at the size that the prior allows, 0 where they do not.
     """
 
     u: FloatArray
+    u_prior: FloatArray
     open: FloatArray
 
 
@@ -64,76 +69,65 @@ def load_uncertainty(path: Path, errors: ErrorValues, machine: Machine, file: Pa
     return covariance
 
 
-def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
-    """The standard uncertainties that error values carry, as if independent; values without one count as open.
-
-    Where no value has one, nothing is known (root None), and open is what the values name as undetermined.
-    """
-    named = {name for item in errors.undetermined for name in item.parameters}
-    curves = {name: errors.motion_errors[name] for name in machine.components if name in errors.motion_errors}
-    bases: dict[str, Basis] = {name: basis_of_curve(curve) for name, curve in curves.items()}
-    for name in machine.components:
-        if name in named and name not in bases:
-            bases[name] = unmeasured_basis(machine.travel, name)
-    locations = tuple(name for name in machine.location_errors if name in errors.parameters or name in named)
-    parts = [_u_of_curve(curves[name]) if name in curves else np.full(bases[name].count, np.nan) for name in bases]
-    parts.append(np.array([errors.u.get(name, np.nan) for name in locations]))
-    names = [tuple(one.name for one in machine.kinds[values.effect.kind].parameters) for values in errors.effects]
-    parts += [np.array([one.u.get(n, np.nan) for n in of]) for one, of in zip(errors.effects, names, strict=True)]
-    u = np.concatenate([*parts, np.zeros(0)])
-    owners = [*(name for name in bases for _ in range(bases[name].count)), *locations]
-    undetermined = np.array([*(name in named for name in owners), *([False] * (u.size - len(owners)))], dtype=bool)
-    known = bool(np.isfinite(u).any())
-    opened = undetermined | (np.isnan(u) if known else np.zeros(u.size, dtype=bool))
-    return Covariance(
-        machine=machine.name,
-        components=tuple(bases),
-        bases=tuple(bases.values()),
-        locations=locations,
-        root=np.diag(np.where(opened, 0.0, u)) if known else None,
-        open=np.eye(u.size)[:, opened],
-        effects=tuple(values.effect.label for values in errors.effects),
-        effect_parameters=tuple(names),
-    )
-
-
 def tool_uncertainty(
     model: MachineModel,
     covariance: Covariance,
     positions: FloatArray,
     tool: FloatArray,
     *,
-    datum: FloatArray | None,
+    datum: FloatArray | Placements | None,
     context: Context | None = None,
 ) -> ToolUncertainty:
     """Uncertainty of the deviation of tool points.
 
     positions: (n_axes, n), mm or deg; tool: (3, 1) or (3, n), mm; datum: (n_axes, 1), the position at which the
-    deviation is taken as zero (work offsets are touched off there with the same tool), None: none. Without a datum what
-    is open is judged by how it moves the point from where the origin of the tool frame is at home: a squareness that
-    is a convention tilts the tool, and a longer tool shows that. context: of the positions, which effects depend on;
-    None: axes stand and have not moved. Memory is bounded whatever n is.
+    deviation is taken as zero (work offsets are touched off there with the same tool); or the placements of a workpiece
+    with these points, the best fit of which is taken off; None: none. Without a datum what is open is judged by how it
+    moves the point from where the origin of the tool frame is at home: a squareness that is a convention tilts the
+    tool, and a longer tool shows that. context: of the positions, which effects depend on; None: axes stand and have
+    not moved. Memory is bounded whatever n is.
     """
     n = positions.shape[1]
-    u, opened = np.full((3, n), np.nan), np.zeros((3, n))
+    u, u_prior, opened = np.full((3, n), np.nan), np.full((3, n), np.nan), np.zeros((3, n))
     steps = open_steps(model.machine, covariance)
     columns = 0 if covariance.root is None else int(covariance.root.shape[1])
-    for rows in _pieces(n, max(covariance.count, columns, steps.shape[1])):
-        here = tool if tool.shape[1] == 1 else np.ascontiguousarray(tool[:, rows])
-        there = None if context is None else context.of(rows)
-        by_value = derivative(model, covariance, np.ascontiguousarray(positions[:, rows]), here, there)
+    pieces = list(_pieces(n, max(covariance.count, columns, steps.shape[1])))
+
+    def by_values(rows: slice) -> FloatArray:
+        here, at = _of(tool, rows), np.ascontiguousarray(positions[:, rows])
+        return derivative(model, covariance, at, here, None if context is None else context.of(rows))
+
+    common = np.zeros((0, covariance.count))
+    if isinstance(datum, Placements):
+        common = np.zeros((datum.directions.shape[2], covariance.count))
+        for rows in pieces:
+            common += np.einsum("inr,ikn->rk", datum.directions[:, rows], by_values(rows))
+    for rows in pieces:
+        by_value = by_values(rows)
         if datum is None:
             moved = _rows(by_value - derivative(model, covariance, home_of(model), np.zeros((3, 1))))
+        elif isinstance(datum, Placements):
+            by_value = by_value - np.einsum("inr,rk->ikn", datum.directions[:, rows], common)
+            moved = _rows(by_value)
         else:
+            here = _of(tool, rows)
             by_value = by_value - derivative(model, covariance, _as_many(datum, here), here)
             moved = _rows(by_value)
         opened[:, rows] = np.abs(moved @ steps).max(axis=1, initial=0.0).reshape(3, -1)
         if covariance.root is not None:
             spread = _rows(by_value) @ covariance.root
             u[:, rows] = np.sqrt((spread**2).sum(axis=1)).reshape(3, -1)
+            if covariance.of_prior is not None:
+                by_prior = spread[:, columns - covariance.of_prior :]
+                u_prior[:, rows] = np.sqrt((by_prior**2).sum(axis=1)).reshape(3, -1)
     opened[opened <= OPEN_MOVES] = 0.0
-    u[opened > 0.0] = np.nan
-    return ToolUncertainty(u=u, open=opened)
+    u[opened > 0.0] = u_prior[opened > 0.0] = np.nan
+    return ToolUncertainty(u=u, u_prior=u_prior, open=opened)
+
+
+def _of(tool: FloatArray, rows: slice) -> FloatArray:
+    """The tool points of some positions: (3, 1) stays one for all."""
+    return tool if tool.shape[1] == 1 else np.ascontiguousarray(tool[:, rows])
 
 
 def _rows(by_value: FloatArray) -> FloatArray:
@@ -242,11 +236,6 @@ def open_steps(machine: Machine, covariance: Covariance) -> FloatArray:
     relative += list(np.abs(covariance.open[start + len(covariance.locations) :]))
     largest = np.max(np.array(relative).reshape(len(relative), covariance.open.shape[1]), axis=0, initial=0.0)
     return covariance.open / np.where(largest > 0.0, largest, 1.0)
-
-
-def _u_of_curve(curve: Curve) -> FloatArray:
-    count = basis_of_curve(curve).count
-    return np.full(count, np.nan) if curve.u is None else np.array(curve.u, dtype=np.float64)
 
 
 def _pieces(count: int, values: int) -> Iterator[slice]:

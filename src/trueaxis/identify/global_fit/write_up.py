@@ -132,6 +132,7 @@ def _covariance(result: GlobalResult, components: Sequence[ComponentReport]) -> 
         effect_parameters=tuple(
             tuple(parameter.name for parameter in one.kind.parameters) for one in plan.effects.members
         ),
+        of_prior=0,
     )
     return measured.with_open_components(
         {

@@ -42,6 +42,7 @@ def covariance_of(result: PaperResult) -> Covariance:
         locations=tuple(machine.location_errors[index] for index in free),
         root=root,
         open=_open(result, order, free),
+        of_prior=0,
     )
     return found.with_open_components({name: unmeasured_basis(machine.travel, name) for name in unmeasured})
 
