@@ -11,12 +11,16 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.instruments import SharedUnknown
 from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.setup import PointOn
 from trueaxis.spec.machine import LINEAR
 
 TENTH = 0.1  # of the standard uncertainty, as what rests on the prior is judged
 MOST_PARTNERS = 4  # more parts tell a reader nothing
 INDEPENDENT = 1e-10  # of its square: what is left of a number that others make up
+
+SCALES = ("laser scale", "stated scale", "laser cosine")  # unknowns of instruments that are shares of a length
 
 What = Literal["location", "slope", "instrument"]
 
@@ -43,7 +47,7 @@ class Combination:
 
 
 def combinations(found: Estimate) -> tuple[Combination, ...]:
-    """Of an estimate before the convention that parts straightness from squareness."""
+    """All that hold an error of the machine, of an estimate before the convention for straightness and squareness."""
     names, rows = _named(found)
     spread = found.spread[rows] / found.scale[rows][:, np.newaxis]
     seen: dict[frozenset[int], Combination] = {}
@@ -52,7 +56,8 @@ def combinations(found: Estimate) -> tuple[Combination, ...]:
         members = sorted([index, *partners])
         if partners and frozenset(members) not in seen:
             seen[frozenset(members)] = _combination(found, [names[k] for k in members], rows[members])
-    return tuple(one for members, one in seen.items() if not any(other < members for other in seen))
+    smallest = [one for members, one in seen.items() if not any(other < members for other in seen)]
+    return tuple(one for one in smallest if any(part.what != "instrument" for part in one.parts))
 
 
 def _named(found: Estimate) -> tuple[list[tuple[What, str, float, str]], FloatArray]:
@@ -66,13 +71,18 @@ def _named(found: Estimate) -> tuple[list[tuple[What, str, float, str]], FloatAr
         unit = f"{'mm' if name[1] in LINEAR else 'rad'}/{'mm' if name[2] in LINEAR else 'deg'}"
         names.append(("slope", name, basis.per_position, unit))
     for unknown in layout.shared:
-        coordinate = f" {'xyz'[unknown.coordinate]}" if "length" not in unknown.kind else ""
-        scale = unknown.kind in ("laser scale", "stated scale", "laser cosine")
-        label = unknown.kind if scale else f"{unknown.kind}{coordinate}"
-        names.append(("instrument", label, 1.0, "mm/mm" if scale else "mm"))
+        names.append(("instrument", _label(unknown), 1.0, "mm/mm" if unknown.kind in SCALES else "mm"))
     first = int(offsets[-1])
     located = np.arange(first, first + len(layout.locations))
-    return names, np.concatenate([located, offsets[:-1], np.arange(layout.of_machine, layout.count)])
+    return names, np.concatenate([located, offsets[:-1], np.arange(layout.count)[layout.of_shared]])
+
+
+def _label(unknown: SharedUnknown) -> str:
+    """`z of the ballbar centre at (250, -225, 200)`, `ballbar length`, `laser scale`."""
+    points = [part.point for part in unknown.of if isinstance(part, PointOn)] if isinstance(unknown.of, tuple) else []
+    if "length" in unknown.kind or unknown.kind in SCALES or not points:
+        return unknown.kind
+    return f"{'xyz'[unknown.coordinate]} of the {unknown.kind} at ({', '.join(f'{part:g}' for part in points[0])})"
 
 
 def _partners(spread: FloatArray, index: int) -> list[int]:

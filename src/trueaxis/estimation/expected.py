@@ -15,6 +15,8 @@ from trueaxis.estimation.jacobian import RunRows, pieces
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.parts import parted_root
+from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import reduced
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.sizes import Sizes
@@ -26,39 +28,43 @@ UNIT = Noise(1.0)  # white; the standard deviation of each run, mm, is its scale
 NEGLIGIBLE = 1e-3  # variance of a combination of readings over that of its noise: it lowers no variance by more
 
 
-def expected(
-    model: MachineModel,
-    observed: Observations,
-    given: ErrorValues,
-    noise: Mapping[int, float],
-    layout: Layout | None = None,
-) -> Estimate:
-    """The estimate from readings of a machine without errors: its spread is what a plan lets expect.
+def expected_posterior(
+    layout: Layout, observed: Observations, noise: Mapping[int, float]
+) -> tuple[Posterior, Mapping[str, float]]:
+    """The posterior before any reading, at the sizes of [prior] and of the instruments, and these by their class.
 
-    observed: what they read is not looked at; given: errors that are no unknowns; noise: standard deviation of the
-    readings of every run, by index, mm; layout: unknowns, those of these runs unless it is given. Sizes are those of
-    [prior] and of the instruments.
+    observed: what they read is not looked at; noise: standard deviation of the readings of every run, by index, mm.
     """
-    layout = layout or layout_of(model.with_values(given), observed, given)
-    runs = measured_runs(observed)
-    rows = [one.rows for one in runs]
+    rows = [one.rows for one in measured_runs(observed)]
     whitenings = [Whitening(UNIT, one.steps, noise[one.index]) for one in rows]
-    found = reduced(layout, rows, whitenings, [np.zeros(one.reading.size) for one in runs])
+    found = reduced(layout, rows, whitenings, [np.zeros(one.at.size) for one in rows])
     sizes = Sizes(layout, [own_kinds(one.run, layout.straightness[one.index]) for one in rows])
     start = np.zeros(sizes.spread.size)
-    posterior = posterior_at(sizes, found, start)
+    return posterior_at(sizes, found, start), sizes.factors(start)
+
+
+def expected(model: MachineModel, observed: Observations, given: ErrorValues, noise: Mapping[int, float]) -> Estimate:
+    """The estimate from readings of a machine without errors: its spread is what a plan lets expect.
+
+    observed, noise: see `expected_posterior`; given: errors that are no unknowns. Effects of the spec are left out.
+    """
+    layout = layout_of(model.with_values(given), observed, given)
+    posterior, factors = expected_posterior(layout, observed, noise)
+    spread, of_prior = parted_root([posterior], posterior.mean, layout.of_machine)
     unknowns, readings = np.zeros(layout.count), observed.reading.size
-    instruments = frozenset(one.instrument for one in runs)
+    instruments = frozenset(observed.runs[index].instrument for index in noise)
     return Estimate(
         layout=layout,
         values=layout.values(unknowns, given),
         unknowns=unknowns,
-        spread=posterior.spread * layout.sizes[:, np.newaxis],
+        spread=spread * layout.sizes[:, np.newaxis],
+        of_prior=of_prior,
         scale=posterior.scale * layout.sizes,
-        factors=sizes.factors(start),
+        factors=factors,
         noise=dict.fromkeys(sorted(instruments), UNIT),
-        scales={one.index: noise[one.index] for one in rows},
+        scales=dict(noise),
         stated=instruments,
+        zeroed=(),
         outliers=np.zeros(readings, dtype=bool),
         residual=np.zeros(readings),
         freedom=readings - posterior.told,
@@ -71,7 +77,7 @@ def expected(
 
 
 def informing_rows(layout: Layout, rows: RunRows, noise: float, scale: FloatArray) -> FloatArray:
-    """(m, n): what one run adds to the information, noise of 1, by unknowns in units of their prior, scale (n,).
+    """(m, n): what one run adds to the information, noise of 1, by unknowns in units of their prior sizes, scale (n,).
 
     The unknowns of the run alone are integrated out; combinations of readings that tell nothing are left out. noise:
     standard deviation of its readings, mm.

@@ -33,7 +33,7 @@ def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], too
         readings=observed.reading.size,
         unknowns=found.layout.of_machine,
         freedom=found.freedom,
-        minutes=minutes(zip(planned.runs, planned.counts, strict=True)),
+        minutes=minutes(planned.paths),
     )
 
 

@@ -10,7 +10,7 @@ from trueaxis.estimation.expected import expected
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.tool_point import Datum
 from trueaxis.identify.weighting import NoiseModel
-from trueaxis.identify.words import unit_of
+from trueaxis.identify.words import enumerated, unit_of
 from trueaxis.measure.setup import Device, Instrument, Run, Vector
 from trueaxis.plan.candidates import LENGTHS, Candidate, Kit
 from trueaxis.plan.choice import LEAST_FALL, Chosen
@@ -65,7 +65,7 @@ def judged_plan(model: MachineModel, options: PlanOptions, planned: PlannedRuns)
         blocks_fault=blocks.fault if blocks else "",
         free_of_order=blocks.left_out if blocks else tuple(run.id for run in observed.runs),
         location_sets=location_sets(model, options.given),
-        notes=_travel_notes(model, observed),
+        notes=(*_effect_notes(model), *_travel_notes(model, observed)),
     )
     return report, found
 
@@ -156,6 +156,12 @@ def _unit(model: MachineModel, wanted: str) -> str:
     if wanted in model.components:
         return unit_of(wanted)
     return model.machine.parameter_unit(wanted) if wanted in model.location_errors else "mm"
+
+
+def _effect_notes(model: MachineModel) -> tuple[str, ...]:
+    if not model.effects:
+        return ()
+    return (f"{enumerated([one.label for one in model.effects])}: taken as known; identify estimates them as well",)
 
 
 def _travel_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:

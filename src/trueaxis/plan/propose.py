@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.estimation.expected import expected, informing_rows
+from trueaxis.estimation.expected import expected_posterior, informing_rows
 from trueaxis.estimation.gauge import levelling
 from trueaxis.estimation.judgement import SAMPLES
 from trueaxis.estimation.layout import Layout, layout_of
@@ -72,15 +72,16 @@ def propose(
     offered = candidates(model.with_values(given), kit)
     everything = there.with_added(offered).observed
     layout = layout_of(model.with_values(given), everything, given)
-    before = expected(model, everything.of(np.flatnonzero(everything.run < first)), given, noise, layout)
+    before, _ = expected_posterior(layout, everything.of(np.flatnonzero(everything.run < first)), noise)
+    scale = before.scale * layout.sizes
     rows = [one.rows for one in measured_runs(everything) if one.rows.index >= first]
     offers = [
-        _offer(informing_rows(layout, one, wish.noise[one.run.instrument], before.scale), candidate, repeats=not first)
+        _offer(informing_rows(layout, one, wish.noise[one.run.instrument], scale), candidate, repeats=not first)
         for one, candidate in zip(rows, offered, strict=True)
     ]
     spread = before.spread / before.scale[:, np.newaxis]
-    target = _target(layout, wish) * before.scale
-    chosen = choose(spread, target, offers, goes_on, [set_up_of(run) for run in there.runs], least_fall)
+    target = _target(layout, wish) * scale
+    chosen = choose(spread, target, offers, goes_on, [set_up_of(*path) for path in there.paths], least_fall)
     runs = tuple(Proposed(offered[one.index], one.minutes, one.u) for one in chosen)
     return Proposal(runs, len(offered), float(np.linalg.norm(target @ spread)))
 
@@ -119,7 +120,7 @@ def named(proposal: Proposal, taken: Sequence[Run], prefix: str) -> Proposal:
 
 def _offer(informing: FloatArray, one: Candidate, *, repeats: bool) -> Offer:
     run, readings = one.run, one.positions.shape[1]
-    shared: list[tuple[Hashable, float]] = [(set_up_of(run), SET_UP_MINUTES[run.instrument])]
+    shared: list[tuple[Hashable, float]] = [(set_up_of(run, one.positions), SET_UP_MINUTES[run.instrument])]
     once = run_minutes(run, readings)
     if repeats:
         more = run_minutes(run, readings + _passes(one) * (readings - 1)) - once

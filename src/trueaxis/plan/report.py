@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from trueaxis.estimation.combinations import Combination
-from trueaxis.estimation.judgement import Determined
 from trueaxis.measure.setup import Vector
+from trueaxis.runtime.errors import Determined
 
 State = Determined | Literal["given"]
 

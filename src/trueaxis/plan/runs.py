@@ -33,10 +33,9 @@ class PlannedRuns:
         )
 
     @property
-    def counts(self) -> list[int]:
-        """Readings of every run."""
-        counts: list[int] = np.bincount(self.readings.run, minlength=len(self.runs)).tolist()
-        return counts
+    def paths(self) -> list[tuple[Run, FloatArray]]:
+        """Every run with its positions (n_axes, n), in the order of its readings."""
+        return [(run, self.readings.positions[:, self.readings.of_run(index)]) for index, run in enumerate(self.runs)]
 
     def of(self, ids: Collection[str]) -> "PlannedRuns":
         """Some of the runs alone, as if the others were not there."""
