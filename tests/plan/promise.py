@@ -1,7 +1,7 @@
 """What a first plan promises and what the estimate makes of its readings.
 
 `python -m tests.plan.promise [SEEDS]` prints, for machines of this repository, the u of the tool point that `plan
---with` promises and the error of predictions at random points from readings of machines drawn from the prior.
+--with` promises and the error of predictions over the volume from readings of machines drawn from the prior.
 """
 
 import sys
@@ -26,6 +26,7 @@ from trueaxis.plan.method import PlanOptions, Proposed, first_plan
 from trueaxis.runtime.errors import ErrorValues
 
 TOOL = ((0.0, 0.0, 0.0),)
+DATUMS: tuple[Datum, ...] = ("home", "best-fit")
 NOISE = 1e-3  # mm
 NAMES = ("dmu60p", "cframe_mill", "bridge_cmm", "gantry_mill", "trunnion_mill", "dmu60p_5axis", "headhead_mill")
 
@@ -63,18 +64,19 @@ def readings(layout: Layout, observed: Observations, unknowns: FloatArray, seed:
     return found + NOISE * draw.standard_normal(found.size)
 
 
-def outcome(name: str, made: Proposed, seed: int, datum: Datum = "home") -> Outcome:
-    """Of one machine drawn from the prior, its noise and sizes being estimated."""
+def outcomes(name: str, made: Proposed, seed: int) -> dict[Datum, Outcome]:
+    """Of one machine drawn from the prior, its noise and sizes being estimated, against every datum."""
     observed = made.planned.observed
     layout = layout_of(model(name), observed, ErrorValues(name))
     truth = prior_sizes(layout) * np.random.default_rng(1000 + seed).standard_normal(layout.count)
     found = estimate(model(name), replace(observed, reading=readings(layout, observed, truth, seed)))
-    moved = moved_by(layout, volume(model(name)), TOOL, datum)
-    count = moved.shape[0] / 3.0
-    off = moved @ (found.unknowns - truth)[: layout.of_machine]
-    spread = moved @ made.expected.spread[: layout.of_machine]
-    true = moved @ truth[: layout.of_machine]
-    return Outcome(*(float(np.linalg.norm(part) / np.sqrt(count)) for part in (spread, off, true)))
+    machine, result = slice(layout.of_machine), dict[Datum, Outcome]()
+    for datum in DATUMS:
+        moved = moved_by(layout, volume(model(name)), TOOL, datum)
+        parts = (made.expected.spread[machine], (found.unknowns - truth)[machine], truth[machine])
+        size = [float(np.linalg.norm(moved @ part) / np.sqrt(moved.shape[0] / 3.0)) for part in parts]
+        result[datum] = Outcome(*size)
+    return result
 
 
 def ratio(each: list[Outcome]) -> float:
@@ -84,21 +86,23 @@ def ratio(each: list[Outcome]) -> float:
 
 def main() -> int:
     seeds = int(sys.argv[1]) if len(sys.argv) > 1 else 5
-    print("machine         instruments            hours  runs  plan s  u from home: promised  error  ratio   best fit: "
-          "promised  error  ratio  (um)")  # fmt: skip
+    columns = ["machine", "instruments", "hours", "runs", "seconds"]
+    columns += [f"{name} {what}" for name in DATUMS for what in ("promised", "error", "ratio")]
+    print(f"| {' | '.join(columns)} |\n|{'---|' * len(columns)}")
     for name in NAMES:
         for instruments in (("laser", "ballbar"), ("laser", "ballbar", "probe")):
             start = perf_counter()
             made = plan_of(name, None, instruments)
             took = perf_counter() - start
             text = []
-            for datum in ("home", "best-fit"):
-                each = [outcome(name, made, seed, datum) for seed in range(seeds)]
+            every = [outcomes(name, made, seed) for seed in range(seeds)]
+            for datum in DATUMS:
+                each = [one[datum] for one in every]
                 error = 1e3 * float(np.sqrt(np.mean([one.error**2 for one in each])))
-                text.append(f"{1e3 * each[0].promised:8.3g}  {error:8.3g}  {ratio(each):5.2f}")
+                text.append(f"{1e3 * each[0].promised:.3g} | {error:.3g} | {ratio(each):.2f}")
             hours = made.report.after.minutes / 60.0
-            print(f"{name:<14}  {' '.join(instruments):<22} {hours:5.1f} {len(made.runs):5d}  {took:6.1f}     "
-                  + "      ".join(text), flush=True)  # fmt: skip
+            head = f"| {name} | {', '.join(instruments)} | {hours:.1f} | {len(made.runs)} | {took:.1f}"
+            print(" | ".join([head, *text]) + " |", flush=True)
     return 0
 
 

@@ -25,7 +25,6 @@ STATES = {
     "data": "determined by readings",
     "partly": "partly by the prior",
     "prior": "by the prior alone",
-    "given": "given",
 }
 
 
@@ -69,12 +68,12 @@ def _expectations(found: Expectations) -> list[str]:
     lines = [*_wrapped(_tool(found.tool), ""), "", "noise:"]
     for one in found.noise:
         lines += _wrapped(_noise(one), "  ")
-    lines += ["", "motion errors: standard uncertainty over the travel, RMS and largest; what [prior] lets expect"]
-    lines += [_error(one) for one in found.components]
+    lines += ["", "motion errors: standard uncertainty over the travel, RMS and largest; what [prior] lets expect, RMS"]
+    lines += _errors(found.components)
     if found.locations:
         lines += ["", f"location errors: standard uncertainty; what [prior] lets expect; {LEVEL}"]
         lines[-1:] = _wrapped(lines[-1], "")
-        lines += [_error(one) for one in found.locations]
+        lines += _errors(found.locations)
     lines += ["", "what these runs tell together alone:" if found.combinations else "told together alone: nothing"]
     for combination in found.combinations:
         lines += _wrapped(combination_text(combination), "- ")
@@ -106,9 +105,16 @@ def _noise(one: NoiseReport) -> str:
     return f"{text}; repeats leave {one.freedom} degrees of freedom: they tell the noise to {share:.0f} %{enough}"
 
 
+def _errors(found: Sequence[ErrorReport]) -> list[str]:
+    given = [one.name for one in found if one.state == "given"]
+    lines = [_error(one) for one in found if one.state != "given"]
+    return lines + (_wrapped(f"given: {', '.join(given)}", "  ") if given else [])
+
+
 def _error(one: ErrorReport) -> str:
-    if one.u is None or one.prior is None or one.u_rms is None:
-        return f"  {one.name:<8} {STATES[one.state]}"
+    assert one.u is not None
+    assert one.u_rms is not None
+    assert one.prior is not None
     u = _column(one.u, one.unit)
     parts = u if one.u == one.u_rms else f"{_column(one.u_rms, one.unit)} {u}"
     return f"  {one.name:<8} {STATES[one.state]:<23}{parts}  of {small(one.prior, one.unit)}".rstrip()
