@@ -9,7 +9,7 @@ from tests.plan.data import model
 from tests.plan.promise import NAMES
 from tests.worlds.estimates import world
 from trueaxis.estimation.set_up import is_straightness, relative_motion
-from trueaxis.measure.reading_model import home_positions, ideal_bar, ideal_displacement
+from trueaxis.measure.reading_geometry import home_positions, ideal_bar, ideal_displacement
 from trueaxis.plan.candidates import Candidate, Kit, candidates
 from trueaxis.plan.measuring_time import RUN_MINUTES, SET_UP_MINUTES, minutes, run_minutes, set_up_of
 from trueaxis.runtime.model import MachineModel
