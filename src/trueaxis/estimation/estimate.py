@@ -8,14 +8,17 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.estimation.beside import beside
+from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import averaged, best_sizes, posterior_at
 from trueaxis.estimation.gauge import levelling
 from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.layout import Layout, layout_of
+from trueaxis.estimation.least_norm import least_norm
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, at_share, linearised, moved, started, with_noise, without_outliers
@@ -32,7 +35,9 @@ SEARCH_ROUNDS = 3  # before the start of an effect is searched: the noise then s
 SETTLED = 0.03  # relative change of the noise: far below what readings tell of it
 MOST_STEPS = 20
 STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
+EXACT = 1e-6  # the same without a prior: readings without noise then give the errors back
 LEAST_STEP = 1e-12  # of the size of an unknown: rounding
+SETTLED_BY_CONVENTION = 1e-6  # of their sizes: what is left of a combination that the convention settles is rounding
 SEED = 20  # of the draws from which the noise is taken
 
 
@@ -45,8 +50,9 @@ class Estimate:
     """What readings say of a machine and of the instruments.
 
     values: of the machine; unknowns: (n,), mm, rad or 1; spread: (n, r), a root of their covariance, the last
-    `of_prior` columns of which are the prior's part, the others that of the readings; scale: (n,), their prior standard
-    deviations, at their estimated sizes; factors: class of sizes -> the estimated size over the expected one. noise: of
+    `of_prior` columns of which are the prior's part, the others that of the readings; open: (n, d), combinations that
+    are zero since, without a prior, no reading determines them; scale: (n,), their prior standard deviations, at their
+    estimated sizes; factors: class of sizes -> the estimated size over the expected one. noise: of
     each instrument; scales: of each run with readings, by index, its noise over that of its instrument; stated:
     instruments whose noise was given: their scales are mm; zeroed: effects that are zero, since the readings make their
     square negative; outliers: (n_readings,), left out;
@@ -59,6 +65,7 @@ class Estimate:
     values: ErrorValues
     unknowns: FloatArray
     spread: FloatArray
+    open: FloatArray
     of_prior: int
     scale: FloatArray
     factors: Mapping[str, float]
@@ -80,12 +87,14 @@ class Estimate:
         change = levelling(self.layout)
         prior = np.linalg.norm(change * self.scale, axis=1)
         unknowns = change @ self.unknowns
+        left_open = change @ self.open
+        left_open = left_open[:, np.linalg.norm(left_open / prior[:, np.newaxis], axis=0) > SETTLED_BY_CONVENTION]
         given = replace(self.values, parameters=_others(self.values.parameters, self.layout.locations))
         given = replace(given, motion_errors=_others(self.values.motion_errors, self.layout.components))
         own = {identity(one.effect) for one in self.layout.effects.members}
         given = replace(given, effects=tuple(one for one in given.effects if identity(one.effect) not in own))
         values = self.layout.values(unknowns, given)
-        return replace(self, values=values, unknowns=unknowns, spread=change @ self.spread, scale=prior)
+        return replace(self, values=values, unknowns=unknowns, spread=change @ self.spread, open=left_open, scale=prior)
 
 
 def _others(values: Mapping[str, T], names: tuple[str, ...]) -> dict[str, T]:
@@ -94,19 +103,24 @@ def _others(values: Mapping[str, T], names: tuple[str, ...]) -> dict[str, T]:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Setting:
-    """What every estimation of one data set shares; noise: as stated, mm, of runs by index."""
+    """What every estimation of one data set shares; noise: as stated, mm, of runs by index; prior, ideal, degree: see
+    `estimate`.
+    """
 
     model: MachineModel
     observed: Observations
     given: ErrorValues
     runs: tuple[MeasuredRun, ...]
     noise: Mapping[int, float]
+    prior: bool
+    ideal: bool
+    degree: int
 
     def started(self, effects: EffectUnknowns) -> tuple[State, Sizes]:
         """Nothing estimated yet."""
-        layout = giving_way(layout_of(self.model, self.observed, self.given, effects), self.runs)
+        layout = giving_way(layout_of(self.model, self.observed, self.given, effects, self.degree), self.runs)
         state = started(layout, self.runs, self.given, self.noise)
-        return state, Sizes(layout, state.own_kinds)
+        return state, Sizes(layout, state.own_kinds, flat=not self.prior, ideal=self.ideal)
 
 
 def estimate(
@@ -115,19 +129,32 @@ def estimate(
     given: ErrorValues | None = None,
     noise: Mapping[int, float] | None = None,
     start: Sequence[EffectValues] = (),
+    *,
+    prior: bool = True,
+    ideal: bool = False,
+    degree: int = DEGREE,
 ) -> Estimate:
     """The errors and effects that are not given, from all readings, as a linear mixed model.
 
     given: values that are taken as they are, dimensions too; noise: standard deviation of the readings of runs, by
     index, mm; that of an instrument is estimated unless all of its runs are there; start: values of effects, which
-    spare the search of those that the readings do not depend on linearly. Raises NothingHeldError where no reading
-    holds an error of the machine, InputError where the readings lack a column that an effect depends on.
+    spare the search of those that the readings do not depend on linearly; prior: whether anything is expected of the
+    machine's errors: if not, what the readings do not determine is zero, and `open`; ideal: whether nothing is unknown
+    of the instruments; degree: of the curves. Raises NothingHeldError where no reading holds an error of the machine,
+    InputError where the readings lack a column that an effect depends on.
     """
     given = with_locations(model, replace(given or ErrorValues(model.name), u={}, undetermined=(), covariance=None))
     model = model.with_values(given)
     sought = sought_effects(model, observed, given, start)
     setting = _Setting(
-        model=model, observed=observed, given=given, runs=tuple(measured_runs(observed)), noise=noise or {}
+        model=model,
+        observed=observed,
+        given=given,
+        runs=tuple(measured_runs(observed)),
+        noise=noise or {},
+        prior=prior,
+        ideal=ideal,
+        degree=degree,
     )
     effects = sought.at_once
     for effect, kind in (*sought.waiting, *(sought.waiting if len(sought.waiting) > 1 else ())):
@@ -145,7 +172,7 @@ def _searched(setting: _Setting, effects: EffectUnknowns, effect: Effect, kind: 
     """The effects and one more, started beside a rough estimate of all others."""
     state, sizes = setting.started(effects.without([effect]))
     x, state, _ = _rounds(state, sizes, SEARCH_ROUNDS)
-    posterior = posterior_at(sizes, linearised(state), x)  # by the noise as it is now
+    posterior, _ = _determined(sizes, posterior_at(sizes, linearised(state), x))  # by the noise as it is now
     state = moved(state, posterior, sizes.own_scales(x))
     return with_searched(state.layout.effects, effect, kind, beside(state, sizes, x, posterior))
 
@@ -159,6 +186,7 @@ def _rounds(state: State, sizes: Sizes, most: int) -> tuple[FloatArray, State, i
         if not found.holds(state.layout.of_machine):
             raise NothingHeldError("no reading holds an error of the machine")
         x, posterior = best_sizes(sizes, found, x)
+        posterior, _ = _determined(sizes, posterior)
         before = moved(state, posterior, sizes.own_scales(x))
         state = without_outliers(with_noise(before, posterior, draw))
         change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in state.noise.items())
@@ -174,20 +202,22 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
     x, state, rounds = _rounds(state, sizes, MOST_ROUNDS)
     converged, last = False, np.inf
     steps = 0
-    while steps < MOST_STEPS and not converged:
+    while steps < MOST_STEPS and last >= (STILL if setting.prior else EXACT):
         steps += 1
         found = linearised(state)
-        posterior = posterior_at(sizes, found, x)
+        whole = posterior_at(sizes, found, x)
+        posterior, left_open = _determined(sizes, whole)
         before = state
         state = moved(state, posterior, sizes.own_scales(x))
         change = max(
             float(np.max(np.abs(a - b), initial=0.0)) for a, b in zip(state.residual, before.residual, strict=True)
         )
-        u = np.maximum(np.linalg.norm(posterior.spread, axis=1), LEAST_STEP / STILL)
+        u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    posterior = averaged(sizes, found, x)
-    state = at_share(state, posterior)
+    if setting.prior:
+        posterior = averaged(sizes, found, x)
+        state = at_share(state, posterior)
     left, outliers = np.zeros(setting.observed.reading.size), np.zeros(setting.observed.reading.size, dtype=bool)
     for one, rest in zip(state.runs, state.residual, strict=True):
         left[one.rows.at], outliers[one.rows.at] = rest, ~one.good
@@ -196,6 +226,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         values=layout.values(state.unknowns, setting.given),
         unknowns=state.unknowns,
         spread=posterior.spread * layout.sizes[:, np.newaxis],
+        open=left_open * layout.sizes[:, np.newaxis],
         of_prior=posterior.of_prior,
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
@@ -212,3 +243,10 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         last_change=change,
         converged=converged,
     )
+
+
+def _determined(sizes: Sizes, posterior: Posterior) -> tuple[Posterior, FloatArray]:
+    """The posterior, and without a prior what of it is open and zero: (n, d), in scaled unknowns."""
+    if sizes.flat:
+        return least_norm(posterior, sizes.layout.of_machine)
+    return posterior, np.zeros((posterior.mean.size, 0))

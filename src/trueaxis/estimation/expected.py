@@ -58,6 +58,7 @@ def expected(model: MachineModel, observed: Observations, given: ErrorValues, no
         values=layout.values(unknowns, given),
         unknowns=unknowns,
         spread=spread * layout.sizes[:, np.newaxis],
+        open=np.zeros((layout.count, 0)),
         of_prior=of_prior,
         scale=posterior.scale * layout.sizes,
         factors=factors,

@@ -100,7 +100,11 @@ class Layout:
 
 
 def layout_of(
-    model: MachineModel, observed: Observations, given: ErrorValues, effects: EffectUnknowns | None = None
+    model: MachineModel,
+    observed: Observations,
+    given: ErrorValues,
+    effects: EffectUnknowns | None = None,
+    degree: int = DEGREE,
 ) -> Layout:
     """Every error that is not given, whether a reading holds it or not: what none holds keeps its prior."""
     effects = effects or EffectUnknowns()
@@ -108,7 +112,7 @@ def layout_of(
     locations = tuple(name for name in model.location_errors if name not in given.parameters)
     straightness = straight_runs(model, observed.runs, observed.run, observed.positions)
     shared = shared_unknowns(observed.runs, np.unique(observed.run).tolist(), straightness)
-    bases = tuple(travel_basis(model.travel[name[2]], DEGREE) for name in components)
+    bases = tuple(travel_basis(model.travel[name[2]], degree) for name in components)
     prior, machine = model.prior, model.machine
     sizes = [
         *np.repeat([prior.of_component(name) for name in components], [basis.degree for basis in bases]).tolist(),

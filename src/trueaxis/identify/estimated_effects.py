@@ -57,6 +57,7 @@ def effect_reports(values: ErrorValues, found: Estimate) -> tuple[EffectReport, 
 def covariance_with_effects(found: Estimate) -> Covariance:
     """Of curves, location errors and parameters of effects; what is not defined, as the phase of nothing, is open."""
     covariance = covariance_of(found.layout, found.spread, found.of_prior)
+    covariance = replace(covariance, open=found.open[: found.layout.of_machine])
     members = found.layout.effects.members
     if not members:
         return covariance
@@ -70,7 +71,14 @@ def covariance_with_effects(found: Estimate) -> Covariance:
         root=np.vstack(
             [covariance.root, *(np.where(at[:, None], 0.0, one) for at, one in zip(silent, spreads, strict=True))]
         ),
-        open=np.eye(undefined.size)[:, undefined],
+        open=np.hstack(
+            [
+                np.vstack(
+                    [covariance.open, np.zeros((undefined.size - covariance.open.shape[0], covariance.open.shape[1]))]
+                ),
+                np.eye(undefined.size)[:, undefined],
+            ]
+        ),
         effects=tuple(one.effect.label for one in members),
         effect_parameters=tuple(tuple(parameter.name for parameter in one.kind.parameters) for one in members),
     )
