@@ -201,7 +201,7 @@ def test_files_without_the_parts_are_read(tmp_path: Path, estimated: Path) -> No
     for curve in tree["motion_errors"].values():
         del curve["u_readings"], curve["u_prior"]
     with np.load(estimated.with_suffix(".npz")) as archive:
-        arrays = {key: np.array(archive[key]) for key in archive}
+        arrays: dict[str, Any] = {key: np.array(archive[key]) for key in archive}
     head = json.loads(arrays["head"].tobytes())
     del head["prior_columns"]
     arrays["head"] = np.frombuffer(json.dumps(head).encode(), dtype=np.uint8)
