@@ -107,7 +107,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
     for option, retired in RETIRED.items():
-        parser.add_argument(option, help=argparse.SUPPRESS, **retired.argument)
+        parser.add_argument(option, help=f"gone: {retired.instead}", **retired.argument)
     parser.set_defaults(run=run)
 
 
