@@ -102,6 +102,19 @@ def test_it_stops_where_a_run_lowers_u_by_less_than_asked() -> None:
     assert min(falls) >= 0.05 - 1e-6
 
 
+def test_what_no_offer_tells_is_no_reason_to_stop() -> None:
+    """A direction a thousand times as uncertain that no offer sees: the same choice as without it."""
+    spread, target, offers = some(5)
+    hidden = np.zeros((N + 1, N + 1))
+    hidden[:N, :N], hidden[N, N] = spread, 1.0
+    seen = [Offer(np.hstack([one.rows, np.zeros((one.rows.shape[0], 1))]), one.minutes, one.shared) for one in offers]
+    wide = np.hstack([target, np.full((5, 1), 1000.0)])
+    alone = choose(spread, target, offers, at_most(9), least_fall=0.05)
+    beside = choose(hidden, wide, seen, at_most(9), least_fall=0.05)
+    assert [one.index for one in beside] == [one.index for one in alone]
+    assert beside[-1].u > 1000.0
+
+
 def test_offers_that_tell_nothing_are_not_taken() -> None:
     spread, target, _ = some(1)
     assert (

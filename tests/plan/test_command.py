@@ -200,6 +200,12 @@ def test_five_axes_with_probe_and_ball_bar(tmp_path: Path) -> None:
     assert report(out)["expected"]["tool"] == tree["proposal"]["after"]["tool"]
 
 
+def test_no_plan_where_no_run_fits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert first(tmp_path / "first", "--hours", "0.1") == 1
+    assert "not written: no run that tells anything of what is asked for fits into 0.1 h" in capsys.readouterr().out
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_some_runs_alone(tmp_path: Path) -> None:
     out = tmp_path / "report.json"
     assert plan(RUNS, "--runs", "X-1", "X-2", "X-3", "--report", str(out)) == 0

@@ -119,6 +119,9 @@ def run(args: argparse.Namespace) -> int:
         model, known = _model(args, found)
         options = _options(args, model, known)
         made = first_plan(model, options, args.instruments, args.hours)
+        if not made.runs:
+            print(f"{named(args.out)}: not written: {_no_run(args)}")
+            return 1
         report = PlanReport(machine=model.name, source="", expected=None, proposal=made.report)
         expected = made.expected
         contents |= _written(args, new_setup(model.name), args.out, made)
@@ -146,6 +149,12 @@ def run(args: argparse.Namespace) -> int:
     if contents:
         print(f"written: {', '.join(map(named, contents))}")
     return 1 if report.nothing_determined else 0
+
+
+def _no_run(args: argparse.Namespace) -> str:
+    if args.hours is None:
+        return "no run of these instruments tells anything of what is asked for"
+    return f"no run that tells anything of what is asked for fits into {args.hours:g} h with its set-up"
 
 
 def _model(args: argparse.Namespace, found: list[Fault]) -> tuple[MachineModel, ErrorValues | None]:

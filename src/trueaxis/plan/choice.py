@@ -14,6 +14,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from trueaxis.estimation.judgement import NINE_TENTHS
 from trueaxis.measure.machine import FloatArray
 
 LEAST_FALL = 0.01  # of u, by a run that is still worth it: less is within what sizes of errors are off by
@@ -53,7 +54,8 @@ def choose(
 
     spread: (n, r), a root of the covariance before, in units of the prior; target: (q, n), whose mean square is to
     fall: sum of squares of target @ spread; goes_on: minutes that are left for another, after those chosen; there:
-    what is set up already; least_fall: share of u that a run lowers at least.
+    what is set up already; least_fall: share of u that a run lowers at least, of the part of u that offers tell at
+    all: what none of them tells is no reason to stop.
     """
     if not offers:
         return []
@@ -61,13 +63,15 @@ def choose(
     parts = [slice(first, last) for first, last in pairwise(starts)]
     rows = np.vstack([one.rows for one in offers]) @ spread
     wanted = _few(target @ spread)
+    told = _told(rows)
     left = np.ones(len(offers), dtype=bool)
     done, chosen = set(there), list[Chosen]()
     while left.any() and (allowed := goes_on(chosen)) > 0.0:
-        variance = float(np.sum(wanted**2))
         gains = _gains(rows, wanted, parts)
         taking = np.array([one.minutes + sum(m for key, m in one.shared if key not in done) for one in offers])
-        least = max(1.0 - (1.0 - least_fall) ** 2, NOTHING) * variance
+        least = max(
+            (1.0 - (1.0 - least_fall) ** 2) * float(np.sum((wanted @ told) ** 2)), NOTHING * float(np.sum(wanted**2))
+        )
         open_ = left & (taking <= allowed) & (gains > least)
         if not open_.any():
             break
@@ -85,6 +89,12 @@ def _few(wanted: FloatArray) -> FloatArray:
     tail = np.cumsum(size[::-1] ** 2)[::-1]
     kept = tail > KEPT * float(tail[0]) if size.size else np.zeros(0, dtype=bool)
     return np.asarray(size[kept, np.newaxis] * right[kept])
+
+
+def _told(rows: FloatArray) -> FloatArray:
+    """(r, k): orthonormal directions of which all rows together tell more than the prior, by the rule of judgement."""
+    information, directions = np.linalg.eigh(rows.T @ rows)
+    return np.asarray(directions[:, 1.0 + information > NINE_TENTHS**-2])
 
 
 def _gains(rows: FloatArray, wanted: FloatArray, parts: Sequence[slice]) -> FloatArray:
