@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.plan.data import folder, model
-from tests.plan.promise import NOISE, TOOL, outcomes, plan_of, prior_sizes, ratio
+from tests.plan.promise import NOISE, TOOL, outcomes, prior_sizes, ratio, shop
 from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.expected import expected, expected_posterior, informing_rows
 from trueaxis.estimation.instruments import OWN_SIZES, own_kinds
@@ -122,7 +122,7 @@ def test_a_turn_of_the_whole_volume_counts_from_home_alone(found: Estimate) -> N
 @pytest.mark.slow
 def test_predictions_are_as_good_as_promised() -> None:
     """First plan of four hours, machines and instruments drawn, the exact model, noise and sizes estimated."""
-    made = plan_of("dmu60p", 4.0, ("laser", "ballbar"))
-    each = [outcomes("dmu60p", made, seed) for seed in range(5)]
-    assert ratio([one["best-fit"] for one in each]) == pytest.approx(1.0, abs=0.15)
-    assert ratio([one["home"] for one in each]) == pytest.approx(1.0, abs=0.4)  # mostly one turn for each machine
+    one = shop(model(), 4.0, ("laser", "ballbar"))
+    each = [outcomes(one, seed) for seed in range(5)]
+    assert ratio([found["best-fit"] for found in each]) == pytest.approx(1.0, abs=0.15)
+    assert ratio([found["home"] for found in each]) == pytest.approx(1.0, abs=0.4)  # mostly one turn for each machine
