@@ -11,6 +11,7 @@ from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.judgement import NINE_TENTHS, Judged, judged_component, judged_location
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import copied_runs
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.fit_quality import (
     FitQuality,
@@ -136,6 +137,7 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
         known,
         sizes,
         int(found.freedom),
+        () if set(np.unique(observed.run).tolist()) <= set(noise) else tuple(copied_runs(observed).tolist()),
     )
 
 

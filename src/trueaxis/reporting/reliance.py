@@ -127,6 +127,13 @@ def above_sentence(u: float, limit: float) -> str:
     return f"{known}, and --max-u allows {_um(limit)}"
 
 
+def error_free_sentences(error_free: bool) -> list[str]:
+    """error_free: whether every error value is zero, or none is there."""
+    if not error_free:
+        return []
+    return ["every error value is zero or missing: the model is that of a machine without errors, nothing is corrected"]
+
+
 def misfit_sentence(fit: Fit) -> str:
     """What a misfit means for whoever uses the values."""
     size = "" if fit.chi2 is None else f" (chi2 per degree of freedom {fit.chi2:.3g})"
