@@ -60,8 +60,8 @@ def estimate_notes(model: MachineModel, found: Estimate, given: ErrorValues) -> 
         if one.slow > SLOW * one.white:
             notes.append(
                 f"the noise of {name} is mostly slow: its slow part, {one.slow * 1e3:.3g} um, is "
-                f"{one.slow / one.white:.2g} times its white part. Drift of the instrument looks like that, and so do a "
-                "wrong sign, a wrong point in setup.toml and an effect that the model lacks; diagnose tells more"
+                f"{one.slow / one.white:.2g} times its white part. Drift of the instrument looks like that, and so do "
+                "a wrong sign, a wrong point in setup.toml and an effect that the model lacks; diagnose tells more"
             )
     expected = {
         "translation": (model.prior.translation * 1e3, "translation_um"),
@@ -78,7 +78,7 @@ def estimate_notes(model: MachineModel, found: Estimate, given: ErrorValues) -> 
             )
     if found.outliers.any():
         notes.append(
-            f"{int(found.outliers.sum())} of {found.outliers.size} readings are left out as outliers: they lie too far from "
-            "the other readings of their run"
+            f"{int(found.outliers.sum())} of {found.outliers.size} readings are left out as outliers: they lie too far "
+            "from the other readings of their run"
         )
     return tuple(notes)

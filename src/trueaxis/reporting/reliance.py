@@ -15,7 +15,7 @@ NOTICEABLE = 0.001  # mm: a displacement at home that a work offset shows
 
 
 def range_sentences(beyond: Sequence[BeyondMeasured], total: int) -> list[str]:
-    """One for each range that was left, of `total` positions; one for each axis whose curves rest on the prior there."""
+    """One for each range that was left, of `total` positions; one for each axis whose curves rest on the prior."""
     found = [
         f"{one.count} of {total} positions lie beyond what was measured: {', '.join(one.components)} "
         f"from {one.axis} = {one.low:g} to {one.high:g} {_unit(one.axis)}, used at {_reached(one)}; {_CONTINUED}"
@@ -87,7 +87,7 @@ def prior_sentences(errors: ErrorValues, named: Collection[str]) -> list[str]:
     if errors.covariance is None or not told:
         return []
     names = [name for name in (*errors.motion_errors, *errors.parameters) if name in told]
-    return [f"the readings do not determine {', '.join(names)}: values and u rest on [prior] of the spec there"]
+    return [f"the readings do not determine {', '.join(names)}: their values and u rest on [prior] of the spec"]
 
 
 def program_sentences(reliance: Reliance) -> list[str]:
