@@ -5,6 +5,7 @@ from typing import Literal
 
 import numpy as np
 
+from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
@@ -100,6 +101,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
     surest = sorted(found.reversed, key=lambda index: -found.reversed[index])
     judged = with_reversed(quality(residuals, observed.runs), [observed.runs[index].id for index in surest])
+    together = combinations(found)
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}
@@ -122,6 +124,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         report,
         effects=effect_reports(values, found),
         undetermined=left_open,
+        combinations=together,
         notes=(*dimension_notes(model, given), *estimate_notes(model, found, given)),
     )
     return Identification(values, report, covariance_with_effects(found))

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from trueaxis.effects.kind import Role
+from trueaxis.estimation.combinations import Combination
 from trueaxis.identify.fit_quality import FitQuality
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Undetermined
@@ -155,7 +156,8 @@ class IdentificationReport:
     left, 1 where model and noise agree (None where the residuals gave the noise); robust: how readings were weighed
     down, empty if not; doubted: which; orders: how degrees were chosen, None if given;
     curve_orders: of tables that were made polynomials; effects: those of the machine; quality: how the fit ended, and
-    the residuals of each run; measurement: free text of setup.toml about the measurement.
+    the residuals of each run; combinations: errors of which the readings tell a sum much better than its parts;
+    measurement: free text of setup.toml about the measurement.
     """
 
     machine: str
@@ -185,6 +187,7 @@ class IdentificationReport:
     orders: OrderReport | None = None
     curve_orders: tuple[CurveOrderReport, ...] = ()
     effects: tuple[EffectReport, ...] = ()
+    combinations: tuple[Combination, ...] = ()
     measurement: Mapping[str, str] = field(default_factory=dict)
 
     @property
