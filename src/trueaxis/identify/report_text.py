@@ -18,7 +18,7 @@ from trueaxis.identify.report import (
     LocationReport,
     OrderReport,
 )
-from trueaxis.identify.words import combination_text
+from trueaxis.identify.words import combination_text, tool_sentence
 
 WIDTH = 100
 MICRO = 1e6
@@ -62,13 +62,22 @@ def report_text(report: IdentificationReport) -> str:
     lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing at all is left open"]
     for item in report.undetermined:
         lines += _wrapped(item.combination, "- ")
+    lines += _known_of_tool(report)
+    for note in report.notes:
+        lines += _wrapped(note, "note: ")
+    return "\n".join(lines) + "\n"
+
+
+def _known_of_tool(report: IdentificationReport) -> list[str]:
+    """The uncertainty of the tool point, and which errors are known as a sum alone."""
+    lines: list[str] = []
+    if report.tool is not None:
+        lines += ["", *_wrapped(tool_sentence(report.tool), "tool point:")]
     if report.combinations:
         lines += ["", "known only in combination (before straightness and squareness are parted by convention):"]
         for combination in report.combinations:
             lines += _wrapped(combination_text(combination), "- ")
-    for note in report.notes:
-        lines += _wrapped(note, "note: ")
-    return "\n".join(lines) + "\n"
+    return lines
 
 
 def report_json(report: IdentificationReport) -> str:
