@@ -206,7 +206,7 @@ def test_files_without_the_parts_are_read(tmp_path: Path, estimated: Path) -> No
     del head["prior_columns"]
     arrays["head"] = np.frombuffer(json.dumps(head).encode(), dtype=np.uint8)
     (tmp_path / "e.json").write_text(json.dumps(tree))
-    np.savez(tmp_path / "e.npz", **arrays)
+    np.savez(tmp_path / "e.npz", allow_pickle=False, **arrays)
     tables = []
     for errors in (estimated, tmp_path / "e.json"):
         assert predict(tmp_path, errors) == 0

@@ -10,7 +10,7 @@ from trueaxis.diagnose.scan import prepared, residual_of, scanned
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
-from trueaxis.identify.effects.unknowns import unit_in
+from trueaxis.estimation.effects.unknowns import unit_in
 
 DESIGN = Design(lines=4, repeats=2, targets=21, samples=72)
 

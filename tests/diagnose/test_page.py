@@ -26,7 +26,7 @@ from trueaxis.diagnose import (
 )
 from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnose.base import DEGREE
-from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
+from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
 
 PAGE = (ROOT / "docs" / "diagnosis.md").read_text()
 README = (ROOT / "README.md").read_text()

@@ -70,7 +70,7 @@ def test_the_convention_levels_and_changes_nothing_seen_from_home(small: World) 
     positions = np.array(list(random_points(small.design.machine, 2, 60).values()))
     axes = list(random_points(small.design.machine, 2, 1))
     positions = positions[[axes.index(axis) for axis in small.model.axes]]
-    before, after = (deviations(small.model.with_values(one.values), positions, home=True) for one in (found, level))
+    before, after = (deviations(small.model.with_values(one.values), positions) for one in (found, level))
     assert rms_um(before) > 1.0
     assert rms_um(after - before) < 1e-3 * rms_um(before)  # what is of second order in the errors
     layout = found.layout

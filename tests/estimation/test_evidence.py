@@ -5,10 +5,11 @@ from typing import cast
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize
 from scipy.stats import multivariate_normal
 
 from trueaxis.estimation.curve_prior import CurvePrior
-from trueaxis.estimation.evidence import _batches, _evidence, averaged, best_sizes
+from trueaxis.estimation.evidence import FARTHEST, NO_GAIN, _batches, _evidence, averaged, best_sizes
 from trueaxis.estimation.instruments import OWN_SIZES
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.reduce import OwnBlock, Reduced, triangle_of
@@ -106,6 +107,22 @@ def test_uncertain_sizes_widen_the_posterior() -> None:
     x, best = best_sizes(problem.sizes, problem.reduced, np.zeros(problem.sizes.spread.size))
     wide = averaged(problem.sizes, problem.reduced, x)
     assert np.linalg.norm(wide.spread) > np.linalg.norm(best.spread)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_sizes_are_those_that_plain_values_lead_to(seed: int) -> None:
+    problem = Problem(seed)
+    count = problem.sizes.spread.size
+
+    def cost(x: FloatArray) -> float:
+        return 0.5 * float(x @ x) - problem.value(x)
+
+    other = minimize(cost, np.zeros(count), method="L-BFGS-B", bounds=[(-FARTHEST, FARTHEST)] * count)
+    x, posterior = best_sizes(problem.sizes, problem.reduced, np.zeros(count))
+    assert cost(x) < other.fun + 10.0 * NO_GAIN
+    np.testing.assert_allclose(x, other.x, atol=0.1)
+    batches = _batches(problem.reduced.blocks)
+    np.testing.assert_array_equal(posterior.mean, _evidence(problem.sizes, problem.reduced, batches, x)[2].mean)
 
 
 @pytest.mark.parametrize("travel", [(-100.0, 300.0), (0.0, 500.0), (-900.0, -200.0)])

@@ -38,3 +38,11 @@ def test_what_lasts_stays() -> None:
     assert not spoilt(NOISE, 1.0, STEPS, values, ALONE, 10_000)[40:46].all()
     values += 5e-3 * np.random.default_rng(1).standard_normal(100)  # the model is wrong, not the readings
     assert not spoilt(NOISE, 1.0, STEPS, values, ALONE, 10_000).any()
+
+
+def test_a_large_one_takes_no_others_of_a_short_run_with_it() -> None:
+    noise, steps = Noise(3e-4, 1.3e-4, 128.0), np.r_[0.0, np.ones(13)]
+    for seed in range(50):
+        values = residual(seed)[:14]
+        values[0] += 0.02
+        assert np.flatnonzero(spoilt(noise, 1.0, steps, values, ALONE[:14], 1000)).tolist() == [0]

@@ -109,7 +109,7 @@ def left_out_of_estimate(machine: MachineModel, observed: Observations, poses: S
         for run in measured_runs(observed):
             own = np.zeros(len(own_kinds(run.rows.run, straightness=False)))
             left = residual_of(estimated.layout, here, run, estimated.unknowns, own)
-            found[place, run.rows.index] = left[np.isin(run.at, mine)][0]
+            found[place, run.rows.index] = left[np.isin(run.rows.at, mine)][0]
     return rms_3d(found.ravel())
 
 

@@ -2,7 +2,7 @@
 
     python -m tests.worlds SEED --out DIR [--effect KIND COMPONENT SIZE] [--worn COMPONENT SIZE] [--sessions]
     python -m tests.worlds --table N [--first SEED] [--machines M] [--curves prior]
-    python -m tests.worlds --estimate N [--first SEED] [--machines M] [--curves prior]
+    python -m tests.worlds --shares N [--first SEED]
 
 DIR gets machine.toml, errors.json, data/setup.toml, data/readings.csv and, in DIR/truth, points.csv with random points
 of the working volume and deviations.csv with the true deviation at each. SIZE is in mm, rad, s as docs/effects.md has
@@ -10,7 +10,6 @@ it.
 """
 
 import argparse
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -18,7 +17,6 @@ import numpy as np
 
 from tests.worlds.design import Design, draw_design
 from tests.worlds.effects import OF_RUNS, ON_COMPONENTS, ON_LOCATIONS, ON_READINGS, Effect
-from tests.worlds.estimates import outcome, world
 from tests.worlds.files import deviations_csv, points_csv, write_world
 from tests.worlds.oracle import Figures, figures, oracle
 from tests.worlds.readings import measure, measure_all
@@ -26,7 +24,6 @@ from tests.worlds.stale import worn_at
 from tests.worlds.truth import draw_machine, random_points
 
 POINTS = 200
-COLUMNS = ("true", "error", "oracle", "u", "machine_error", "machine_oracle")
 TOOL_POINT = np.zeros(3)
 WRITTEN = tuple(kind for kind in (*ON_COMPONENTS, *ON_READINGS, *ON_LOCATIONS) if kind not in (*OF_RUNS, "cross_axis"))
 
@@ -45,9 +42,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="say in setup.toml which runs are of one session, and what devices resolve",
     )
     parser.add_argument("--table", type=int, metavar="N", help="designs FIRST to FIRST + N - 1 as a table")
-    parser.add_argument(
-        "--estimate", type=int, metavar="N", help="the package's estimate on as many designs, as a table"
-    )
+    parser.add_argument("--shares", type=int, metavar="N", help="in how many of as many designs each ingredient is")
     parser.add_argument("--first", type=int, default=1, metavar="SEED")
     parser.add_argument(
         "--machines", type=int, default=4, metavar="M", help="of each design of the table (%(default)s)"
@@ -59,11 +54,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if args.table:
         print_table(range(args.first, args.first + args.table), args.machines, args.curves)
         return 0
-    if args.estimate:
-        print_estimates(range(args.first, args.first + args.estimate), args.machines, args.curves)
+    if args.shares:
+        print_shares(range(args.first, args.first + args.shares))
         return 0
     if args.seed is None or args.out is None:
-        parser.error("give SEED and --out DIR, or --table N")
+        parser.error("give SEED and --out DIR, --table N or --shares N")
     write(args)
     return 0
 
@@ -117,41 +112,12 @@ def print_table(seeds: Sequence[int], machines: int, curves: str) -> None:
         print(f"{name:21s} {len(own):8d}  {middle[0]:11.3f}  {middle[1]:21.3f}  {middle[2]:8.3f}  {middle[3]:8.3f}")
 
 
-def print_estimates(seeds: Sequence[int], machines: int, curves: str) -> None:
-    """A line per design, root mean squares over its machines, then a line per ingredient, medians of its designs."""
-    print("                            from home, um                                machine datum")
-    print(
-        "seed  axes  readings  runs   true  estimate  oracle  ratio      u  coverage  ratio  worse than nothing; most"
-    )
-    rows: list[tuple[Design, float, float, float]] = []
-    for seed in seeds:
-        with tempfile.TemporaryDirectory() as folder:
-            one = world(seed, Path(folder))
-            each = [outcome(one, 1000 * seed + number, curves) for number in range(machines)]
-        mean = {name: _rms([getattr(found, name) for found in each]) for name in COLUMNS}
-        coverage = float(np.mean([found.coverage for found in each]))
-        worse = sum(found.error > found.true for found in each)
-        most = max(found.error / found.true for found in each)
-        ratio, beside = mean["error"] / mean["oracle"], mean["machine_error"] / mean["machine_oracle"]
-        rows.append((one.design, ratio, mean["error"] / mean["true"], coverage))
-        not_converged = sum(not found.found.converged for found in each)
-        plan, axes = one.design.plan, len(one.design.machine.axes)
-        print(
-            f"{seed:4d}  {axes:4d}  {plan.count:8d}  {len(plan.runs):4d}  {mean['true']:5.1f}  {mean['error']:8.2f}  "
-            f"{mean['oracle']:6.2f}  {ratio:5.2f}  {mean['u']:5.2f}  {coverage:8.3f}  {beside:5.2f}  "
-            f"{worse} of {machines}, {most:.2f}" + (f"; {not_converged} not converged" if not_converged else ""),
-            flush=True,
-        )
-    print("\ningredient            designs  estimate/oracle  estimate/true  coverage (medians)")
-    for name in rows[0][0].ingredients:
-        own = [row[1:] for row in rows if row[0].ingredients[name]]
-        if own:
-            middle = np.median(np.array(own), axis=0)
-            print(f"{name:21s} {len(own):8d}  {middle[0]:15.2f}  {middle[1]:13.2f}  {middle[2]:8.3f}")
-
-
-def _rms(values: Sequence[float]) -> float:
-    return float(np.sqrt(np.mean(np.square(values))))
+def print_shares(seeds: Sequence[int]) -> None:
+    """In how many of the designs each ingredient is, the rarest first."""
+    designs = [draw_design(seed) for seed in seeds]
+    share = {name: float(np.mean([design.ingredients[name] for design in designs])) for name in designs[0].ingredients}
+    for name, value in sorted(share.items(), key=lambda one: one[1]):
+        print(f"{name:24s} {value:5.0%}")
 
 
 def judge(design: Design, machines: int, curves: str) -> Figures:

@@ -21,7 +21,7 @@ Source = np.random.Generator
 
 FEWEST, MOST = 300, 15000  # readings
 MOST_IN_A_RUN = 900  # the noise of a run has a covariance matrix
-THOROUGH = 0.4  # share of the worlds
+THOROUGH, SAYS_SESSIONS = 0.4, 0.5  # share of the worlds
 COLUMNS = ("time_s", "feed", "temperature_c", "directions")
 
 
@@ -65,9 +65,9 @@ def draw_design(seed: int, axes: int | None = None) -> Design:
     plan = schedule(np.random.default_rng([seed, 2]), machine, measurements, sessions)
     shop = draw_shop(np.random.default_rng([seed, 3]), machine, plan)
     used = tuple(name for one in measurements for name in one.used)
-    return Design(
-        seed, machine, habits, plan, shop, columns, ingredients_of(machine, habits, plan, shop, columns, used)
-    )
+    says = bool(np.random.default_rng([seed, 4]).random() < SAYS_SESSIONS)  # setup.toml names sessions and devices
+    ingredients = ingredients_of(machine, habits, plan, shop, columns, used, says)
+    return Design(seed, machine, habits, plan, shop, columns, ingredients)
 
 
 def _habits(source: Source, machine: Machine, columns: tuple[str, ...]) -> Habits:

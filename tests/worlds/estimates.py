@@ -1,7 +1,11 @@
-"""What the package's estimate makes of worlds, beside the oracle: predictions at random points of the volume."""
+"""What the package's estimate makes of worlds, beside the oracle: predictions at random points of the volume.
+
+All is judged from home, where work offsets are touched off: the deviation of the tool point less that at home.
+"""
 
 import contextlib
 import io
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -9,11 +13,11 @@ from pathlib import Path
 import numpy as np
 
 from tests.worlds.design import Design, draw_design
-from tests.worlds.files import write_world
+from tests.worlds.files import spec_toml, write_world
 from tests.worlds.machine import Array
-from tests.worlds.oracle import oracle
+from tests.worlds.oracle import Oracle, oracle, prediction_columns
 from tests.worlds.readings import measure
-from tests.worlds.truth import Truth, draw_machine, random_points
+from tests.worlds.truth import SIZES, Truth, draw_machine, random_points
 from trueaxis.cli import main
 from trueaxis.estimation.estimate import Estimate, estimate
 from trueaxis.estimation.gauge import covariance_of
@@ -25,21 +29,48 @@ from trueaxis.runtime.uncertainty import home_of, tool_uncertainty
 
 POINTS = 200
 TOOL = np.zeros((3, 1))
+WITHIN = 1.96  # standard uncertainties: a 95 % interval
+WRONG = 3.0
+# what [prior] says: nothing, the sizes about which machines are drawn, or sizes that are wrong
+GIVEN: Mapping[str, Mapping[str, float]] = {
+    "default": {},
+    "right": SIZES,
+    "3 times": {name: WRONG * size for name, size in SIZES.items()},
+    "a third": {name: size / WRONG for name, size in SIZES.items()},
+}
+CLASSES = {
+    "translation": ("translation_um", 1e-3),
+    "rotation": ("rotation_urad", 1e-6),
+    "location rad": ("location_urad", 1e-6),
+    "location mm": ("location_um", 1e-3),
+}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class World:
-    """A design with the package's kernels of its machine, and its plan as the package reads it."""
+    """A design, and what all of its machines share.
+
+    model: the package's kernels of its machine, with the default [prior]; models: by GIVEN; plan: as the package reads
+    it; points: axis -> (n,); oracles, columns: by family of curves, the oracle and its derivative at the points.
+    """
 
     design: Design
-    model: MachineModel
+    models: Mapping[str, MachineModel]
     plan: Observations
+    points: Mapping[str, Array]
+    oracles: dict[str, Oracle]
+    columns: dict[str, Array]
+
+    @property
+    def model(self) -> MachineModel:
+        return self.models["default"]
 
 
 @dataclass(frozen=True)
 class Outcome:
     """Of one machine, um, root mean squares over points, of vectors: true deviation, error of the estimate and of the
-    oracle, u of the estimate; coverage: share of the coordinates within 1.96 u. From home, where not said otherwise.
+    oracle, u of the estimate; coverage, oracle_coverage: share of the coordinates within 1.96 u; sizes: class -> given,
+    true and estimated, mm or rad, where the true one is the geometric mean over the members; seconds: of the estimate.
     """
 
     true: float
@@ -47,61 +78,92 @@ class Outcome:
     oracle: float
     u: float
     coverage: float
-    machine_error: float
-    machine_oracle: float
+    oracle_coverage: float
+    sizes: Mapping[str, tuple[float, float, float]]
+    seconds: float
     found: Estimate
 
 
 def world(seed: int, folder: Path, axes: int | None = None) -> World:
-    """Write, derive and read a design."""
+    """Write and read a design; derive its kernels where that has not been done in the folder."""
     design = draw_design(seed, axes)
     truth = draw_machine(design.machine, seed)
-    write_world(folder, design, truth, measure(design, truth, seed))
-    with contextlib.redirect_stdout(io.StringIO()):
-        assert main(["derive", str(folder / "machine.toml"), "--out", str(folder / "kernels")]) == 0
-    model = load_model(folder / "machine.toml", folder / "errors.json", folder / "kernels")
-    data = read_data(folder / "data", model)
-    return World(design, model, observations(str(folder), data.setup.runs, data.readings))
+    write_world(folder, design, truth, measure(design, truth, seed), sessions=design.ingredients["says_sessions"])
+    if not (folder / "kernels").is_dir():
+        with contextlib.redirect_stdout(io.StringIO()):
+            assert main(["derive", str(folder / "machine.toml"), "--out", str(folder / "kernels")]) == 0
+    models = {}
+    for name, sizes in reversed(GIVEN.items()):  # the default comes last and stays
+        (folder / "machine.toml").write_text(spec_toml(design.machine, prior=sizes))
+        models[name] = load_model(folder / "machine.toml", folder / "errors.json", folder / "kernels")
+    data = read_data(folder / "data", models["default"])
+    plan = observations(str(folder), data.setup.runs, data.readings)
+    return World(design, models, plan, random_points(design.machine, seed, POINTS), {}, {})
 
 
-def outcome(one: World, seed: int, curves: str = "smooth") -> Outcome:
+def outcome(one: World, seed: int, curves: str = "smooth", given: str = "default") -> Outcome:
     """Draw a machine, measure it, estimate it."""
     truth = draw_machine(one.design.machine, seed, curves=curves)
-    data = measure(one.design, truth, seed)
-    dimensions = {name: one.model.errors.parameters[name] for name in one.model.dimensions}
-    given = ErrorValues(one.model.name, dimensions)
-    found = estimate(one.model, replace(one.plan, reading=data.reading.copy()), given)
-    points = random_points(one.design.machine, seed, POINTS)
-    positions = np.array([points[axis] for axis in one.model.axes])
-    model = one.model.with_values(found.values)
-    best = oracle(one.design, curves).fit(truth.sizes, data.reading)
+    reading = measure(one.design, truth, seed).reading
+    model = one.models[given]
+    dimensions = {name: model.errors.parameters[name] for name in model.dimensions}
+    start = time.process_time()
+    found = estimate(model, replace(one.plan, reading=reading.copy()), ErrorValues(model.name, dimensions))
+    seconds = time.process_time() - start
+    positions = np.array([one.points[axis] for axis in model.axes])
     covariance = covariance_of(found.layout, found.spread)
-    u = tool_uncertainty(model, covariance, positions, TOOL, datum=home_of(model)).u.T
-    off = deviations(model, positions, home=True) - truth.deviation(points, TOOL[:, 0], "home")
+    u = tool_uncertainty(model.with_values(found.values), covariance, positions, TOOL, datum=home_of(model)).u.T
+    true = truth.deviation(one.points, TOOL[:, 0], "home")
+    off = deviations(model.with_values(found.values), positions) - true
+    of_oracle, u_of_oracle = _oracle(one, truth, reading)
     return Outcome(
-        true=rms_um(truth.deviation(points, TOOL[:, 0], "home")),
+        true=rms_um(true),
         error=rms_um(off),
-        oracle=rms_um(_off(best.predict(points, TOOL[:, 0], "home")[0], truth, points, "home")),
+        oracle=rms_um(of_oracle - true),
         u=rms_um(u),
-        coverage=float((np.abs(off) <= 1.96 * u).mean()),
-        machine_error=rms_um(_off(deviations(model, positions, home=False), truth, points, "machine")),
-        machine_oracle=rms_um(_off(best.predict(points, TOOL[:, 0])[0], truth, points, "machine")),
+        coverage=float((np.abs(off) <= WITHIN * u).mean()),
+        oracle_coverage=float((np.abs(of_oracle - true) <= WITHIN * u_of_oracle).mean()),
+        sizes=_sizes(model, truth, found),
+        seconds=seconds,
         found=found,
     )
 
 
-def deviations(model: MachineModel, positions: Array, *, home: bool) -> Array:
-    """(n, 3), mm, of the origin of the tool frame."""
+def _oracle(one: World, truth: Truth, reading: Array) -> tuple[Array, Array]:
+    """Prediction and standard uncertainty of the oracle, (n, 3) each, mm."""
+    family, machine = truth.family, one.design.machine
+    if family not in one.oracles:
+        one.oracles[family] = oracle(one.design, family)
+        one.columns[family] = prediction_columns(machine, family, one.points, TOOL[:, 0], "home")
+    fit = one.oracles[family].fit(truth.sizes, reading)
+    return fit.predict(one.points, TOOL[:, 0], "home", one.columns[family])
+
+
+def _sizes(model: MachineModel, truth: Truth, found: Estimate) -> dict[str, tuple[float, float, float]]:
+    prior = model.prior
+    given = dict(
+        zip(CLASSES, (prior.translation, prior.rotation, prior.location_angle, prior.location_length), strict=True)
+    )
+    members: dict[str, list[float]] = {}
+    for name, size in truth.sizes.items():
+        if name in truth.curves:
+            kind = "translation" if name[1] in "XYZ" else "rotation"
+        else:
+            kind = f"location {model.machine.parameter_unit(name)}"
+        members.setdefault(kind, []).append(float(np.log(size)))
+    return {
+        kind: (given[kind], float(np.exp(np.mean(logs))), given[kind] * found.factors[kind])
+        for kind, logs in members.items()
+    }
+
+
+def deviations(model: MachineModel, positions: Array) -> Array:
+    """(n, 3), mm, of the origin of the tool frame, from home."""
     (found,) = model.view_deviations([("tool_in_workpiece", TOOL)], positions)
-    if home:
-        found = found - model.view_deviations([("tool_in_workpiece", TOOL)], home_of(model))[0]
+    found = found - model.view_deviations([("tool_in_workpiece", TOOL)], home_of(model))[0]
     return np.asarray(found.T, float)
 
 
 def rms_um(vectors: Array) -> float:
     """Root mean square of the lengths of vectors (n, 3), mm."""
     return 1e3 * float(np.sqrt(np.mean(np.sum(vectors**2, axis=1))))
-
-
-def _off(predicted: Array, truth: Truth, points: Mapping[str, Array], datum: str) -> Array:
-    return np.asarray(predicted - truth.deviation(points, TOOL[:, 0], datum), float)

@@ -32,8 +32,8 @@ def write_world(
     (folder / "data" / "readings.csv").write_text(readings_csv(design, None if data is None else data.reading))
 
 
-def spec_toml(machine: Machine, left_out: Sequence[str] = ()) -> str:
-    """left_out: location errors that the spec is not to know."""
+def spec_toml(machine: Machine, left_out: Sequence[str] = (), prior: Mapping[str, float] | None = None) -> str:
+    """left_out: location errors that the spec is not to know; prior: what its table [prior] says."""
     lines = ["schema = 1", f'name = "{machine.name}"', f'title = "{machine.name.replace("_", " ")}"']
     if machine.true_rotations:
         lines.append('rotations = "true"')
@@ -52,7 +52,10 @@ def spec_toml(machine: Machine, left_out: Sequence[str] = ()) -> str:
         kept = [f'{direction} = "{name}"' for direction, name in body.located if name not in left_out]
         if kept:
             lines.append("position_errors = { " + ", ".join(kept) + " }")
-    return "\n".join([*lines, "", "[ends]", f"workpiece = {machine.workpiece}", f"tool = {machine.tool}", ""])
+    lines += ["", "[ends]", f"workpiece = {machine.workpiece}", f"tool = {machine.tool}", ""]
+    if prior:
+        lines += ["[prior]", *(f"{name} = {size!r}" for name, size in prior.items()), ""]
+    return "\n".join(lines)
 
 
 def errors_json(machine: Machine, given: Given, left_out: Sequence[str] = ()) -> str:

@@ -12,10 +12,17 @@ UNEQUAL = 4.0  # longest over shortest travel
 
 
 def ingredients_of(
-    machine: Machine, habits: Habits, plan: Plan, shop: Shop, columns: Sequence[str], used: Sequence[str]
+    machine: Machine,
+    habits: Habits,
+    plan: Plan,
+    shop: Shop,
+    columns: Sequence[str],
+    used: Sequence[str],
+    says_sessions: bool,
 ) -> Mapping[str, bool]:
     """Name -> present; `used`: what the measurements say of themselves."""
-    return _of_machine(machine) | _of_plan(machine, habits, plan, used) | _of_columns(columns) | _of_shop(plan, shop)
+    told = _of_columns(columns) | {"says_sessions": says_sessions}
+    return _of_machine(machine) | _of_plan(machine, habits, plan, used) | told | _of_shop(plan, shop)
 
 
 def _of_machine(machine: Machine) -> dict[str, bool]:
@@ -68,6 +75,8 @@ def _of_plan(machine: Machine, habits: Habits, plan: Plan, used: Sequence[str]) 
         "both_ways": habits.both,
         "single_readings": not repeated,
         "repeats": repeated,
+        "repeats_2_3": habits.repeats in (2, 3),
+        "repeats_4_5": habits.repeats in (4, 5),
         **{name: name in used for name in ("order_passes", "order_cycles", "order_poses", "repeats_as_runs")},
         **{name: name in used for name in ("home_first", "home_zero", "home_anywhere")},
         "several_tool_points": len({run.target[1] for run in runs if run.target[0] == "tool"}) > 1,

@@ -91,10 +91,17 @@ class Fit:
     whitened_rms: float
     sizes: Mapping[str, float]
 
-    def predict(self, positions: Mapping[str, Array], tool_point: Array, datum: str = "machine") -> tuple[Array, Array]:
-        """Deviation of the tool point and its standard uncertainty, (n, 3) each, mm; as Truth.deviation."""
+    def predict(
+        self, positions: Mapping[str, Array], tool_point: Array, datum: str = "machine", columns: Array | None = None
+    ) -> tuple[Array, Array]:
+        """Deviation of the tool point and its standard uncertainty, (n, 3) each, mm; as Truth.deviation.
+
+        columns: of `prediction_columns` at these positions, which all machines of a design share.
+        """
         mean = machine_of(self.machine, self.family, self.mean, self.sizes).deviation(positions, tool_point, datum)
-        change = prediction_columns(self.machine, self.family, positions, tool_point, datum)
+        change = columns
+        if change is None:
+            change = prediction_columns(self.machine, self.family, positions, tool_point, datum)
         used = change.shape[2]
         return mean, np.sqrt(np.sum((change @ self.spread[:used]) ** 2, axis=2))
 

@@ -9,23 +9,21 @@ from typing import TYPE_CHECKING, Literal
 from trueaxis.commands.arguments import file_to_write
 from trueaxis.commands.identify_options import (
     FROM_ANGLES,
+    GLOBAL,
     STEPWISE,
     degree_option,
-    instruments_option,
     method_option,
     noise_option,
     squareness_option,
 )
 from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import named, overwritten
+from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 from trueaxis.identify.fit_quality import NotConvergedError
-from trueaxis.identify.global_fit.instruments import KINDS
-from trueaxis.identify.global_fit.method import identify_global
-from trueaxis.identify.global_fit.result import AUTO_DEGREE, GlobalOptions
 from trueaxis.identify.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
@@ -46,16 +44,16 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Find the motion and location errors of a machine from readings. Method stepwise, the paper's, goes point by point and
-step by step: each run gives the components that it alone still holds, at every position, with those found before.
-Method global estimates all errors from all readings at once, ball bar included, with what may be expected of them
-([prior] of the spec) and what nobody knows of instruments; noise, sizes of errors and outliers are found from the
-readings. Both work on the exact model, give standard uncertainties, and say what the readings cannot determine (which
-is no failure: exit code 0). Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing
-is written; or its residuals are far from the noise that is known, and the values are written as a misfit."""
+Find the motion and location errors of a machine from readings. Method global estimates all errors from all readings at
+once, ball bar included, with what may be expected of them ([prior] of the spec) and what nobody knows of instruments;
+noise, sizes of errors and outliers are found from the readings. Method stepwise, the paper's, goes point by point and
+step by step: each run gives the components that it alone still holds, at every position, with those found before. Both
+work on the exact model, give standard uncertainties, and say what the readings cannot determine (which is no failure:
+exit code 0). Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or
+its residuals are far from the noise that is known, and the values are written as a misfit."""
 
 DEFAULT: Literal["convention"] = "convention"
-DEGREE = 7
+DEGREE_WITHOUT_PRIOR = 7  # nothing keeps curves of a higher order from following the noise
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -69,16 +67,16 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--method",
         type=method_option,
-        default=STEPWISE,
-        metavar="stepwise|global",
-        help="(default stepwise; paper is another name of it)",
+        default=GLOBAL,
+        metavar="global|stepwise",
+        help="(default global; paper is another name of stepwise)",
     )
     parser.add_argument(
         "--prior",
         choices=("spec", "none"),
         default="spec",
-        help="method global: spec (default) expects errors of the sizes of [prior], which readings correct; none is "
-        "plain least squares on polynomials, which --degree, --instruments, --robust and effects of the spec ask for",
+        help="method global: spec (default) expects errors of the sizes of [prior], which readings correct; none "
+        "expects nothing (least squares): what the readings do not determine is zero and said",
     )
     parser.add_argument(
         "--squareness",
@@ -107,32 +105,24 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--curves",
         choices=("table", "polynomial", "held-out"),
-        default="table",
-        help="method stepwise: components as tables of the measured positions, polynomials by the paper's procedure, "
-        "or polynomials whose order held-out positions choose (%(default)s)",
+        help="method stepwise: components as tables of the measured positions (default), polynomials by the paper's "
+        "procedure, or polynomials whose order held-out positions choose",
     )
     parser.add_argument(
         "--degree",
         type=degree_option,
-        default=DEGREE,
         metavar="N",
-        help="method global: highest power (%(default)s), or auto: of each component as held-out readings ask for",
+        help=f"method global: highest order of the curves ({DEGREE}; with --prior none {DEGREE_WITHOUT_PRIOR})",
     )
     parser.add_argument(
         "--instruments",
-        type=instruments_option,
-        default=KINDS,
-        metavar="real|ideal|LIST",
-        help="method global: what is unknown of the instruments: real (default): offset and slope of straightness "
-        "runs, centre and length of ball bars, zero and centre of probes; ideal: nothing; or some of "
-        f"{','.join(KINDS)}",
+        choices=("real", "ideal"),
+        default="real",
+        help="method global: what is unknown of the instruments: real (default): zero and drift of every run, slope of "
+        "straightness lines, centre and length of ball bars, zero and centre of probes, scale and alignment of lasers; "
+        "ideal: nothing",
     )
-    parser.add_argument(
-        "--robust",
-        choices=("huber", "tukey"),
-        default="",
-        help="method global: weigh down readings that lie too far off (Huber 1.345, Tukey 4.685 standard deviations)",
-    )
+    parser.add_argument("--robust", help=argparse.SUPPRESS)
     parser.add_argument(
         "--covariance",
         type=file_to_write,
@@ -213,49 +203,40 @@ def _identify(
 ) -> Identification:
     noise: NoiseModel = args.noise_um
     if args.method == STEPWISE:
-        options = PaperOptions(args.squareness, known, noise.um, args.curves)
+        options = PaperOptions(args.squareness, known, noise.um, args.curves or "table")
         return identify_paper(model, observed, options)
-    if args.prior == "spec" and not model.effects:
-        return identify_estimated(model, observed, EstimateOptions(args.squareness, known, noise))
-    return identify_global(
+    prior = args.prior == "spec"
+    return identify_estimated(
         model,
         observed,
-        GlobalOptions(
-            squareness=args.squareness,
-            known=known,
-            noise_um=noise.um,
-            degree=args.degree,
-            noise_by_group=noise.by_group,
-            repeats=noise.repeats,
-            instruments=args.instruments,
-            robust=args.robust,
+        EstimateOptions(
+            args.squareness,
+            known,
+            noise,
+            prior=prior,
+            ideal=args.instruments == "ideal",
+            degree=args.degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR),
         ),
     )
 
 
 def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     found = []
-    if args.method == "global" and args.squareness == FROM_ANGLES:
-        found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method stepwise", "convention or known"))
-    if args.method == "global" and args.prior == "spec":
-        of_least_squares = {
-            "--degree": args.degree != DEGREE,
-            "--instruments": args.instruments != KINDS,
-            "--robust": bool(args.robust),
-        }
-        if args.curves != "table":
-            found.append(Fault("--curves", "", "goes with --method stepwise", "the estimate has curves of its own"))
-        for option, used in of_least_squares.items():
-            if used:
-                found.append(Fault(option, "", "goes with plain least squares", "--prior none"))
+    if args.robust is not None:
+        remedy = "leave it out: readings that no noise explains are left out without it, and counted in the report"
+        found.append(Fault("--robust", "", "is an option no more", remedy))
+    if args.method == GLOBAL:
+        if args.squareness == FROM_ANGLES:
+            found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method stepwise", "convention or known"))
+        if args.curves is not None:
+            found.append(Fault("--curves", "", "goes with --method stepwise", "method global has curves of its own"))
     if args.squareness == "known" and args.known is None:
         found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
     if args.method == STEPWISE:
         of_global = {
             "--noise-um": bool(args.noise_um.by_group or args.noise_um.repeats),
-            "--degree auto": args.degree == AUTO_DEGREE,
-            "--instruments": args.instruments != KINDS,
-            "--robust": bool(args.robust),
+            "--degree": args.degree is not None,
+            "--instruments": args.instruments != "real",
             "--prior": args.prior != "spec",
         }
         for option, used in of_global.items():

@@ -4,12 +4,10 @@ import argparse
 from typing import Literal
 
 from trueaxis.commands.arguments import noise, whole
-from trueaxis.identify.global_fit.instruments import KINDS, Kind
-from trueaxis.identify.global_fit.result import AUTO_DEGREE
 from trueaxis.identify.weighting import NoiseModel, Repeats
 
 HIGHEST_DEGREE = 30
-STEPWISE = "stepwise"
+STEPWISE, GLOBAL = "stepwise", "global"
 FROM_ANGLES: Literal["from-angles"] = "from-angles"
 _REPEATS: dict[str, Repeats] = {"repeats": "instrument", "repeats-by-run": "run"}
 
@@ -18,9 +16,9 @@ def method_option(text: str) -> str:
     """A method; `paper` is another name of `stepwise`."""
     if text in (STEPWISE, "paper"):
         return STEPWISE
-    if text == "global":
+    if text == GLOBAL:
         return text
-    raise argparse.ArgumentTypeError(f"{text!r} is not stepwise (or paper) or global")
+    raise argparse.ArgumentTypeError(f"{text!r} is not global or stepwise (or paper)")
 
 
 def noise_option(text: str) -> NoiseModel:
@@ -49,23 +47,8 @@ def squareness_option(text: str) -> str:
     raise argparse.ArgumentTypeError(f"{text!r} is not convention, known or {FROM_ANGLES}")
 
 
-def degree_option(text: str) -> int | Literal["auto"]:
-    """A power, or `auto`."""
-    if text == AUTO_DEGREE:
-        return AUTO_DEGREE
+def degree_option(text: str) -> int:
+    """An order of curves; `auto` has been replaced by what may be expected of curves."""
+    if text == "auto":
+        raise argparse.ArgumentTypeError("auto is replaced by --prior spec, which expects smooth curves; or a number")
     return whole(1, HIGHEST_DEGREE)(text)
-
-
-def instruments_option(text: str) -> tuple[Kind, ...]:
-    """`real`, `ideal`, or kinds of unknowns."""
-    if text == "real":
-        return KINDS
-    if text == "ideal":
-        return ()
-    asked = [part.strip() for part in text.split(",")]
-    for part in asked:
-        if part not in KINDS:
-            raise argparse.ArgumentTypeError(
-                f"{part!r} is not unknown of an instrument: real, ideal or {', '.join(KINDS)}"
-            )
-    return tuple(kind for kind in KINDS if kind in asked)

@@ -16,8 +16,8 @@ from trueaxis.diagnose.result import FloatArray, IntArray, Limit, Observability
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Signature, signature_of
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.identify.effects.unknowns import unit_in
-from trueaxis.identify.effects.variable_projection import UNOBSERVABLE
+from trueaxis.estimation.effects.unknowns import unit_in
+from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
 
 DETECTION, ISOLATION = 27.0, 21.0
 CONFOUNDED = 0.95

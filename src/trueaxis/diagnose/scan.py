@@ -14,7 +14,7 @@ from trueaxis.diagnose.signatures import Signature
 from trueaxis.diagnose.tails import log_chi2_tail, log_f_tail
 from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
-from trueaxis.identify.effects.variable_projection import UNOBSERVABLE, explained
+from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE, explained
 
 WORTH_A_LOOK = 14.0  # of a statistic, below which nobody asks how sure the noise is
 ENTRIES = 1 << 20  # of a signature's columns at a time

@@ -32,7 +32,7 @@ from trueaxis.diagnose.result import (
 )
 from trueaxis.diagnose.scan import Scanned
 from trueaxis.diagnose.search import Found, Ground, Search
-from trueaxis.identify.effects.unknowns import unit_in
+from trueaxis.estimation.effects.unknowns import unit_in
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,41 +1,44 @@
 """The estimate: sizes, noise and unknowns in turn, on the exact model, until nothing moves any more."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
 
+from trueaxis.effects.kind import Effect, Kind
+from trueaxis.estimation.beside import beside
+from trueaxis.estimation.curve_prior import DEGREE
+from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
+from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import averaged, best_sizes, posterior_at
 from trueaxis.estimation.gauge import levelling
-from trueaxis.estimation.instruments import own_kinds
-from trueaxis.estimation.jacobian import RunRows
+from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.layout import Layout, layout_of
-from trueaxis.estimation.noise import Noise, Whitening
-from trueaxis.estimation.noise_of_residuals import first_noise, noise_of_draws
+from trueaxis.estimation.least_norm import least_norm
+from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.outliers import spoilt
 from trueaxis.estimation.posterior import Posterior
-from trueaxis.estimation.reduce import reduced
-from trueaxis.estimation.residuals import first_order, residuals_of
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.sizes import Sizes
+from trueaxis.estimation.state import State, at_share, linearised, moved, started, with_noise, without_outliers
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.effect_values import EffectValues, identity
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 
 T = TypeVar("T")
 
 LEAST_ROUNDS, MOST_ROUNDS = 5, 30  # in which noise, outliers and sizes are estimated
+SEARCH_ROUNDS = 3  # before the start of an effect is searched: the noise then still holds it, and its start is rough
 SETTLED = 0.03  # relative change of the noise: far below what readings tell of it
 MOST_STEPS = 20
 STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
+EXACT = 1e-6  # the same without a prior: readings without noise then give the errors back
 LEAST_STEP = 1e-12  # of the size of an unknown: rounding
-# A step may raise the squares where other sizes were found; led away by what is not linear, it raises them by far.
-WORSE, LEAST_SHARE = 4.0, 1e-3
-DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
-DRAWS, SEED = 8, 20  # of the posterior, from which the noise is taken
+SETTLED_BY_CONVENTION = 1e-6  # of their sizes: what is left of a combination that the convention settles is rounding
+SEED = 20  # of the draws from which the noise is taken
 
 
 class NothingHeldError(ValueError):
@@ -47,10 +50,12 @@ class Estimate:
     """What readings say of a machine and of the instruments.
 
     values: of the machine; unknowns: (n,), mm, rad or 1; spread: (n, r), a root of their covariance, the last
-    `of_prior` columns of which are the prior's part, the others that of the readings; scale: (n,), their prior standard
-    deviations, at their estimated sizes; factors: class of sizes -> the estimated size over the expected one. noise: of
-    each instrument; scales: of each run with readings, by index, its noise over that of its
-    instrument; stated: instruments whose noise was given: their scales are mm; outliers: (n_readings,), left out;
+    `of_prior` columns of which are the prior's part, the others that of the readings; open: (n, d), combinations that
+    are zero since, without a prior, no reading determines them; scale: (n,), their prior standard deviations, at their
+    estimated sizes; factors: class of sizes -> the estimated size over the expected one. noise: of
+    each instrument; scales: of each run with readings, by index, its noise over that of its instrument; stated:
+    instruments whose noise was given: their scales are mm; zeroed: effects that are zero, since the readings make their
+    square negative; outliers: (n_readings,), left out;
     residual: (n_readings,), mm; freedom: degrees of freedom that are left; rounds, steps: how often noise and sizes,
     then the unknowns alone were estimated; last_step, last_change: the largest last step in standard uncertainties, and
     by how much it changed a residual, mm; converged: whether it was none.
@@ -60,12 +65,14 @@ class Estimate:
     values: ErrorValues
     unknowns: FloatArray
     spread: FloatArray
+    open: FloatArray
     of_prior: int
     scale: FloatArray
     factors: Mapping[str, float]
     noise: Mapping[str, Noise]
     scales: Mapping[int, float]
     stated: frozenset[str]
+    zeroed: tuple[Effect, ...]
     outliers: BoolArray
     residual: FloatArray
     freedom: float
@@ -80,30 +87,40 @@ class Estimate:
         change = levelling(self.layout)
         prior = np.linalg.norm(change * self.scale, axis=1)
         unknowns = change @ self.unknowns
+        left_open = change @ self.open
+        left_open = left_open[:, np.linalg.norm(left_open / prior[:, np.newaxis], axis=0) > SETTLED_BY_CONVENTION]
         given = replace(self.values, parameters=_others(self.values.parameters, self.layout.locations))
         given = replace(given, motion_errors=_others(self.values.motion_errors, self.layout.components))
+        own = {identity(one.effect) for one in self.layout.effects.members}
+        given = replace(given, effects=tuple(one for one in given.effects if identity(one.effect) not in own))
         values = self.layout.values(unknowns, given)
-        return replace(self, values=values, unknowns=unknowns, spread=change @ self.spread, scale=prior)
+        return replace(self, values=values, unknowns=unknowns, spread=change @ self.spread, open=left_open, scale=prior)
 
 
 def _others(values: Mapping[str, T], names: tuple[str, ...]) -> dict[str, T]:
     return {name: value for name, value in values.items() if name not in names}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _State:
-    """Where the estimation stands: noise of each instrument, scale of each run, and the unknowns.
-
-    stated: instruments whose noise is known, white and 1, the scales of their runs being the noise in mm.
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class _Setting:
+    """What every estimation of one data set shares; noise: as stated, mm, of runs by index; prior, ideal, degree: see
+    `estimate`.
     """
 
-    runs: list[MeasuredRun]
-    stated: frozenset[str]
-    noise: dict[str, Noise]
-    scales: FloatArray
-    unknowns: FloatArray
-    own: list[FloatArray]
-    residual: list[FloatArray]
+    model: MachineModel
+    observed: Observations
+    given: ErrorValues
+    runs: tuple[MeasuredRun, ...]
+    noise: Mapping[int, float]
+    prior: bool
+    ideal: bool
+    degree: int
+
+    def started(self, effects: EffectUnknowns) -> tuple[State, Sizes]:
+        """Nothing estimated yet."""
+        layout = giving_way(layout_of(self.model, self.observed, self.given, effects, self.degree), self.runs)
+        state = started(layout, self.runs, self.given, self.noise)
+        return state, Sizes(layout, state.own_kinds, flat=not self.prior, ideal=self.ideal)
 
 
 def estimate(
@@ -111,62 +128,112 @@ def estimate(
     observed: Observations,
     given: ErrorValues | None = None,
     noise: Mapping[int, float] | None = None,
+    start: Sequence[EffectValues] = (),
+    *,
+    prior: bool = True,
+    ideal: bool = False,
+    degree: int = DEGREE,
 ) -> Estimate:
-    """The errors that are not given, from all readings, as a linear mixed model.
+    """The errors and effects that are not given, from all readings, as a linear mixed model.
 
     given: values that are taken as they are, dimensions too; noise: standard deviation of the readings of runs, by
-    index, mm; that of an instrument is estimated unless all of its runs are there. Raises NothingHeldError where
-    no reading holds an error of the machine.
+    index, mm; that of an instrument is estimated unless all of its runs are there; start: values of effects, which
+    spare the search of those that the readings do not depend on linearly; prior: whether anything is expected of the
+    machine's errors: if not, what the readings do not determine is zero, and `open`; ideal: whether nothing is unknown
+    of the instruments; degree: of the curves. Raises NothingHeldError where no reading holds an error of the machine,
+    InputError where the readings lack a column that an effect depends on.
     """
-    given = replace(given or ErrorValues(model.name), u={}, undetermined=(), covariance=None)
-    layout = layout_of(model.with_values(given), observed, given)
-    state = _start(layout, measured_runs(observed), given, noise)
+    given = with_locations(model, replace(given or ErrorValues(model.name), u={}, undetermined=(), covariance=None))
+    model = model.with_values(given)
+    sought = sought_effects(model, observed, given, start)
+    setting = _Setting(
+        model=model,
+        observed=observed,
+        given=given,
+        runs=tuple(measured_runs(observed)),
+        noise=noise or {},
+        prior=prior,
+        ideal=ideal,
+        degree=degree,
+    )
+    effects = sought.at_once
+    for effect, kind in (*sought.waiting, *(sought.waiting if len(sought.waiting) > 1 else ())):
+        effects = _searched(setting, effects, effect, kind)
+    found = _estimated(setting, effects)
+    negative = below_zero(found.layout.effects, found.unknowns[found.layout.of_effects])
+    if negative:
+        zeroed = tuple(one.effect for one in negative)
+        setting = replace(setting, given=with_zeros(given, negative))
+        found = replace(_estimated(setting, effects.without(zeroed)), zeroed=zeroed)
+    return found
+
+
+def _searched(setting: _Setting, effects: EffectUnknowns, effect: Effect, kind: Kind) -> EffectUnknowns:
+    """The effects and one more, started beside a rough estimate of all others."""
+    state, sizes = setting.started(effects.without([effect]))
+    x, state, _ = _rounds(state, sizes, SEARCH_ROUNDS)
+    posterior, _ = _determined(sizes, posterior_at(sizes, linearised(state), x))  # by the noise as it is now
+    state = moved(state, posterior, sizes.own_scales(x))
+    return with_searched(state.layout.effects, effect, kind, beside(state, sizes, x, posterior))
+
+
+def _rounds(state: State, sizes: Sizes, most: int) -> tuple[FloatArray, State, int]:
+    """Noise, outliers, sizes and unknowns in turn, `most` times or until the noise stands still."""
     draw = np.random.default_rng(SEED)
-    kinds = [own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in state.runs]
-    sizes = Sizes(layout, kinds)
     x = np.zeros(sizes.spread.size)
-    for rounds in range(1, MOST_ROUNDS + 1):
-        found = reduced(layout, *_whitened(layout, state))
-        if not found.holds(layout.of_machine):
+    for rounds in range(1, most + 1):
+        found = linearised(state)
+        if not found.holds(state.layout.of_machine):
             raise NothingHeldError("no reading holds an error of the machine")
         x, posterior = best_sizes(sizes, found, x)
-        state = _moved(layout, state, posterior, given)
-        known, scales = _noise(layout, state, posterior, draw)
-        change = max(abs(np.log(one.sigma / state.noise[name].sigma)) for name, one in known.items())
-        state = replace(state, noise=known, scales=scales)
-        good = _good(state)
-        settled = change < SETTLED and all((one.good == now).all() for one, now in zip(state.runs, good, strict=True))
-        state = replace(state, runs=[replace(one, good=now) for one, now in zip(state.runs, good, strict=True)])
-        if settled and rounds >= LEAST_ROUNDS:
+        posterior, _ = _determined(sizes, posterior)
+        before = moved(state, posterior, sizes.own_scales(x))
+        state = without_outliers(with_noise(before, posterior, draw))
+        change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in state.noise.items())
+        same = all((one.good == now.good).all() for one, now in zip(before.runs, state.runs, strict=True))
+        if change < SETTLED and same and rounds >= LEAST_ROUNDS:
             break
+    return x, state, rounds
+
+
+def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
+    state, sizes = setting.started(effects)
+    layout = state.layout
+    x, state, rounds = _rounds(state, sizes, MOST_ROUNDS)
     converged, last = False, np.inf
     steps = 0
-    while steps < MOST_STEPS and not converged:
+    while steps < MOST_STEPS and last >= (STILL if setting.prior else EXACT):
         steps += 1
-        found = reduced(layout, *_whitened(layout, state))
-        posterior = posterior_at(sizes, found, x)
-        before, residual = state.unknowns / layout.sizes, state.residual
-        state = _moved(layout, state, posterior, given)
-        change = max(float(np.max(np.abs(a - b), initial=0.0)) for a, b in zip(state.residual, residual, strict=True))
-        u = np.maximum(np.linalg.norm(posterior.spread, axis=1), LEAST_STEP / STILL)
-        last = float(np.max(np.abs(state.unknowns / layout.sizes - before) / u, initial=0.0))
+        found = linearised(state)
+        whole = posterior_at(sizes, found, x)
+        posterior, left_open = _determined(sizes, whole)
+        before = state
+        state = moved(state, posterior, sizes.own_scales(x))
+        change = max(
+            float(np.max(np.abs(a - b), initial=0.0)) for a, b in zip(state.residual, before.residual, strict=True)
+        )
+        u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
+        last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    posterior = averaged(sizes, found, x)
-    state = _moved(layout, state, posterior, given)
-    left, outliers = np.zeros(observed.reading.size), np.zeros(observed.reading.size, dtype=bool)
+    if setting.prior:
+        posterior = averaged(sizes, found, x)
+        state = at_share(state, posterior)
+    left, outliers = np.zeros(setting.observed.reading.size), np.zeros(setting.observed.reading.size, dtype=bool)
     for one, rest in zip(state.runs, state.residual, strict=True):
-        left[one.at], outliers[one.at] = rest, ~one.good
+        left[one.rows.at], outliers[one.rows.at] = rest, ~one.good
     return Estimate(
-        layout=layout,
-        values=layout.values(state.unknowns, given),
+        layout=state.layout,
+        values=layout.values(state.unknowns, setting.given),
         unknowns=state.unknowns,
         spread=posterior.spread * layout.sizes[:, np.newaxis],
+        open=left_open * layout.sizes[:, np.newaxis],
         of_prior=posterior.of_prior,
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
         noise=state.noise,
         scales={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},
         stated=state.stated,
+        zeroed=(),
         outliers=outliers,
         residual=left,
         freedom=float((~outliers).sum()) - posterior.told,
@@ -178,79 +245,8 @@ def estimate(
     )
 
 
-def _start(layout: Layout, runs: list[MeasuredRun], given: ErrorValues, noise: Mapping[int, float] | None) -> _State:
-    unknowns = np.zeros(layout.count)
-    own_unknowns = [np.zeros(len(own_kinds(one.rows.run, layout.straightness[one.rows.index]))) for one in runs]
-    residual = residuals_of(layout, runs, unknowns, own_unknowns, given)
-    noise = noise or {}
-    unstated = {one.instrument for one in runs if one.rows.index not in noise}
-    found: dict[str, Noise] = {}
-    for name in sorted({one.instrument for one in runs}):
-        own = [rest for one, rest in zip(runs, residual, strict=True) if one.instrument == name]
-        found[name] = first_noise(own) if name in unstated else Noise(1.0)
-    scales = np.array([1.0 if one.instrument in unstated else noise[one.rows.index] for one in runs])
-    stated = frozenset(found) - unstated
-    return _State(runs, stated, found, scales, unknowns, own_unknowns, residual)
-
-
-def _whitened(layout: Layout, state: _State) -> tuple[list[RunRows], list[Whitening], list[FloatArray]]:
-    """Rows, whitening and readings less what is not linear, of every run."""
-    kept = [one.kept() for one in state.runs]
-    linear = first_order(layout, state.runs, state.unknowns, state.own)
-    values = [(rest + part)[one.good] for one, rest, part in zip(state.runs, state.residual, linear, strict=True)]
-    whitenings = [
-        Whitening(state.noise[one.instrument], rows.steps, scale)
-        for one, rows, scale in zip(state.runs, kept, state.scales, strict=True)
-    ]
-    return kept, whitenings, values
-
-
-def _moved(layout: Layout, state: _State, posterior: Posterior, given: ErrorValues) -> _State:
-    """After the step to the posterior mean, or a part of it where the exact model is far worse off after it."""
-    squares = _squares(state, state.residual)
-    share = 1.0
-    while True:
-        unknowns = state.unknowns + share * (posterior.mean * layout.sizes - state.unknowns)
-        own = [now + share * (one.mean - now) for now, one in zip(state.own, posterior.own, strict=True)]
-        residual = residuals_of(layout, state.runs, unknowns, own, given)
-        if _squares(state, residual) <= WORSE * squares or share < LEAST_SHARE:
-            return replace(state, unknowns=unknowns, own=own, residual=residual)
-        share *= 0.5
-
-
-def _squares(state: _State, residual: list[FloatArray]) -> float:
-    """Of residuals in units of the noise; a reading more counts for rounding."""
-    parts = zip(state.runs, residual, state.scales.tolist(), strict=True)
-    return 1.0 + sum(
-        float(np.sum((rest[one.good] / (scale * state.noise[one.instrument].sigma)) ** 2)) for one, rest, scale in parts
-    )
-
-
-def _noise(
-    layout: Layout, state: _State, posterior: Posterior, draw: np.random.Generator
-) -> tuple[dict[str, Noise], FloatArray]:
-    normal = draw.standard_normal((posterior.spread.shape[1], DRAWS))
-    own = [
-        one.by_others @ normal + one.alone @ draw.standard_normal((one.alone.shape[1], DRAWS)) for one in posterior.own
-    ]
-    change = first_order(layout, state.runs, layout.sizes[:, np.newaxis] * (posterior.spread @ normal), own)
-    draws = [
-        (rest[:, np.newaxis] - off)[one.good] for one, rest, off in zip(state.runs, state.residual, change, strict=True)
-    ]
-    noise, scales = dict(state.noise), state.scales.copy()
-    for name in sorted(state.noise.keys() - state.stated):
-        members = [place for place, one in enumerate(state.runs) if one.instrument == name]
-        steps = [state.runs[place].kept().steps for place in members]
-        found, scales[members] = noise_of_draws([draws[place] for place in members], steps)
-        devices = {state.runs[place].rows.run.device for place in members}
-        resolved = max((one.resolution for one in devices if one is not None and one.resolution), default=0.0)
-        noise[name] = replace(found, white=max(found.white, resolved * DISPLAY))
-    return noise, scales
-
-
-def _good(state: _State) -> list[BoolArray]:
-    readings = sum(one.reading.size for one in state.runs)
-    return [
-        ~spoilt(state.noise[one.instrument], scale, one.rows.steps, rest, one.repeats, readings)
-        for one, rest, scale in zip(state.runs, state.residual, state.scales.tolist(), strict=True)
-    ]
+def _determined(sizes: Sizes, posterior: Posterior) -> tuple[Posterior, FloatArray]:
+    """The posterior, and without a prior what of it is open and zero: (n, d), in scaled unknowns."""
+    if sizes.flat:
+        return least_norm(posterior, sizes.layout.of_machine)
+    return posterior, np.zeros((posterior.mean.size, 0))

@@ -20,7 +20,9 @@ from trueaxis.estimation.sizes import Sizes
 from trueaxis.measure.machine import FloatArray
 
 MOST_STEPS = 60
+REMEMBERED = 30  # steps: about as many as there are sizes
 GRADIENT = 1e-2  # of the logarithm of the likelihood per standard deviation of a size: far below what a size matters
+NO_GAIN = 3e-4  # of a step, in the logarithm of the likelihood: likelihoods as near as that say the same
 FARTHEST = 3.0  # standard deviations of a size from what was expected: beyond, the data are not of such a machine
 PAIRS, SEED = 8, 21  # of sizes over which the posterior is averaged
 
@@ -39,20 +41,24 @@ class _Batch:
 def best_sizes(sizes: Sizes, reduced: Reduced, start: FloatArray) -> tuple[FloatArray, Posterior]:
     """The sizes of largest marginal likelihood, looked for from `start` on, and the posterior at them."""
     batches = _batches(reduced.blocks)
+    value, _, posterior = _evidence(sizes, reduced, batches, start)
+    # in units of what the readings and the prior leave open of each size: it halves the number of points
+    unit = 1.0 / np.sqrt(np.diag(sizes.information(posterior, sizes.scale(start)[1])))
 
-    def cost(x: FloatArray) -> tuple[float, FloatArray]:
+    def cost(scaled: FloatArray) -> tuple[float, FloatArray]:
+        x = scaled * unit
         value, slope, _ = _evidence(sizes, reduced, batches, x)
-        return 0.5 * float(x @ x) - value, x - slope
+        return 0.5 * float(x @ x) - value, (x - slope) * unit
 
     found = minimize(
         cost,
-        start,
+        start / unit,
         jac=True,
         method="L-BFGS-B",
-        bounds=[(-FARTHEST, FARTHEST)] * sizes.spread.size,
-        options={"maxiter": MOST_STEPS, "gtol": GRADIENT},
+        bounds=np.outer(FARTHEST / unit, (-1.0, 1.0)),
+        options={"maxiter": MOST_STEPS, "maxcor": REMEMBERED, "gtol": GRADIENT, "ftol": NO_GAIN / (1.0 + abs(value))},
     )
-    best = np.asarray(found.x)
+    best = np.asarray(found.x) * unit
     return best, _evidence(sizes, reduced, batches, best)[2]
 
 

@@ -16,8 +16,8 @@ TENTH, NINE_TENTHS = 0.1, 0.9  # of the prior: below the one the prior hardly ma
 class Judged:
     """A curve over the travel, or one value, mm or rad.
 
-    largest: largest absolute value; u: largest standard uncertainty, and its two parts there, by the noise of the
-    readings and by the prior; determined: by what.
+    largest: largest absolute value; u: largest standard uncertainty, NaN where it is a part of an open combination, and
+    its two parts there, by the noise of the readings and by the prior; determined: by what.
     """
 
     largest: float
@@ -55,13 +55,19 @@ def _judged(found: Estimate, change: FloatArray) -> Judged:
     prior = np.linalg.norm(change * found.scale, axis=1)
     rms = [float(np.sqrt(np.mean(one**2))) for one in (u, u_readings, u_prior, prior)]
     at = int(np.argmax(u))
+    share = float(np.linalg.norm(change @ found.open)) / float(np.linalg.norm(prior) or 1.0)
     return Judged(
         largest=float(values.max()),
-        u=float(u[at]),
+        u=float(u[at]) if share < TENTH else np.nan,
         u_readings=float(u_readings[at]),
         u_prior=float(u_prior[at]),
-        determined=determined_by(*rms),
+        determined=determined_by(*rms) if found.open.shape[1] == 0 else _left_open(share),
     )
+
+
+def _left_open(share: float) -> Determined:
+    """By what a value is determined of whose prior the share lies in combinations that are open."""
+    return "data" if share < TENTH else "prior" if share > NINE_TENTHS else "partly"
 
 
 def determined_by(u: float, u_readings: float, u_prior: float, prior: float) -> Determined:

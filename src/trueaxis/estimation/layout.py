@@ -1,29 +1,35 @@
 """The unknowns of an estimate, where each stands, and to which class of sizes it belongs."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.estimation.curve_prior import DEGREE
+from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.instruments import SharedUnknown, shared_unknowns, straight_runs
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.bases import LegendreBasis, travel_basis
 from trueaxis.runtime.curves import LegendreCurve
+from trueaxis.runtime.effect_values import in_order
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR
 
+EFFECT = "effect"  # class of all unknowns of effects: their size is not estimated, 1 mm of a reading is any size at all
+
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Layout:
-    """Unknowns in this order: coefficients of each component's curve, location errors, unknowns that runs share.
+    """Unknowns in this order: coefficients of each component's curve, location errors, unknowns of the instruments that
+    runs share, effects.
 
     components, locations: names of those that are unknown; bases: of each component; shared: of the instruments;
-    straightness: of each run; sizes: (n,), mm, rad or 1: what one scaled unit is, the size of [prior] or of the class;
-    kinds: name of the class of each component, location error and shared unknown, in their order.
+    straightness: of each run; effects: whose parameters are sought, linearised at their values; sizes: (n,), what one
+    scaled unit is, mm, rad or 1: the size of [prior] or of the class; of an effect what changes a reading by 1 mm;
+    kinds: name of the class of each component, location error, shared unknown and unknown of effects, in their order.
     """
 
     model: MachineModel
@@ -32,6 +38,7 @@ class Layout:
     locations: tuple[str, ...]
     shared: tuple[SharedUnknown, ...]
     straightness: tuple[bool, ...]
+    effects: EffectUnknowns
     sizes: FloatArray
     kinds: tuple[str, ...]
 
@@ -42,8 +49,18 @@ class Layout:
 
     @property
     def of_machine(self) -> int:
-        """How many of them, the first ones, are the machine's."""
-        return self.count - len(self.shared)
+        """How many of them, the first ones, are curves and location errors of the machine."""
+        return self.count - len(self.shared) - self.effects.count
+
+    @property
+    def of_shared(self) -> slice:
+        """The unknowns of the instruments."""
+        return slice(self.of_machine, self.of_machine + len(self.shared))
+
+    @property
+    def of_effects(self) -> slice:
+        """The unknowns of effects."""
+        return slice(self.count - self.effects.count, self.count)
 
     @property
     def offsets(self) -> IntArray:
@@ -64,22 +81,44 @@ class Layout:
             given.machine,
             {**given.parameters, **dict(zip(self.locations, located, strict=True))},
             {**curves, **given.motion_errors},
-            effects=given.effects,
+            effects=in_order(
+                (*given.effects, *self.effects.values(unknowns[self.of_effects])), self.model.machine.effects
+            ),
         )
 
+    def at(self, unknowns: FloatArray, given: ErrorValues) -> "Layout":
+        """With effects linearised at unknowns (n,)."""
+        if self.effects.ground is None:
+            return self
+        return replace(self, effects=self.effects.at(unknowns[self.of_effects], self.values(unknowns, given)))
 
-def layout_of(model: MachineModel, observed: Observations, given: ErrorValues) -> Layout:
+    def start(self) -> FloatArray:
+        """(n,): zero, and the effects at the values at which they are linearised."""
+        found = np.zeros(self.count)
+        found[self.of_effects] = self.effects.scaled * self.effects.scale
+        return found
+
+
+def layout_of(
+    model: MachineModel,
+    observed: Observations,
+    given: ErrorValues,
+    effects: EffectUnknowns | None = None,
+    degree: int = DEGREE,
+) -> Layout:
     """Every error that is not given, whether a reading holds it or not: what none holds keeps its prior."""
+    effects = effects or EffectUnknowns()
     components = tuple(name for name in model.components if name not in given.motion_errors)
     locations = tuple(name for name in model.location_errors if name not in given.parameters)
     straightness = straight_runs(model, observed.runs, observed.run, observed.positions)
     shared = shared_unknowns(observed.runs, np.unique(observed.run).tolist(), straightness)
-    bases = tuple(travel_basis(model.travel[name[2]], DEGREE) for name in components)
+    bases = tuple(travel_basis(model.travel[name[2]], degree) for name in components)
     prior, machine = model.prior, model.machine
     sizes = [
         *np.repeat([prior.of_component(name) for name in components], [basis.degree for basis in bases]).tolist(),
         *(prior.of_location(name, machine.parameter_unit(name)) for name in locations),
         *(one.size for one in shared),
+        *effects.scale.tolist(),
     ]
     return Layout(
         model=model,
@@ -88,8 +127,14 @@ def layout_of(model: MachineModel, observed: Observations, given: ErrorValues) -
         locations=locations,
         shared=tuple(shared),
         straightness=tuple(straightness),
+        effects=effects,
         sizes=np.array(sizes),
-        kinds=(*map(class_of, components), *_classes_of(model, locations), *(one.kind for one in shared)),
+        kinds=(
+            *map(class_of, components),
+            *_classes_of(model, locations),
+            *(one.kind for one in shared),
+            *([EFFECT] * effects.count),
+        ),
     )
 
 

@@ -11,6 +11,7 @@ from trueaxis.measure.machine import FloatArray
 EXPECTED = 0.05  # good readings that are taken for outliers, of a whole data set
 NEIGHBOURS = 2  # more than two spoilt readings in a row are not chance
 SHARED = 0.5  # of a deviation, that its repeats show as well: then it is structure
+ALIKE = 0.5  # of the largest one: a large outlier lifts the slow noise of its whole run, and smaller ones wait
 MOST = 0.1  # of a run: where more are off, the model is
 
 
@@ -30,7 +31,7 @@ def spoilt(
         off = Whitening(noise, between, scale).weighed(residual[good])
         z = np.abs(off) / np.sqrt(Whitening(noise, between, scale).weights())
         z[_shared(residual[good], repeats[good])] = 0.0
-        peaks = (z > limit) & (z >= _largest_around(z))
+        peaks = (z > max(limit, ALIKE * float(z.max()))) & (z >= _largest_around(z))
         if not peaks.any():
             break
         found[good[peaks]] = True

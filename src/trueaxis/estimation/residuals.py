@@ -28,7 +28,7 @@ def residual_of(
     """
     rows = measured.rows
     centre, added = np.zeros(3), np.zeros(rows.positions.shape[1])
-    for unknown, value in zip(layout.shared, unknowns[layout.of_machine :].tolist(), strict=True):
+    for unknown, value in zip(layout.shared, unknowns[layout.of_shared].tolist(), strict=True):
         if rows.index in unknown.runs and unknown.kind == CENTRE:
             centre[unknown.coordinate] += value
         elif rows.index in unknown.runs and value:
@@ -40,7 +40,9 @@ def residual_of(
         linear -= 3
         centre += own[linear:]
     added += columns[:, :linear] @ own[:linear]
-    return measured.reading - expected_reading(model, _moved(rows.run, centre), rows.positions) - added
+    ground = layout.effects.ground
+    context = None if ground is None else ground.context.of(rows.at)
+    return measured.reading - expected_reading(model, _moved(rows.run, centre), rows.positions, context) - added
 
 
 def residuals_of(

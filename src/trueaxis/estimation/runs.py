@@ -14,12 +14,11 @@ from trueaxis.measure.machine import FloatArray
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class MeasuredRun:
-    """rows: of all readings; at: (n,), their places in the observations; reading: (n,), mm; repeats: (n,), the same
-    number where the same place was read; good: (n,), which count.
+    """rows: of all readings; reading: (n,), mm; repeats: (n,), the same number where the same place was read; good:
+    (n,), which count.
     """
 
     rows: RunRows
-    at: IntArray
     reading: FloatArray
     repeats: IntArray
     good: BoolArray
@@ -36,6 +35,7 @@ class MeasuredRun:
         time = np.cumsum(self.rows.steps)[self.good]
         return replace(
             self.rows,
+            at=self.rows.at[self.good],
             positions=np.ascontiguousarray(self.rows.positions[:, self.good]),
             passed=self.rows.passed[self.good],
             steps=np.diff(time, prepend=0.0),
@@ -61,11 +61,11 @@ def measured_runs(observed: Observations) -> list[MeasuredRun]:
                 rows=RunRows(
                     index=index,
                     run=observed.runs[index],
+                    at=rows,
                     positions=np.ascontiguousarray(observed.positions[:, rows]),
                     passed=at / (at[-1] or 1.0),
                     steps=steps / typical,
                 ),
-                at=rows,
                 reading=observed.reading[rows],
                 repeats=same[rows],
                 good=np.ones(rows.size, dtype=bool),

@@ -18,34 +18,47 @@ from trueaxis.estimation.instruments import (
     STATED,
     STATED_FACTOR,
 )
-from trueaxis.estimation.layout import Layout
+from trueaxis.estimation.layout import EFFECT, Layout
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.measure.machine import FloatArray
 
 CLASS_FACTOR = 4.0  # by which a size may be other than expected, one standard deviation
+FIXED = 1.0  # of a size that is not estimated
+FLAT = 1e4  # times the sizes of [prior]: with no prior to speak of, no error of any machine is drawn towards zero
 COMPONENT_FACTOR = 1.6  # by which the sizes of components of one class differ
+IDEAL = 1e-9  # times the sizes of what is unknown of instruments: nothing is
 
 
 class Sizes:
-    """All sizes as one vector of standard normal numbers, zero where everything is as expected."""
+    """All sizes as one vector of standard normal numbers, zero where everything is as expected.
 
-    def __init__(self, layout: Layout, kinds: Sequence[Sequence[str]]) -> None:
-        self.layout = layout
+    flat: the machine's errors have next to no prior, and no size that could be estimated; ideal: nothing is unknown of
+    the instruments.
+    """
+
+    def __init__(
+        self, layout: Layout, kinds: Sequence[Sequence[str]], *, flat: bool = False, ideal: bool = False
+    ) -> None:
+        self.layout, self.flat, self._ideal = layout, flat, ideal
+        self._own_kinds = kinds
         classes = list(dict.fromkeys(layout.kinds))
         own = list(dict.fromkeys(kind for of_run in kinds for kind in of_run))
         self.names = (*classes, *(f"of {name}" for name in layout.components), *own, *SHAPE)
         self._own_at = {kind: len(classes) + len(layout.components) + place for place, kind in enumerate(own)}
+        of_machine = [CLASS_FACTOR, COMPONENT_FACTOR, WAVES_FACTOR, FALLING_FACTOR]
+        of_class, of_component, *of_shape = [FIXED] * 4 if flat else of_machine
         factors = [
-            *(_factor(kind) if kind in SHARED_SIZES else CLASS_FACTOR for kind in classes),
-            *([COMPONENT_FACTOR] * len(layout.components)),
-            *map(_factor, own),
+            *(self._factor(kind, of_class) for kind in classes),
+            *([of_component] * len(layout.components)),
+            *(self._factor(kind, FIXED) for kind in own),
+            *of_shape,
         ]
-        self.spread = np.log([*factors, WAVES_FACTOR, FALLING_FACTOR])
+        self.spread = np.log(factors)
         degrees = [basis.degree for basis in layout.bases]
         one_each = layout.count - sum(degrees)
-        of_class = [classes.index(kind) for kind in layout.kinds]
-        self._class: IntArray = np.repeat(of_class, [*degrees, *([1] * one_each)]).astype(np.int64)
+        members = [classes.index(kind) for kind in layout.kinds]
+        self._class: IntArray = np.repeat(members, [*degrees, *([1] * one_each)]).astype(np.int64)
         self._component: IntArray = np.repeat(np.arange(len(degrees)) + len(classes), degrees).astype(np.int64)
         self._priors = [CurvePrior(basis) for basis in layout.bases]
 
@@ -60,6 +73,10 @@ class Sizes:
         if weights:
             log[:curves] += np.concatenate([of for of, _ in weights])
             slope[:, :curves] = np.hstack([of for _, of in weights])
+        if self.flat:
+            log[: self.layout.of_machine] += np.log(FLAT)
+        if self._ideal:
+            log[self.layout.of_shared] += np.log(IDEAL)
         return log, slope
 
     def factors(self, x: FloatArray) -> dict[str, float]:
@@ -68,9 +85,13 @@ class Sizes:
 
     def own_scale(self, kinds: Sequence[str], x: FloatArray) -> FloatArray:
         """(k,): prior standard deviations of a run's own unknowns, mm or rad."""
-        return np.array(
-            [OWN_SIZES[kind] * np.exp(x[self._own_at[kind]] * self.spread[self._own_at[kind]]) for kind in kinds]
-        )
+        whole = IDEAL if self._ideal else 1.0
+        logs = [x[self._own_at[kind]] * self.spread[self._own_at[kind]] for kind in kinds]
+        return np.array([whole * OWN_SIZES[kind] * np.exp(log) for kind, log in zip(kinds, logs, strict=True)])
+
+    def own_scales(self, x: FloatArray) -> list[FloatArray]:
+        """The same of every run."""
+        return [self.own_scale(kinds, x) for kinds in self._own_kinds]
 
     def information(self, posterior: Posterior, slope: FloatArray) -> FloatArray:
         """Expected Fisher information of x with the prior's, 1: what the readings tell of the sizes at all.
@@ -99,8 +120,10 @@ class Sizes:
         found[-len(SHAPE) :] = slope @ expected
         return found * self.spread
 
-
-def _factor(kind: str) -> float:
-    if kind in STATED:
-        return STATED_FACTOR
-    return CALIBRATED_FACTOR if kind in CALIBRATED else SET_UP_FACTOR
+    def _factor(self, kind: str, of_machine: float) -> float:
+        """By what the size of a class may be other than expected."""
+        if kind in STATED:
+            return FIXED if self._ideal else STATED_FACTOR
+        if kind in SHARED_SIZES or kind in OWN_SIZES:
+            return FIXED if self._ideal else CALIBRATED_FACTOR if kind in CALIBRATED else SET_UP_FACTOR
+        return FIXED if kind == EFFECT else of_machine

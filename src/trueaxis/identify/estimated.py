@@ -5,14 +5,15 @@ from typing import Literal
 
 import numpy as np
 
+from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
-from trueaxis.estimation.gauge import covariance_of
-from trueaxis.estimation.judgement import NINE_TENTHS, Judged, judged_component, judged_location
+from trueaxis.estimation.judgement import NINE_TENTHS, TENTH, Judged, judged_component, judged_location
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
 from trueaxis.faults import Fault, InputError
+from trueaxis.identify.estimated_effects import covariance_with_effects, effect_reports, with_uncertainty
 from trueaxis.identify.fit_quality import (
     FitQuality,
     NotConvergedError,
@@ -35,6 +36,7 @@ from trueaxis.identify.report import (
 from trueaxis.identify.weighting import NoiseModel, weighting
 from trueaxis.identify.words import enumerated, unit_of
 from trueaxis.runtime.curves import Curve, LegendreCurve
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import Determined, ErrorValues, Undetermined
 from trueaxis.runtime.model import MachineModel
 
@@ -45,18 +47,26 @@ ORIGINS: dict[Determined, str] = {
     "partly": "from the readings and the prior",
     "prior": "undetermined: from the prior alone",
 }
+SILENT = {
+    True: "the readings do not determine them; values and u are those of [prior]",
+    False: "the readings leave combinations of them open, which are zero here",
+}
 RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
 
 
 @dataclass(frozen=True, slots=True)
 class EstimateOptions:
     """squareness: what parts it from straightness; known: values taken as they are, dimensions too; noise: what is
-    known of it.
+    known of it; start, prior, ideal, degree: as `estimate` takes them.
     """
 
     squareness: Choice = "convention"
     known: ErrorValues | None = None
     noise: NoiseModel = field(default_factory=NoiseModel)
+    start: tuple[EffectValues, ...] = ()
+    prior: bool = True
+    ideal: bool = False
+    degree: int = DEGREE
 
 
 def identify_estimated(model: MachineModel, observed: Observations, options: EstimateOptions) -> Identification:
@@ -71,7 +81,16 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         given = replace(given, parameters={**zeros, **given.parameters})
     noise = _given_noise(observed, options.noise)
     try:
-        found = estimate(model, observed, given, noise)
+        found = estimate(
+            model,
+            observed,
+            given,
+            noise,
+            options.start,
+            prior=options.prior,
+            ideal=options.ideal,
+            degree=options.degree,
+        )
     except NothingHeldError as error:
         remedy = "runs that move an axis, or fewer values in --known"
         raise InputError([Fault(observed.source, "", str(error), remedy)]) from error
@@ -83,14 +102,13 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}
     silent = [name for name, one in (*components.items(), *locations.items()) if one.determined == "prior"]
-    left_open: tuple[Undetermined, ...] = ()
-    if silent:
-        said = f"{enumerated(silent)}: the readings do not determine them; values and u are those of [prior]"
-        left_open = (Undetermined(said, tuple(silent)),)
+    if not options.prior:
+        silent = [name for name, one in (*components.items(), *locations.items()) if one.determined != "data"]
+    left_open = (Undetermined(f"{enumerated(silent)}: {SILENT[options.prior]}", tuple(silent)),) if silent else ()
     values = replace(
-        found.values,
+        with_uncertainty(found.values, found),
         motion_errors={**_curves(model, observed, found), **given.motion_errors},
-        u={name: one.u for name, one in locations.items()},
+        u={name: one.u for name, one in locations.items() if np.isfinite(one.u)},
         u_readings={name: one.u_readings for name, one in locations.items()},
         u_prior={name: one.u_prior for name, one in locations.items()},
         determined={name: one.determined for name, one in (*components.items(), *locations.items())},
@@ -99,9 +117,12 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     )
     report = _report(model, observed, found, components, locations, judged, options)
     report = replace(
-        report, undetermined=left_open, notes=(*dimension_notes(model, given), *estimate_notes(model, found, given))
+        report,
+        effects=effect_reports(values, found),
+        undetermined=left_open,
+        notes=(*dimension_notes(model, given), *estimate_notes(model, found, given)),
     )
-    return Identification(values, report, covariance_of(found.layout, found.spread, found.of_prior))
+    return Identification(values, report, covariance_with_effects(found))
 
 
 def _as_known(values: ErrorValues) -> ErrorValues:
@@ -143,6 +164,7 @@ def _curves(model: MachineModel, observed: Observations, found: Estimate) -> dic
     curves: dict[str, Curve] = {}
     readings, by_prior = np.split(found.spread, [found.spread.shape[1] - found.of_prior], axis=1)
     parts = [np.linalg.norm(part, axis=1) for part in (found.spread, readings, by_prior)]
+    parts[0][np.linalg.norm(found.open, axis=1) > TENTH * found.scale] = np.nan
     for place, name in enumerate(found.layout.components):
         first = int(found.layout.offsets[place])
         curve = found.values.motion_errors[name]
@@ -209,8 +231,18 @@ def _location(found: Estimate, name: str, judged: Judged | None, unit: str) -> L
     if judged is None:
         return LocationReport(name, value, None, unit, "given")
     return LocationReport(
-        name, value, judged.u, unit, ORIGINS[judged.determined], u_readings=judged.u_readings, u_prior=judged.u_prior
+        name,
+        value,
+        _known_u(judged),
+        unit,
+        ORIGINS[judged.determined],
+        u_readings=judged.u_readings,
+        u_prior=judged.u_prior,
     )
+
+
+def _known_u(judged: Judged) -> float | None:
+    return judged.u if np.isfinite(judged.u) else None
 
 
 def _component(name: str, judged: Judged | None) -> ComponentReport:
@@ -220,7 +252,7 @@ def _component(name: str, judged: Judged | None) -> ComponentReport:
         name,
         KNOWN[judged.determined],
         judged.largest,
-        judged.u,
+        _known_u(judged),
         unit_of(name),
         u_readings=judged.u_readings,
         u_prior=judged.u_prior,

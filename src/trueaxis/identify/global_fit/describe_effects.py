@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from trueaxis.identify.effects.unknowns import unit_in
+from trueaxis.estimation.effects.unknowns import unit_in
 from trueaxis.identify.global_fit.result import OPEN, GlobalResult
 from trueaxis.identify.report import FROM_READINGS, EffectParameterReport, EffectReport
 from trueaxis.identify.words import Share

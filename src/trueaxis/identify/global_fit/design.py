@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.estimation.effects.signature import RunRows
 from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
-from trueaxis.identify.effects.signature import RunRows
 from trueaxis.identify.global_fit.layout import Layout
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions

@@ -1,18 +1,18 @@
 """The effects of a machine in the global fit: which are unknown, where the fit starts, which instrument gives way."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.effects.amplitudes import searched_names
+from trueaxis.estimation.effects.faults import check_columns
+from trueaxis.estimation.effects.search import WhitenedRun, searched_start
+from trueaxis.estimation.effects.signature import RunRows, all_rows, ground_of
+from trueaxis.estimation.effects.unknowns import EffectUnknown, EffectUnknowns, member_at, sized
+from trueaxis.estimation.machine import IdentifiedMachine, IntArray
 from trueaxis.estimation.observations import Observations
-from trueaxis.identify.effects.amplitudes import searched_names
-from trueaxis.identify.effects.faults import check_columns
-from trueaxis.identify.effects.search import Others, searched_start
-from trueaxis.identify.effects.signature import RunRows, all_rows, ground_of
-from trueaxis.identify.effects.unknowns import EffectUnknown, EffectUnknowns, member_at, sized
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.instruments import Instruments
 from trueaxis.identify.global_fit.layout import Layout, layout
@@ -214,7 +214,23 @@ def _with(setting: Setting, degree: Degree, found: EffectUnknowns, effect: Effec
     else:
         design = design.at(solution.unknowns, setting.given)
         fitted = factors(design.triangle()[0])
-        others = Others(design.pieces, fitted.vectors / fitted.singular, solution.residual, setting.roots)
+        root = fitted.vectors / fitted.singular
+
+        def others() -> Iterator[WhitenedRun]:
+            for rows, piece in design.pieces():
+
+                def whiten(columns: FloatArray, rows: IntArray = rows) -> FloatArray:
+                    return np.asarray(columns * setting.roots[rows, np.newaxis])
+
+                yield WhitenedRun(
+                    index=int(setting.observed.run[rows[0]]),
+                    rows=rows,
+                    whiten=whiten,
+                    own=np.zeros((rows.size, 0)),
+                    others=piece @ root,
+                    residual=setting.roots[rows] * solution.residual[rows],
+                )
+
         member = searched_start(found.ground, effect, kind, others)
     member = sized(member, found.ground, all_rows(setting.observed, found.ground))
     machine = found.ground.model.machine

@@ -5,9 +5,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.machine import IdentifiedMachine, IntArray, component_axes, scales
 from trueaxis.estimation.observations import Observations
-from trueaxis.identify.effects.unknowns import EffectUnknowns
 from trueaxis.identify.global_fit.instruments import Instruments
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions

@@ -4,10 +4,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
 from trueaxis.faults import Fault, InputError
-from trueaxis.identify.effects.unknowns import EffectUnknowns
 from trueaxis.identify.fit_quality import NotConvergedError, run_residuals, stands_still
 from trueaxis.identify.global_fit.design import Design
 from trueaxis.identify.global_fit.effects import (

@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
+from trueaxis.estimation.effects.faults import check_columns
+from trueaxis.estimation.effects.signature import added_by, all_rows, ground_of
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
 from trueaxis.faults import Faults
-from trueaxis.identify.effects.faults import check_columns
-from trueaxis.identify.effects.signature import added_by, all_rows, ground_of
 from trueaxis.runtime.effect_values import identity
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel

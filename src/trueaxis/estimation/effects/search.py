@@ -10,31 +10,37 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.estimation.effects.amplitudes import amplitude_names, basis_vectors, searched_names
+from trueaxis.estimation.effects.grids import Point, finer, grid_of
+from trueaxis.estimation.effects.signature import Ground, is_in, of_term, reaches, rows_of
+from trueaxis.estimation.effects.unknowns import EffectUnknown
+from trueaxis.estimation.effects.variable_projection import explained
 from trueaxis.estimation.machine import IntArray
-from trueaxis.identify.effects.amplitudes import amplitude_names, basis_vectors, searched_names
-from trueaxis.identify.effects.grids import Point, finer, grid_of
-from trueaxis.identify.effects.signature import Ground, is_in, of_term, reaches, rows_of
-from trueaxis.identify.effects.unknowns import EffectUnknown
-from trueaxis.identify.effects.variable_projection import explained
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.effect_terms import component_axis
 
 ZOOMS = 2
-POINTS = 256  # of the grid at a time
+ENTRIES = 2**22  # of signatures held at a time: 32 MB
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Others:
-    """The fit of all other unknowns.
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class WhitenedRun:
+    """Readings of one run in units of their noise, beside everything else that is estimated.
 
-    pieces: weighted rows of their design matrix, all of one run each; root: (n_unknowns, rank), with inverse normal
-    matrix root root'; residual: (n_readings,), mm, what they leave; roots: (n_readings,), square roots of the weights.
+    index: of the run; rows: (m,), its readings in the order in which they were taken; whiten: makes the noise of
+    columns (m, q) white and 1; own: (m, k), what the run's own unknowns take of whitened columns c is own (own' c);
+    others: (m, r), the same for the unknowns that runs share, summed over all runs; residual: (m,), whitened.
     """
 
-    pieces: Callable[[], Iterator[tuple[IntArray, FloatArray]]]
-    root: FloatArray
+    index: int
+    rows: IntArray
+    whiten: Callable[[FloatArray], FloatArray]
+    own: FloatArray
+    others: FloatArray
     residual: FloatArray
-    roots: FloatArray
+
+
+Others = Callable[[], Iterator[WhitenedRun]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,9 +77,12 @@ def _grid(ground: Ground, effect: Effect, kind: Kind) -> tuple[Point, ...]:
 
 
 def _explained(ground: Ground, effect: Effect, kind: Kind, points: tuple[Point, ...], others: Others) -> _Explained:
+    k = len(amplitude_names(kind))
+    longest = int(np.bincount(ground.observed.run).max())
+    together = max(ENTRIES // (longest * k), 1)
     parts = [
-        _of_points(ground, effect, kind, points[first : first + POINTS], others)
-        for first in range(0, len(points), POINTS)
+        _of_points(ground, effect, kind, points[first : first + together], others)
+        for first in range(0, len(points), together)
     ]
     return _Explained(
         np.concatenate([part.squares for part in parts]), np.concatenate([part.amplitudes for part in parts])
@@ -81,24 +90,28 @@ def _explained(ground: Ground, effect: Effect, kind: Kind, points: tuple[Point, 
 
 
 def _of_points(ground: Ground, effect: Effect, kind: Kind, points: tuple[Point, ...], others: Others) -> _Explained:
-    k, rank = len(amplitude_names(kind)), others.root.shape[1]
+    k = len(amplitude_names(kind))
     vectors = [vector for point in points for vector in basis_vectors(kind, point)]
-    total, right = np.zeros((len(points), k, k)), np.zeros((len(points), k))
-    inside = np.zeros((rank, len(vectors)))
-    for rows, piece in others.pieces():
-        index = int(ground.observed.run[rows[0]]) if rows.size else -1
-        if index < 0 or not is_in(effect, kind, ground.observed.runs[index]):
+    total, gram = np.zeros((len(points), k, k)), np.zeros((len(points), k, k))
+    right, inside = np.zeros((len(points), k)), np.zeros((0, len(vectors)))
+    for run in others():
+        if not is_in(effect, kind, ground.observed.runs[run.index]):
             continue
-        chosen = rows_of(ground, index, rows)
+        chosen = rows_of(ground, run.index, run.rows)
         if not reaches(ground, effect, kind, chosen):
             continue
-        columns = np.array([of_term(ground, effect, kind, vector, chosen)[0] for vector in vectors]).T
-        columns *= others.roots[rows, np.newaxis]
-        shaped = columns.reshape(rows.size, len(points), k)
-        total += np.einsum("npi,npj->pij", shaped, shaped, optimize=True)
-        right += ((others.roots[rows] * others.residual[rows]) @ columns).reshape(len(points), k)
-        inside += (piece @ others.root).T @ columns
-    shaped = inside.reshape(rank, len(points), k)
-    gram = total - np.einsum("rpi,rpj->pij", shaped, shaped, optimize=True)
+        columns = run.whiten(np.array([of_term(ground, effect, kind, vector, chosen)[0] for vector in vectors]).T)
+        total += _squares(columns, k)
+        gram -= _squares(run.own.T @ columns, k)
+        right += (run.residual @ columns).reshape(-1, k)
+        part = run.others.T @ columns
+        inside = part if inside.size == 0 else inside + part
+    gram += total - _squares(inside, k)
     root = any(one.role == "root" for one in kind.parameters)
     return _Explained(*explained(gram, right, np.trace(total, axis1=1, axis2=2), one_sided=root))
+
+
+def _squares(columns: FloatArray, k: int) -> FloatArray:
+    """(points, k, k): products of the k columns of each point."""
+    shaped = columns.reshape(columns.shape[0], -1, k)
+    return np.asarray(np.einsum("npi,npj->pij", shaped, shaped, optimize=True))

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.identify.effects.amplitudes import (
+from trueaxis.estimation.effects.amplitudes import (
     amplitude_names,
     amplitude_units,
     amplitudes_of,
@@ -16,7 +16,7 @@ from trueaxis.identify.effects.amplitudes import (
     parameters_of,
     searched_names,
 )
-from trueaxis.identify.effects.signature import Ground, RunRows, by_differences, of_term
+from trueaxis.estimation.effects.signature import Ground, RunRows, by_differences, of_term
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_effects import placed_run
 from trueaxis.measure.setup import Run
@@ -25,7 +25,9 @@ from trueaxis.runtime.errors import ErrorValues
 
 UNSEEN = 1e-9  # mm of reading per unit of a parameter, below which no reading holds it
 LENGTHS = ("pitch", "time", "reversal")  # grids of parameters that a term divides by: never zero
-FARTHEST_POINT = 50.0  # mm: a point that is off by more was not set up; readings that hardly tell would drift there
+POINT_SIZE = (
+    20.0  # mm, one standard deviation: points are set up by eye and scale; readings that hardly tell would drift
+)
 MOST_CHANGE = 2.0  # factor by which such a parameter changes in a step
 
 
@@ -109,9 +111,7 @@ class EffectUnknown:
         return replace(self, values=values)
 
     def within(self, values: FloatArray) -> bool:
-        """Whether a step to the values leaves what a term divides by where it makes sense, and points near theirs."""
-        if self.kind.place == "point":
-            return bool(np.abs(values).max() <= FARTHEST_POINT)
+        """Whether a step to the values leaves what a term divides by where it makes sense."""
         grids = {one.name: one.grid for one in self.kind.parameters}
         k = self.count - len(self.free)
         pairs = zip(self.free, self.values[k:].tolist(), values[k:].tolist(), strict=True)
@@ -191,7 +191,12 @@ class EffectUnknowns:
 
 
 def sized(member: EffectUnknown, ground: Ground, chosen: Sequence[RunRows]) -> EffectUnknown:
-    """The member with sizes from its columns; searched parameters without an effect on any reading stay as chosen."""
+    """The member with sizes from its columns; searched parameters without an effect on any reading stay as chosen.
+
+    Of a point the size is what may be expected, whatever the readings tell of it.
+    """
+    if member.kind.place == "point":
+        return replace(member, sizes=np.full(member.count, POINT_SIZE))
     largest = np.zeros(member.count)
     for rows in chosen:
         largest = np.maximum(largest, np.abs(member.columns(ground, rows)).max(axis=0, initial=0.0))

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.estimation.effects.signature import Ground, RunRows, is_in
 from trueaxis.faults import Faults
-from trueaxis.identify.effects.signature import Ground, RunRows, is_in
 from trueaxis.runtime.context import FloatArray
 from trueaxis.runtime.effect_terms import component_axis, context_variables
 

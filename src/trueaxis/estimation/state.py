@@ -1,0 +1,156 @@
+"""Where an estimation stands: linearised, whitened, moved to the posterior mean, its noise and outliers renewed."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trueaxis.estimation.instruments import own_kinds
+from trueaxis.estimation.jacobian import RunRows
+from trueaxis.estimation.layout import Layout
+from trueaxis.estimation.noise import Noise, Whitening
+from trueaxis.estimation.noise_of_residuals import first_noise, noise_of_draws
+from trueaxis.estimation.outliers import spoilt
+from trueaxis.estimation.posterior import Posterior
+from trueaxis.estimation.reduce import Reduced, reduced
+from trueaxis.estimation.residuals import first_order, residuals_of
+from trueaxis.estimation.runs import MeasuredRun
+from trueaxis.measure.columns import BoolArray
+from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.errors import ErrorValues
+
+NOTHING, LEAST_SHARE = 1e-3, 1e-3  # of a sum of squares in units of their variances; of a step
+DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
+DRAWS = 8  # of the posterior, from which the noise is taken
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class State:
+    """layout: linearised at the unknowns; given: values that are taken as they are; stated: instruments whose noise is
+    known, white and 1, the scales of their runs being the noise in mm; noise: of each instrument; scales: of each run;
+    unknowns: (n,), own: of each run, mm, rad or 1; residual: of each run, mm.
+    """
+
+    layout: Layout
+    given: ErrorValues
+    runs: tuple[MeasuredRun, ...]
+    stated: frozenset[str]
+    noise: Mapping[str, Noise]
+    scales: FloatArray
+    unknowns: FloatArray
+    own: tuple[FloatArray, ...]
+    residual: tuple[FloatArray, ...]
+
+    @property
+    def own_kinds(self) -> list[tuple[str, ...]]:
+        """Classes of the own unknowns of every run."""
+        return [own_kinds(one.rows.run, self.layout.straightness[one.rows.index]) for one in self.runs]
+
+    def whitening(self, place: int, rows: RunRows) -> Whitening:
+        """Of the rows that count of the run at a place."""
+        return Whitening(self.noise[self.runs[place].instrument], rows.steps, float(self.scales[place]))
+
+
+def started(
+    layout: Layout, runs: tuple[MeasuredRun, ...], given: ErrorValues, stated_noise: Mapping[int, float]
+) -> State:
+    """Nothing known but the values at which effects are linearised; stated_noise: mm, of runs by index."""
+    kinds = [own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs]
+    unknowns, own = layout.start(), tuple(np.zeros(len(of_run)) for of_run in kinds)
+    residual = residuals_of(layout, runs, unknowns, own, given)
+    unstated = {one.instrument for one in runs if one.rows.index not in stated_noise}
+    found: dict[str, Noise] = {}
+    for name in sorted({one.instrument for one in runs}):
+        mine = [rest for one, rest in zip(runs, residual, strict=True) if one.instrument == name]
+        found[name] = first_noise(mine) if name in unstated else Noise(1.0)
+    scales = [1.0 if one.instrument in unstated else stated_noise[one.rows.index] for one in runs]
+    return State(
+        layout=layout.at(unknowns, given),
+        given=given,
+        runs=runs,
+        stated=frozenset(found) - unstated,
+        noise=found,
+        scales=np.array(scales),
+        unknowns=unknowns,
+        own=own,
+        residual=tuple(residual),
+    )
+
+
+def linearised(state: State) -> Reduced:
+    """What the readings that count, whitened, say of the unknowns."""
+    kept = [one.kept() for one in state.runs]
+    left = [rest[one.good] for one, rest in zip(state.runs, state.residual, strict=True)]
+    whitenings = [state.whitening(place, rows) for place, rows in enumerate(kept)]
+    return reduced(state.layout, kept, whitenings, left, state.unknowns, state.own)
+
+
+def moved(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) -> State:
+    """After the step to the posterior mean, or the part of it that does the exact model no harm.
+
+    own_scales: prior standard deviations of the own unknowns of every run, as those of the posterior.
+    """
+    before = _misfit(state, posterior, own_scales)
+    share = 1.0
+    while share >= LEAST_SHARE:
+        if state.layout.effects.within(_stepped(state, posterior, share)[0][state.layout.of_effects]):
+            after = at_share(state, posterior, share)
+            if _misfit(after, posterior, own_scales) <= before + NOTHING:
+                return after
+        share *= 0.5
+    return state
+
+
+def at_share(state: State, posterior: Posterior, share: float = 1.0) -> State:
+    """After a share of the step to the posterior mean."""
+    unknowns, own = _stepped(state, posterior, share)
+    residual = tuple(residuals_of(state.layout, state.runs, unknowns, own, state.given))
+    layout = state.layout.at(unknowns, state.given)
+    return replace(state, layout=layout, unknowns=unknowns, own=own, residual=residual)
+
+
+def _stepped(state: State, posterior: Posterior, share: float) -> tuple[FloatArray, tuple[FloatArray, ...]]:
+    unknowns = state.unknowns + share * (posterior.mean * state.layout.sizes - state.unknowns)
+    own = tuple(now + share * (one.mean - now) for now, one in zip(state.own, posterior.own, strict=True))
+    return unknowns, own
+
+
+def _misfit(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) -> float:
+    """Minus twice the logarithm of the posterior density, but for a constant: what the posterior mean minimises."""
+    total = float(np.sum((state.unknowns / (posterior.scale * state.layout.sizes)) ** 2))
+    for place, (one, own, scale) in enumerate(zip(state.runs, state.own, own_scales, strict=True)):
+        white = state.whitening(place, one.kept())(state.residual[place][one.good][:, np.newaxis])
+        total += float(np.sum(white**2)) + float(np.sum((own / scale) ** 2))
+    return total
+
+
+def with_noise(state: State, posterior: Posterior, draw: np.random.Generator) -> State:
+    """With the noise of every instrument whose noise is not stated, from residuals of draws of the posterior."""
+    layout = state.layout
+    normal = draw.standard_normal((posterior.spread.shape[1], DRAWS))
+    own = [
+        one.by_others @ normal + one.alone @ draw.standard_normal((one.alone.shape[1], DRAWS)) for one in posterior.own
+    ]
+    change = first_order(layout, state.runs, layout.sizes[:, np.newaxis] * (posterior.spread @ normal), own)
+    draws = [
+        (rest[:, np.newaxis] - off)[one.good] for one, rest, off in zip(state.runs, state.residual, change, strict=True)
+    ]
+    noise, scales = dict(state.noise), state.scales.copy()
+    for name in sorted(state.noise.keys() - state.stated):
+        members = [place for place, one in enumerate(state.runs) if one.instrument == name]
+        steps = [state.runs[place].kept().steps for place in members]
+        found, scales[members] = noise_of_draws([draws[place] for place in members], steps)
+        devices = {state.runs[place].rows.run.device for place in members}
+        resolved = max((one.resolution for one in devices if one is not None and one.resolution), default=0.0)
+        noise[name] = replace(found, white=max(found.white, resolved * DISPLAY))
+    return replace(state, noise=noise, scales=scales)
+
+
+def without_outliers(state: State) -> State:
+    """With the readings that count judged anew."""
+    readings = sum(one.reading.size for one in state.runs)
+    good: list[BoolArray] = [
+        ~spoilt(state.noise[one.instrument], scale, one.rows.steps, rest, one.repeats, readings)
+        for one, rest, scale in zip(state.runs, state.residual, state.scales.tolist(), strict=True)
+    ]
+    return replace(state, runs=tuple(replace(one, good=now) for one, now in zip(state.runs, good, strict=True)))

@@ -1,0 +1,91 @@
+"""The campaign: what the package's estimate makes of many machines of many designs, beside the oracle.
+
+    python -m tests.worlds.campaign --out DIR --designs 32 --first 1001 --minutes 60     # one process per core
+    python -m tests.worlds.campaign --out DIR --table                                    # what is there as tables
+
+A machine is one line of JSON in a file of DIR (designs FIRST to FIRST + N - 1 write results-FIRST-N.jsonl); what is
+there already is not done again, and files of several processes or days are added up by --table. Kernels stay in
+DIR/worlds. The designs take turns, a few machines each, so that all have as many when time is up.
+"""
+
+import argparse
+import json
+import time
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from tests.worlds.campaign_tables import tables
+from tests.worlds.estimates import GIVEN, Outcome, World, outcome, world
+
+# machines of a design in turn: half of them draws of a prior; [prior] as nobody has touched it, right, or wrong
+KINDS = tuple((curves, given) for given in GIVEN for curves in ("smooth", "prior"))
+A_TURN = len(KINDS)
+SEEDS_APART = 1000  # machines of a design at most
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, metavar="DIR", required=True)
+    parser.add_argument("--table", action="store_true", help="print what is in DIR, as Markdown")
+    parser.add_argument("--designs", type=int, default=32, metavar="N", help="%(default)s")
+    parser.add_argument("--first", type=int, default=1, metavar="SEED", help="of the first design (%(default)s)")
+    parser.add_argument("--machines", type=int, default=200, metavar="M", help="of each design (%(default)s)")
+    parser.add_argument("--minutes", type=float, default=float("inf"), metavar="T", help="stop after this time")
+    args = parser.parse_args(arguments)
+    if args.table:
+        print("\n".join(tables(read_lines(args.out))))
+        return 0
+    seeds = range(args.first, args.first + args.designs)
+    measure_designs(args.out, seeds, min(args.machines, SEEDS_APART), time.monotonic() + 60.0 * args.minutes)
+    return 0
+
+
+def read_lines(folder: Path) -> list[dict[str, object]]:
+    """All machines in all files of a folder."""
+    texts = (path.read_text() for path in sorted(folder.glob("results-*.jsonl")))
+    return [json.loads(line) for text in texts for line in text.splitlines()]
+
+
+def measure_designs(folder: Path, seeds: range, machines: int, until: float) -> None:
+    """Append a line for every machine that is not there yet; until: of time.monotonic()."""
+    folder.mkdir(parents=True, exist_ok=True)
+    done = {(line["design"], line["machine"]) for line in read_lines(folder)}
+    with (folder / f"results-{seeds.start}-{len(seeds)}.jsonl").open("a") as results:
+        for seed, numbers in _turns(seeds, machines):
+            left = [number for number in numbers if (seed, number) not in done]
+            if not left:
+                continue
+            one = world(seed, folder / "worlds" / str(seed))
+            for number in left:
+                if time.monotonic() > until:
+                    return
+                results.write(json.dumps(line_of(one, number)) + "\n")
+                results.flush()
+
+
+def _turns(seeds: range, machines: int) -> Iterator[tuple[int, range]]:
+    for start in range(0, machines, A_TURN):
+        for seed in seeds:
+            yield seed, range(start, min(start + A_TURN, machines))
+
+
+def line_of(one: World, number: int) -> dict[str, object]:
+    """What is kept of a machine; number: among those of its design."""
+    curves, given = KINDS[number % len(KINDS)]
+    found: Outcome = outcome(one, SEEDS_APART * one.design.seed + number, curves, given)
+    figures = ("true", "error", "oracle", "u", "coverage", "oracle_coverage", "seconds")
+    return {
+        "design": one.design.seed,
+        "machine": number,
+        "curves": curves,
+        "given": given,
+        **{name: float(f"{getattr(found, name):.6g}") for name in figures},
+        "sizes": {kind: [float(f"{size:.4g}") for size in sizes] for kind, sizes in found.sizes.items()},
+        "converged": found.found.converged,
+        "rounds": found.found.rounds,
+        "steps": found.found.steps,
+    }
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,194 @@
+"""The campaign as tables of Markdown: by design, by ingredient, by what [prior] says."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tests.worlds.design import Design, draw_design
+from trueaxis.identify.notes import FAR
+
+Line = Mapping[str, Any]
+NEAR = 2.0  # factor within which a size counts as found
+
+
+@dataclass(frozen=True, kw_only=True)
+class Figures:
+    """Of some machines: root mean squares, um; share of the mean square that is left of doing nothing; error over that
+    of the oracle, with the standard uncertainty of that figure; coverage of smooth curves and of draws of a prior, and
+    the standard uncertainty of that of all; share of machines worse than doing nothing, and the worst one's factor.
+    """
+
+    machines: int
+    true: float
+    error: float
+    oracle: float
+    left: float
+    ratio: float
+    u_ratio: float
+    u: float
+    smooth: float
+    prior: float
+    u_coverage: float
+    oracle_coverage: float
+    worse: float
+    worst: float
+
+
+def figures(lines: Sequence[Line]) -> Figures:
+    """All machines count the same."""
+    true, error, oracle, u = (np.array([line[name] for line in lines]) for name in ("true", "error", "oracle", "u"))
+    coverage = np.array([line["coverage"] for line in lines])
+    smooth = np.array([line["curves"] == "smooth" for line in lines])
+    ratio = rms(error) / rms(oracle)
+    # of the logarithm of the ratio of two mean squares over machines
+    parts = error**2 / np.mean(error**2) - oracle**2 / np.mean(oracle**2)
+    return Figures(
+        machines=len(lines),
+        true=rms(true),
+        error=rms(error),
+        oracle=rms(oracle),
+        left=float(np.mean(error**2) / np.mean(true**2)),
+        ratio=ratio,
+        u_ratio=0.5 * ratio * _u_of_mean(parts),
+        u=rms(u),
+        smooth=_mean(coverage[smooth]),
+        prior=_mean(coverage[~smooth]),
+        u_coverage=_u_of_mean(coverage),
+        oracle_coverage=_mean(np.array([line["oracle_coverage"] for line in lines])),
+        worse=float(np.mean(error > true)),
+        worst=float(np.max(error / true)),
+    )
+
+
+def rms(values: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def _mean(values: np.ndarray) -> float:
+    return float(np.mean(values)) if values.size else float("nan")
+
+
+def _u_of_mean(values: np.ndarray) -> float:
+    return float(np.std(values, ddof=1) / np.sqrt(values.size)) if values.size > 1 else float("nan")
+
+
+def tables(lines: Sequence[Line]) -> Iterator[str]:
+    """Lines of Markdown."""
+    seeds = sorted({line["design"] for line in lines})
+    designs = {seed: draw_design(seed) for seed in seeds}
+    of_design = {seed: [line for line in lines if line["design"] == seed] for seed in seeds}
+    each = {seed: figures(own) for seed, own in of_design.items()}
+    yield from _summary(lines, each.values())
+    yield ""
+    yield from _by_design(designs, each)
+    yield ""
+    yield from _by_ingredient(designs, of_design)
+    yield ""
+    yield from _by_given(lines)
+    yield ""
+    yield from _sizes(lines)
+
+
+def _summary(lines: Sequence[Line], each: Iterable[Figures]) -> Iterator[str]:
+    designs = list(each)
+    ratios, coverage = [one.ratio for one in designs], [line["coverage"] for line in lines]
+    of_draws = [line["coverage"] for line in lines if line["curves"] == "prior"]
+    others = [line["coverage"] for line in lines if line["curves"] == "smooth"]
+    together = figures(lines)
+    yield f"- {len(designs)} designs, {len(lines)} machines, {np.mean([line['seconds'] for line in lines]):.1f} s each"
+    yield f"- mean square left of doing nothing, median of the designs: {np.median([one.left for one in designs]):.3f}"
+    yield (
+        f"- estimate/oracle of the designs: median {np.median(ratios):.2f}, {min(ratios):.2f} to {max(ratios):.2f}; "
+        f"{sum(ratio <= 1.15 for ratio in ratios)} of {len(ratios)} at most 1.15"
+    )
+    yield (
+        f"- coverage: {np.mean(coverage):.3f}; of draws of a prior {_mean(np.array(of_draws)):.3f}, "
+        f"of curves that are none {_mean(np.array(others)):.3f}; oracle {together.oracle_coverage:.3f}"
+    )
+    yield f"- worse than doing nothing: {together.worse:.1%} of the machines, at worst by {together.worst:.2f} times"
+    yield f"- not converged: {np.mean([not line['converged'] for line in lines]):.1%}"
+
+
+def _by_design(designs: Mapping[int, Design], each: Mapping[int, Figures]) -> Iterator[str]:
+    yield from _head(
+        "seed", "axes", "readings", "runs", "machines", "doing nothing, um", "estimate", "oracle", "estimate/oracle",
+        "u", "coverage: smooth", "draws of a prior", "worse than nothing; most",
+    )  # fmt: skip
+    for seed, one in each.items():
+        plan, axes = designs[seed].plan, len(designs[seed].machine.axes)
+        yield _row(
+            seed, axes, plan.count, len(plan.runs), one.machines, f"{one.true:.1f}", f"{one.error:.2f}",
+            f"{one.oracle:.2f}", f"{one.ratio:.2f} ± {one.u_ratio:.2f}", f"{one.u:.2f}", f"{one.smooth:.3f}",
+            f"{one.prior:.3f}", f"{one.worse:.0%}, {one.worst:.2f}",
+        )  # fmt: skip
+
+
+def _by_ingredient(designs: Mapping[int, Design], of_design: Mapping[int, Sequence[Line]]) -> Iterator[str]:
+    """Machines count relative to the true deviation of their design, so that no large machine outweighs the others."""
+    yield from _head(
+        "ingredient", "share of designs", "mean square left", "estimate/oracle", "coverage: smooth", "draws of a prior",
+        "worse than nothing",
+    )  # fmt: skip
+    names = next(iter(designs.values())).ingredients
+    scale = {seed: rms(np.array([line["true"] for line in own])) for seed, own in of_design.items()}
+    for name in names:
+        chosen = [seed for seed, design in designs.items() if design.ingredients[name]]
+        if not chosen:
+            yield _row(name, "0 %", *[""] * 5)
+            continue
+        own = [_relative(line, scale[seed]) for seed in chosen for line in of_design[seed]]
+        one = figures(own)
+        yield _row(
+            name, f"{len(chosen) / len(designs):.0%}", f"{one.left:.3f}", f"{one.ratio:.2f} ± {one.u_ratio:.2f}",
+            f"{one.smooth:.3f}", f"{one.prior:.3f}", f"{one.worse:.1%}",
+        )  # fmt: skip
+
+
+def _relative(line: Line, scale: float) -> Line:
+    return {**line, **{name: line[name] / scale for name in ("true", "error", "oracle", "u")}}
+
+
+def _by_given(lines: Sequence[Line]) -> Iterator[str]:
+    yield from _head(
+        "[prior]", "machines", "mean square left", "estimate/oracle", "coverage: smooth", "draws of a prior",
+        "worse than nothing; most",
+    )  # fmt: skip
+    for given in dict.fromkeys(line["given"] for line in lines):
+        one = figures([line for line in lines if line["given"] == given])
+        yield _row(
+            given, one.machines, f"{one.left:.3f}", f"{one.ratio:.2f} ± {one.u_ratio:.2f}", f"{one.smooth:.3f}",
+            f"{one.prior:.3f}", f"{one.worse:.1%}, {one.worst:.2f}",
+        )  # fmt: skip
+
+
+def _sizes(lines: Sequence[Line]) -> Iterator[str]:
+    """By class: how far estimated sizes are from the true ones, and what is said of a wrong [prior]."""
+    yield from _head(
+        "sizes of", "[prior]", "machines", "given/true, median", "estimated/true, median (16 %, 84 %)",
+        f"found within {NEAR:g}", "said to be wrong",
+    )  # fmt: skip
+    kinds = dict.fromkeys(kind for line in lines for kind in line["sizes"])
+    for kind in kinds:
+        for given in dict.fromkeys(line["given"] for line in lines):
+            own = np.array([line["sizes"][kind] for line in lines if line["given"] == given and kind in line["sizes"]])
+            if not own.size:
+                continue
+            stated, true, estimated = own.T
+            low, middle, high = np.quantile(estimated / true, [0.16, 0.5, 0.84])
+            found = np.mean(np.abs(np.log(estimated / true)) < np.log(NEAR))
+            said = np.mean(np.abs(np.log(estimated / stated)) > np.log(FAR))
+            yield _row(
+                kind, given, len(own), f"{np.median(stated / true):.2f}", f"{middle:.2f} ({low:.2f}, {high:.2f})",
+                f"{found:.0%}", f"{said:.0%}",
+            )  # fmt: skip
+
+
+def _head(*names: str) -> Iterator[str]:
+    yield _row(*names)
+    yield _row(*["---"] * len(names))
+
+
+def _row(*cells: object) -> str:
+    return f"| {' | '.join(map(str, cells))} |"
