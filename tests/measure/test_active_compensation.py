@@ -109,6 +109,6 @@ def test_a_proposed_plan_keeps_the_way_to_the_file(tmp_path: Path) -> None:
     (tmp_path / "active.json").write_text('{"schema": 1, "machine": "dmu60p"}')
     setup = data / "setup.toml"
     setup.write_text(setup.read_text().replace("schema = 1\n", 'schema = 1\ncompensation = "../active.json"\n', 1))
-    arguments = ["plan", str(MACHINE), "--data", str(data), "--degree", "2"]
+    arguments = ["plan", str(MACHINE), "--data", str(data)]
     assert main([*arguments, "--propose", "1", "--out", str(out), *KERNELS]) == 0
     assert 'compensation = "../../active.json"' in (out / "setup.toml").read_text()

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trueaxis.commands.arguments import positive, size
+from trueaxis.commands.arguments import positive, size, tool_point
 from trueaxis.commands.misfit import check_fit, misfit_option
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.compensate.reliance import PRIOR_SIZES
@@ -57,7 +57,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="largest distance of the positions of a table, mm or deg (default: the finest round one with up to 200)",
     )  # fmt: skip
     parser.add_argument(
-        "--tool-point", type=_point, default=(0.0, 0.0, 0.0), metavar="X,Y,Z",
+        "--tool-point", type=tool_point, default=(0.0, 0.0, 0.0), metavar="X,Y,Z",
         help="the point in the tool frame that tables of single axes are made for, mm (0,0,0)",
     )  # fmt: skip
     misfit_option(parser)
@@ -148,13 +148,3 @@ def _refusals(
             "--max-correction allows more, or larger sizes in [prior] of the spec, if the machine is that far off"
         )
     return sentences
-
-
-def _point(text: str) -> tuple[float, float, float]:
-    try:
-        x, y, z = (float(part) for part in text.split(","))
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z: three numbers, mm") from None
-    if not np.isfinite([x, y, z]).all():
-        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z: three finite numbers, mm")
-    return x, y, z

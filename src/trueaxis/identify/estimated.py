@@ -22,6 +22,7 @@ from trueaxis.identify.fit_quality import (
     known_noise,
     quality,
     run_residuals,
+    with_reversed,
 )
 from trueaxis.identify.notes import dimension_notes, estimate_notes
 from trueaxis.identify.report import (
@@ -97,7 +98,8 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     residuals = _residuals(model, observed, found, noise)
     if not found.converged:
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
-    judged = quality(residuals, observed.runs)
+    surest = sorted(found.reversed, key=lambda index: -found.reversed[index])
+    judged = with_reversed(quality(residuals, observed.runs), [observed.runs[index].id for index in surest])
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}

@@ -1,7 +1,7 @@
 """How a fit ended: whether it stands still, and whether its residuals are of the size of the noise that is known."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -142,6 +142,15 @@ def _copies(residuals: Residuals, runs: Sequence[Run]) -> str:
         return ""
     named = enumerated([runs[index].id for index in residuals.copied[:MOST_RUNS]])
     return f"; repeats of {named} are equal to the last digit, which makes this noise too small: are rows copied?"
+
+
+def with_reversed(judged: FitQuality, runs: Sequence[str]) -> FitQuality:
+    """A misfit where runs read as if their sign were reversed, surest first: the values follow them, too."""
+    if not runs:
+        return judged
+    named = f"run {runs[0]} reads" if len(runs) == 1 else f"runs {', '.join(runs)}: one of them at least reads"
+    reason = f"{named} as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)"
+    return replace(judged, fit=Fit("misfit", judged.fit.chi2, tuple(runs)), reason=reason)
 
 
 def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidual, ...]:
