@@ -137,13 +137,6 @@ def quality(residuals: Residuals, runs: Sequence[Run], doubted: float = 0.0) -> 
     return FitQuality(Fit("converged"), each)
 
 
-def _copies(residuals: Residuals, runs: Sequence[Run]) -> str:
-    if not residuals.copied:
-        return ""
-    named = enumerated([runs[index].id for index in residuals.copied[:MOST_RUNS]])
-    return f"; repeats of {named} are equal to the last digit, which makes this noise too small: are rows copied?"
-
-
 def with_reversed(judged: FitQuality, runs: Sequence[str]) -> FitQuality:
     """A misfit where runs read as if their sign were reversed, surest first: the values follow them, too."""
     if not runs:
@@ -151,6 +144,13 @@ def with_reversed(judged: FitQuality, runs: Sequence[str]) -> FitQuality:
     named = f"run {runs[0]} reads" if len(runs) == 1 else f"runs {', '.join(runs)}: one of them at least reads"
     reason = f"{named} as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)"
     return replace(judged, fit=Fit("misfit", judged.fit.chi2, tuple(runs)), reason=reason)
+
+
+def _copies(residuals: Residuals, runs: Sequence[Run]) -> str:
+    if not residuals.copied:
+        return ""
+    named = enumerated([runs[index].id for index in residuals.copied[:MOST_RUNS]])
+    return f"; repeats of {named} are equal to the last digit, which makes this noise too small: are rows copied?"
 
 
 def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidual, ...]:
