@@ -9,7 +9,7 @@ from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
-from trueaxis.estimation.judgement import NINE_TENTHS, TENTH, Judged, judged_component, judged_location
+from trueaxis.estimation.judgement import NINE_TENTHS, Judged, judged_component, judged_location, open_counts
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
@@ -172,7 +172,7 @@ def _curves(model: MachineModel, observed: Observations, found: Estimate) -> dic
     curves: dict[str, Curve] = {}
     readings, by_prior = np.split(found.spread, [found.spread.shape[1] - found.of_prior], axis=1)
     parts = [np.linalg.norm(part, axis=1) for part in (found.spread, readings, by_prior)]
-    parts[0][np.linalg.norm(found.open, axis=1) > TENTH * found.scale] = np.nan
+    parts[0][open_counts(np.linalg.norm(found.open, axis=1), parts[0])] = np.nan
     for place, name in enumerate(found.layout.components):
         first = int(found.layout.offsets[place])
         curve = found.values.motion_errors[name]
@@ -270,10 +270,11 @@ def _component(name: str, judged: Judged | None) -> ComponentReport:
 def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentReport, ...]:
     layout = found.layout
     u = np.linalg.norm(found.spread, axis=1)
+    silent = (u > NINE_TENTHS * found.scale) | open_counts(np.linalg.norm(found.open, axis=1), u)
     reports = []
     for place, unknown in enumerate(layout.shared, layout.of_machine):
-        if u[place] > NINE_TENTHS * found.scale[place]:
-            continue  # the readings say nothing of it
+        if silent[place]:
+            continue
         letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
         runs = ", ".join(observed.runs[index].id for index in unknown.runs)
         unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
