@@ -278,6 +278,7 @@ def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentRep
         letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
         runs = ", ".join(observed.runs[index].id for index in unknown.runs)
         unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
+        unit = "rad" if unknown.kind == "probe alignment" else unit
         value = float(found.unknowns[place])
         reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
     return tuple(reports)
