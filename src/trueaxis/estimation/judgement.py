@@ -17,11 +17,14 @@ class Judged:
     """A curve over the travel, or one value, mm or rad.
 
     largest: largest absolute value; u: largest standard uncertainty, NaN where it is a part of an open combination, and
-    its two parts there, by the noise of the readings and by the prior; determined: by what.
+    its two parts there, by the noise of the readings and by the prior; u_rms, prior_rms: root mean squares of u and of
+    what the prior lets expect; determined: by what.
     """
 
     largest: float
     u: float
+    u_rms: float
+    prior_rms: float
     u_readings: float
     u_prior: float
     determined: Determined
@@ -59,6 +62,8 @@ def _judged(found: Estimate, change: FloatArray) -> Judged:
     return Judged(
         largest=float(values.max()),
         u=float(u[at]) if share < TENTH else np.nan,
+        u_rms=rms[0],
+        prior_rms=rms[3],
         u_readings=float(u_readings[at]),
         u_prior=float(u_prior[at]),
         determined=determined_by(*rms) if found.open.shape[1] == 0 else _left_open(share),

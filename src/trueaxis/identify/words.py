@@ -5,8 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.machine import LINEAR
 from trueaxis.measure.machine import FloatArray
+
+NEARLY = 0.01  # of 1: what a factor may be off by and count as 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +42,39 @@ def split_apart(names: Sequence[str], partners: Sequence[str], shares: Sequence[
     kind = "combination" if not alone else "sum" if last < 0.0 else "difference"
     what = enumerated([*names, *(f"the slope of {partner}" for partner in partners)])
     return f"{what}: only their {kind} is determined ({together(shares)} changes no reading)"
+
+
+def combination_text(one: Combination) -> str:
+    """`eps_xy and the slope of EYX: only their sum, to 0.8 urad (by themselves to 41 and 39 urad)`."""
+    names = [f"the slope of {part.name}" if part.what == "slope" else part.name for part in one.parts]
+    units = {part.unit.replace("mm/mm", "rad") for part in one.parts}
+    last = one.parts[-1].factor
+    if len(one.parts) == 2 and len(units) == 1 and abs(abs(last) - 1.0) < NEARLY:
+        kind = "only their sum" if last > 0.0 else "only their difference"
+    else:
+        kind = "only " + "".join(
+            f"{_sign(part.factor, first=index == 0)}{_times(part.factor)}{name}"
+            for index, (name, part) in enumerate(zip(names, one.parts, strict=True))
+        )
+    alone = [small(u, part.unit) for u, part in zip(one.alone, one.parts, strict=True)]
+    return f"{enumerated(names)}: {kind}, to {small(one.u, one.parts[0].unit)} (by themselves to {enumerated(alone)})"
+
+
+def _sign(factor: float, *, first: bool) -> str:
+    return "" if first else " + " if factor > 0.0 else " - "
+
+
+def _times(factor: float) -> str:
+    """A factor of values in mm and rad, where it is not 1."""
+    return "" if abs(abs(factor) - 1.0) < NEARLY else f"{abs(factor):.3g} x "
+
+
+def small(value: float, unit: str) -> str:
+    """A value in mm or rad, or per mm or deg, in micrometres or microradians: `0.8 urad`."""
+    of, _, per = unit.partition("/")
+    if unit == "mm/mm":
+        return f"{value * 1e6:.3g} urad"
+    return f"{value * (1e3 if of == 'mm' else 1e6):.3g} {'um' if of == 'mm' else 'urad'}{'/' + per if per else ''}"
 
 
 def slope_unit(component: str) -> str:

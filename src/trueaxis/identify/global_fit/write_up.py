@@ -7,6 +7,7 @@ import numpy as np
 import scipy.linalg
 
 from trueaxis.estimation.machine import lever
+from trueaxis.estimation.repeats import copied_runs
 from trueaxis.identify.fit_quality import Residuals, expected_sizes, known_noise, quality
 from trueaxis.identify.global_fit import describe, describe_effects
 from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
@@ -98,6 +99,7 @@ def residuals_of(result: GlobalResult) -> Residuals:
         known_noise(observed, known, result.roots),
         expected_sizes(machine, observed.runs, observed.run, observed.positions),
         result.noise.freedom,
+        tuple(copied_runs(observed).tolist()) if known is None else (),
     )
 
 

@@ -1,0 +1,73 @@
+"""How well an estimate knows the tool point over the volume, and how much of that is the prior."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.gauge import covariance_of
+from trueaxis.estimation.layout import Layout
+from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.setup import Vector
+from trueaxis.runtime.best_fit import placements
+from trueaxis.runtime.model import MachineModel
+from trueaxis.runtime.uncertainty import derivative, home_of
+
+Datum = Literal["home", "best-fit"]
+POINTS, SEED = 200, 11  # of the volume; a mean over them is good to some percent
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class ToolPoint:
+    """Lengths of vectors at n positions (n_axes, n), mm: standard uncertainty of the tool point, the part of it that
+    rests on the prior, and what the prior lets expect without readings. RMS over the tool points.
+    """
+
+    positions: FloatArray
+    u: FloatArray
+    u_prior: FloatArray
+    prior: FloatArray
+
+
+def volume(model: MachineModel) -> FloatArray:
+    """(n_axes, POINTS): positions drawn evenly from the travels, always the same."""
+    draw = np.random.default_rng(SEED)
+    return np.array([draw.uniform(*model.travel[axis], POINTS) for axis in model.axes])
+
+
+def tool_point(found: Estimate, positions: FloatArray, tools: Sequence[Vector], datum: Datum = "home") -> ToolPoint:
+    """At positions (n_axes, n), of points in the tool frame, mm.
+
+    Before the convention for straightness and squareness, which moves none of them.
+    """
+    machine = slice(found.layout.of_machine)
+    moved = moved_by(found.layout, positions, tools, datum)
+    spread = moved @ found.spread[machine]
+    by_prior = spread[:, spread.shape[1] - found.of_prior :]
+    u, u_prior, prior = (_length(part, positions.shape[1]) for part in (spread, by_prior, moved * found.scale[machine]))
+    return ToolPoint(positions=positions, u=u, u_prior=u_prior, prior=prior)
+
+
+def moved_by(layout: Layout, positions: FloatArray, tools: Sequence[Vector], datum: Datum) -> FloatArray:
+    """(n_tools * 3 * n, of_machine): by how much unknowns in mm and rad move the tool points against a datum.
+
+    Divided by the root of the number of tools, so that squares add up to their mean. home: the tool point at home;
+    best-fit: a workpiece placed where it fits best at all of the positions.
+    """
+    model, known = layout.model, covariance_of(layout, np.zeros((layout.count, 0)))
+    ends = [np.array(point)[:, np.newaxis] for point in tools]
+    each = [derivative(model, known, positions, tool) - derivative(model, known, home_of(model), tool) for tool in ends]
+    moved = np.concatenate(each, axis=2)
+    if datum == "best-fit":
+        rigid = placements(np.hstack([model.ideal(positions, tool) for tool in ends])).directions
+        moved = moved - np.einsum("inr,rk->ikn", rigid, np.einsum("inr,ikn->rk", rigid, moved))
+    parts = np.split(moved, len(tools), axis=2)
+    rows = [part.transpose(0, 2, 1).reshape(-1, layout.of_machine) for part in parts]
+    return np.asarray(np.vstack(rows) / np.sqrt(len(tools)))
+
+
+def _length(rows: FloatArray, count: int) -> FloatArray:
+    """(count,): of vectors whose coordinates are rows, in the order of `moved_by`."""
+    return np.asarray(np.sqrt(np.sum((rows**2).sum(axis=1).reshape(-1, count), axis=0)))
