@@ -17,7 +17,7 @@ OFF = (1.0, 2.0, 3.0, 5.0, 20.0, np.inf)  # factors by which [prior] is off
 
 @dataclass(frozen=True, kw_only=True)
 class Figures:
-    """Of some machines: root mean squares, um; share of the mean square that is left of doing nothing; error over that
+    """Of some machines: root mean squares of a coordinate, um; share of the mean square that is left of doing nothing; error over that
     of the oracle, with the standard uncertainty of that figure; coverage of smooth curves and of draws of a prior, and
     the standard uncertainty of that of all; share of machines worse than doing nothing, and the worst one's factor.
     """
@@ -166,7 +166,7 @@ def _by_given(lines: Sequence[Line]) -> Iterator[str]:
 
 
 def _sizes(lines: Sequence[Line]) -> Iterator[str]:
-    """By class and by how far [prior] is off: how far the estimated size is off, and how often [prior] is said to be."""
+    """By class and by how far [prior] is off: how far the estimated size is, and how often [prior] is said to be."""
     yield from _head(
         "sizes of", "[prior] off by", "machines", f"estimated within {NEAR:g}", "estimated/true: 16 %, median, 84 %",
         "said to be off",
