@@ -17,9 +17,10 @@ OFF = (1.0, 2.0, 3.0, 5.0, 20.0, np.inf)  # factors by which [prior] is off
 
 @dataclass(frozen=True, kw_only=True)
 class Figures:
-    """Of some machines: root mean squares of a coordinate, um; share of the mean square that is left of doing nothing; error over that
-    of the oracle, with the standard uncertainty of that figure; coverage of smooth curves and of draws of a prior, and
-    the standard uncertainty of that of all; share of machines worse than doing nothing, and the worst one's factor.
+    """Of some machines: root mean squares of a coordinate, um; share of the mean square that is left of doing nothing;
+    error over that of the oracle, with the standard uncertainty of that figure; coverage of smooth curves and of draws
+    of a prior, and the standard uncertainty of that of all; share of machines worse than doing nothing, and the worst
+    one's factor.
     """
 
     machines: int

@@ -68,9 +68,10 @@ class World:
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one machine, um, root mean squares of a coordinate over points: true deviation, error of the estimate and of the
-    oracle, u of the estimate; coverage, oracle_coverage: share of the coordinates within 1.96 u; sizes: class -> given,
-    true and estimated, mm or rad, where the true one is the geometric mean over the members; seconds: of the estimate.
+    """Of one machine, um, root mean squares of a coordinate over points: true deviation, error of the estimate and of
+    the oracle, u of the estimate; coverage, oracle_coverage: share of the coordinates within 1.96 u; sizes: class ->
+    given, true and estimated, mm or rad, where the true one is the geometric mean over the members; seconds: of the
+    estimate.
     """
 
     true: float

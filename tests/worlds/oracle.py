@@ -189,9 +189,9 @@ def prediction_columns(
 
 @dataclass(frozen=True)
 class Figures:
-    """Over machines, points and coordinates: root mean squares of the true deviation, of the error of the prediction and
-    of its u, um; share of the errors within 1.96 u; true deviation and error relative to the tool point at home, where
-    work offsets are touched off; whitened RMS of the readings.
+    """Over machines, points and coordinates: root mean squares of the true deviation, of the error of the prediction
+    and of its u, um; share of the errors within 1.96 u; true deviation and error relative to the tool point at home,
+    where work offsets are touched off; whitened RMS of the readings.
     """
 
     true_um: float
