@@ -24,11 +24,14 @@ def subparser(command: str) -> argparse.ArgumentParser:
     return found
 
 
+ONE_OF = {("plan", "data")}  # where one of several is required
+
+
 def arguments(command: str, folder: Path, **given: Path) -> list[str]:
     """The command with a path for all that it must have: `given` by destination, else a name in `folder`."""
     words = [command]
     for action in subparser(command)._actions:
-        if not action.required:
+        if not action.required and (command, action.dest) not in ONE_OF:
             continue
         path = str(given.get(action.dest, folder / f"{action.dest}.txt"))
         if action.choices:

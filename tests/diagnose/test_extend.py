@@ -103,8 +103,9 @@ class TestChanged:
 
 
 class TestReidentified:
-    @pytest.mark.parametrize("noise", [NOISE, ()])
-    def test_only_what_the_readings_hold_changes(self, noise: tuple[NoiseOf, ...]) -> None:
+    # combinations whose uncertainty by the stated noise exceeds what is expected of them do not change: a tenth of it
+    @pytest.mark.parametrize(("noise", "close"), [(NOISE, 3e-5), ((), 2e-8)])
+    def test_only_what_the_readings_hold_changes(self, noise: tuple[NoiseOf, ...], close: float) -> None:
         # lines of X that sense X at three levers: EXX, EBX and ECX, nothing else
         shift = {"p1": 3e-6, "p3": -8e-12}
         terms = coefficients()
@@ -123,7 +124,7 @@ class TestReidentified:
             x = at[name[2]]
             wanted = old(x) + (3e-6 * x - 8e-12 * x**3 if name == "EXX" else 0.0)
             lever = 1.0 if name[1] in "XYZ" else 1e3
-            np.testing.assert_allclose(found.motion_errors[name](x) * lever, wanted * lever, rtol=0.0, atol=2e-8)
+            np.testing.assert_allclose(found.motion_errors[name](x) * lever, wanted * lever, rtol=0.0, atol=close)
         assert found.parameters == pytest.approx(PARAMETERS, abs=1e-12)
         assert "EZX" in {name for left in found.undetermined for name in left.parameters}
         spread = found.motion_errors["EXX"].u

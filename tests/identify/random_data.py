@@ -32,12 +32,10 @@ DIRECTIONS: tuple[Vector, ...] = (
 )
 PLAN_OPTIONS = (
     (),
-    ("--degree", "3"),
-    ("--ideal-instruments",),
-    ("--unknown-linkage-lines",),
-    ("--unknown-zeros",),
+    ("--noise-um", "0.01"),
     ("--location-errors-only",),
     ("--propose", "1"),
+    ("--propose", "1", "--propose-with", "ballbar", "--datum", "best-fit"),
 )
 PAPER_OPTIONS = (
     (),
@@ -148,7 +146,7 @@ def ended(seed: int, folder: Path) -> tuple[list[str], int | str, str]:
     words = [str(ROOT / "machines" / f"{name}.toml"), "--data", str(folder), "--kernels", str(ROOT / "generated")]
     which = rng.integers(4)
     if which == 0:
-        words = ["plan", *words, "--degree", "2", *PLAN_OPTIONS[rng.integers(len(PLAN_OPTIONS))]]
+        words = ["plan", *words, *PLAN_OPTIONS[rng.integers(len(PLAN_OPTIONS))]]
     else:
         more = PAPER_OPTIONS if which == 1 else GLOBAL_OPTIONS
         method = "paper" if which == 1 else "global"

@@ -109,3 +109,12 @@ def test_every_fault_of_the_options_is_told_and_nothing_written(
 def test_a_plan_without_readings_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert identify(ROOT / "machines" / "dmu60p_regular_runs", tmp_path / "e.json") == 2
     assert "there is no reading in it" in capsys.readouterr().err
+
+
+def test_the_example_of_known_dimensions_is_taken(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    page = (ROOT / "docs" / "files.md").read_text().split("### What is known beforehand")[1]
+    (tmp_path / "known.json").write_text(page.split("```json")[1].split("```")[0])
+    data = simulated(tmp_path, "dmu60p_regular_runs")
+    assert identify(data, tmp_path / "e.json", "--known", str(tmp_path / "known.json")) == 0
+    assert "are not given (--known)" not in capsys.readouterr().out
+    assert json.loads((tmp_path / "e.json").read_text())["parameters"]["q_Tz"] == -195.0

@@ -11,6 +11,8 @@ import pytest
 from tests.identify.random_plans import Drawn, drawn, outcome
 from tests.identify.test_command import ERRORS, KERNELS, LEAST_SQUARES, MACHINE, identify, simulated, values
 from trueaxis.cli import main
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import copied_runs
 from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 from trueaxis.identify.fit_quality import NotConvergedError, Residuals, quality, stands_still
 from trueaxis.identify.paper.method import identify_paper
@@ -258,3 +260,34 @@ def test_the_range_that_was_measured_is_written(tmp_path: Path) -> None:
             low, high = ends
             assert low == 0.0
             assert 200.0 <= high <= 300.0, name  # of a travel of 540 mm or more
+
+
+@pytest.mark.parametrize("method", ["stepwise", "global"])
+def test_a_misfit_by_copied_rows_names_them(tmp_path: Path, method: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every row twice: the repeats seem to have no noise at all."""
+    data = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "5")
+    head, *rows = (data / "readings.csv").read_text().splitlines()
+    seq = head.split(",").index("seq")
+    twice = []
+    for row in rows:
+        cells = row.split(",")
+        for copy in (0, 1):
+            cells[seq] = str(2 * int(row.split(",")[seq]) + copy)
+            twice.append(",".join(cells))
+    (data / "readings.csv").write_text("\n".join([head, *twice]) + "\n")
+    capsys.readouterr()
+    assert identify(data, tmp_path / "e.json", "--method", method) == 1
+    told = capsys.readouterr().err
+    assert "are equal to the last digit, which makes this noise too small: are rows copied?" in told
+    assert "X-1" in told
+
+
+def test_a_coarse_display_is_no_copy() -> None:
+    """Readings of 0.1 um steps: some repeats are equal, most are not."""
+    draw = np.random.default_rng(3)
+    count = 300
+    positions = np.repeat(np.arange(100.0), 3)[np.newaxis] * np.ones((3, 1))
+    run = np.zeros(count, dtype=np.int64)
+    coarse = Observations("data", RUNS, run, positions, np.round(draw.normal(0.0, 3e-4, count), 4))
+    assert copied_runs(coarse).size == 0
+    assert copied_runs(replace(coarse, reading=np.repeat(draw.normal(size=100), 3))).tolist() == [0]

@@ -97,7 +97,7 @@ def test_a_setup_that_says_nothing_is_reported(tmp_path: Path, capsys: pytest.Ca
     assert simulated(PLAN, data) == 0
     assert identify(data, tmp_path / "e.json", "--method", "stepwise") == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "setup.toml does not say whether a compensation was active; taken as none" in said
+    assert "setup.toml does not say whether a compensation of the control was active; none is assumed" in said
 
 
 def test_the_way_to_the_file_is_kept_in_another_folder(tmp_path: Path) -> None:
@@ -118,6 +118,6 @@ def test_a_proposed_plan_keeps_the_way_to_the_file(tmp_path: Path) -> None:
     (tmp_path / "active.json").write_text('{"schema": 1, "machine": "dmu60p"}')
     setup = data / "setup.toml"
     setup.write_text(setup.read_text().replace("schema = 1\n", 'schema = 1\ncompensation = "../active.json"\n', 1))
-    arguments = ["plan", str(MACHINE), "--data", str(data), "--degree", "2"]
+    arguments = ["plan", str(MACHINE), "--data", str(data)]
     assert main([*arguments, "--propose", "1", "--out", str(out), *KERNELS]) == 0
     assert 'compensation = "../../active.json"' in (out / "setup.toml").read_text()

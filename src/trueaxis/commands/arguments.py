@@ -39,6 +39,17 @@ def noise_or_none(text: str) -> float:
     return _finite(text, f"a number of micrometres from 0 to {high:g}", lambda value: 0.0 <= value <= high)
 
 
+def tool_point(text: str) -> tuple[float, float, float]:
+    """`X,Y,Z`, a point in the tool frame, mm. Raises argparse.ArgumentTypeError otherwise."""
+    try:
+        x, y, z = (float(part) for part in text.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z: three numbers, mm") from None
+    if not all(map(math.isfinite, (x, y, z))):
+        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z: three finite numbers, mm")
+    return x, y, z
+
+
 def share(text: str) -> float:
     """A number above 0 and below 1. Raises argparse.ArgumentTypeError otherwise."""
     return _finite(text, "a number above 0 and below 1", lambda value: 0.0 < value < 1.0)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trueaxis.commands.arguments import positive, size
+from trueaxis.commands.arguments import positive, size, tool_point
 from trueaxis.commands.misfit import check_fit, misfit_option
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.compensate.reliance import PRIOR_SIZES
@@ -15,7 +15,13 @@ from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
 from trueaxis.reporting.control_tables import export_sentences, head_lines
-from trueaxis.reporting.reliance import above_sentence, extent_sentences, prior_sentences, range_sentences
+from trueaxis.reporting.reliance import (
+    above_sentence,
+    error_free_sentences,
+    extent_sentences,
+    prior_sentences,
+    range_sentences,
+)
 from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.extent import UncertaintyExtent, uncertainty_extent, volume_grid
 from trueaxis.runtime.measured_range import beyond_measured
@@ -51,7 +57,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="largest distance of the positions of a table, mm or deg (default: the finest round one with up to 200)",
     )  # fmt: skip
     parser.add_argument(
-        "--tool-point", type=_point, default=(0.0, 0.0, 0.0), metavar="X,Y,Z",
+        "--tool-point", type=tool_point, default=(0.0, 0.0, 0.0), metavar="X,Y,Z",
         help="the point in the tool frame that tables of single axes are made for, mm (0,0,0)",
     )  # fmt: skip
     misfit_option(parser)
@@ -100,6 +106,7 @@ def run(args: argparse.Namespace) -> int:
         write_files(contents)
     notes = export_sentences(args.format, model, export)
     for sentence in (
+        *error_free_sentences(model.error_free),
         *notes,
         *extent_sentences(extent, "over the travel"),
         *prior_sentences(model.errors, extent.components),
@@ -141,13 +148,3 @@ def _refusals(
             "--max-correction allows more, or larger sizes in [prior] of the spec, if the machine is that far off"
         )
     return sentences
-
-
-def _point(text: str) -> tuple[float, float, float]:
-    try:
-        x, y, z = (float(part) for part in text.split(","))
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z: three numbers, mm") from None
-    if not np.isfinite([x, y, z]).all():
-        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z: three finite numbers, mm")
-    return x, y, z

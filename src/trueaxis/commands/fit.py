@@ -1,8 +1,10 @@
-"""`trueaxis fit`: identified tables to optimal polynomials."""
+"""`trueaxis fit`: identified curves to optimal polynomials."""
 
 import argparse
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,37 +14,45 @@ from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
+from trueaxis.reporting.fitted_curves import curve_sentences
 from trueaxis.reporting.reliance import above_sentence, extent_sentences
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.covariance_file import linked
-from trueaxis.runtime.curves import TableCurve
+from trueaxis.runtime.curves import LegendreCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues, dump_errors
 from trueaxis.runtime.extent import UncertaintyExtent, uncertainty_extent, volume_grid
 from trueaxis.runtime.kernels import load_kernels
 from trueaxis.runtime.model import MachineModel, load_errors
-from trueaxis.runtime.uncertainty import covariance_file, load_uncertainty
+from trueaxis.runtime.uncertainty import covariance_file, curve_u, load_uncertainty
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.machine import component_unit
 
+if TYPE_CHECKING:
+    from trueaxis.identify.polynomial import OptimalFit
+
 HIGHEST_ORDER = 15
+DRAWN = 101  # points of a curve in the picture
 NO_KERNELS = "there are no kernels of this machine (--kernels): the uncertainty of the tool point is not stated"
 
 DESCRIPTION = """\
-Replace the tables of an error-values file by optimal polynomials without a constant term, as in Sect. 4: the
-order by the mean square error, an F test of the equation, t tests of its terms, terms chosen stepwise by AIC until both
-tests pass. Shows the statistics before and after."""
+Replace the curves of an error-values file by optimal polynomials that are zero at home, as in Sect. 4: the order by the
+mean square error, an F test of the equation, t tests of its terms, terms chosen stepwise by AIC until both tests pass.
+Shows the statistics before and after. Curves are tables (method stepwise) or the Legendre curves of the estimate
+(method global), which are fitted by generalised least squares with their posterior covariance. A Legendre curve that
+rests on the prior, or without a significant polynomial, stays as it is; the picture shows the first kind dashed, with a
+band."""
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Declare the command."""
     parser = subparsers.add_parser(
         "fit",
-        help="identified tables to optimal polynomials, with their statistics",
+        help="identified curves to optimal polynomials, with their statistics",
         description=DESCRIPTION,
-        epilog="exit code: 0 done; 1 a component has no significant polynomial; 2 the input is wrong",
+        epilog="exit code: 0 done; 1 a table has no significant polynomial; 2 the input is wrong",
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
-    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="error values with tables")
+    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="error values with curves")
     parser.add_argument(
         "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
     )
@@ -70,8 +80,8 @@ def run(args: argparse.Namespace) -> int:
     """Fit, show, write."""
     # statsmodels and matplotlib take a second to import; only this command needs them here.
     from trueaxis.identify.curve_fit import fit_tables, in_polynomials, polynomial_curves  # noqa: PLC0415
+    from trueaxis.identify.legendre_fit import fit_legendre, with_polynomials  # noqa: PLC0415
     from trueaxis.identify.polynomial import statistics_table  # noqa: PLC0415
-    from trueaxis.pictures.curves import curves_picture  # noqa: PLC0415
 
     file = args.out.with_suffix(".npz")
     found = overwritten(
@@ -90,11 +100,14 @@ def run(args: argparse.Namespace) -> int:
     if found or errors is None or covariance is None:
         raise InputError(found)
     fits = fit_tables(errors.motion_errors, max_order=args.max_order, alpha=args.alpha)
-    if not fits:
+    of_estimate, resting = fit_legendre(errors, covariance, machine, max_order=args.max_order, alpha=args.alpha)
+    if not fits and not of_estimate:
         raise InputError([_nothing_to_fit(errors, args.errors)])
-    curves, notes = polynomial_curves(errors.motion_errors, fits)
-    fitted = replace(errors, motion_errors=curves, covariance=None)
-    of_fitted = in_polynomials(covariance, errors.motion_errors, curves)
+    fitted, of_fitted = with_polynomials(errors, covariance, machine, of_estimate)
+    curves, notes = polynomial_curves(fitted.motion_errors, fits)
+    fitted = replace(fitted, motion_errors=curves, covariance=None)
+    of_fitted = in_polynomials(of_fitted, errors.motion_errors, curves)
+    notes += curve_sentences([name for name, fit in of_estimate.items() if not fit.after.powers], resting)
     contents: dict[Path, bytes | str] = {}
     if errors.covariance is not None:
         fitted, contents[file] = linked(fitted, of_fitted, args.out, file)
@@ -104,15 +117,11 @@ def run(args: argparse.Namespace) -> int:
     extent = _extent(args, machine, fitted, of_fitted)
     doubtful = () if extent is None else extent.components
     if args.picture is not None:
-        tables = ((name, errors.motion_errors[name]) for name in fits)
-        bars = {
-            name: np.array(t.u)[np.array(t.positions) != 0.0] for name, t in tables if isinstance(t, TableCurve) and t.u
-        }
-        contents[args.picture] = curves_picture(fits, u=bars, undetermined=doubtful)
+        contents[args.picture] = _picture(errors, covariance, {**fits, **of_estimate}, doubtful, resting)
     refused = extent is not None and args.max_u is not None and extent.counted > args.max_u
     if not refused:
         write_files(contents)
-    for name, fit in fits.items():
+    for name, fit in (*fits.items(), *of_estimate.items()):
         unit, factor = ("um", 1e3) if component_unit(name) == "mm" else ("urad", 1e6)
         print(f"{name}: {fit.verdict}\n{statistics_table(fit, unit, factor)}\n")
     stated = [NO_KERNELS] if extent is None else extent_sentences(extent, "over the travel")
@@ -125,8 +134,37 @@ def run(args: argparse.Namespace) -> int:
     return 0 if all(fit.after.powers for fit in fits.values()) else 1
 
 
+def _picture(
+    errors: ErrorValues,
+    covariance: Covariance,
+    fits: "Mapping[str, OptimalFit]",
+    doubtful: Sequence[str],
+    resting: Sequence[str],
+) -> bytes:
+    from trueaxis.pictures.curves import PriorCurve, curves_picture  # noqa: PLC0415
+
+    bars, by_prior = {}, {}
+    for name, fit in fits.items():
+        curve = errors.motion_errors[name]
+        if isinstance(curve, TableCurve) and curve.u:
+            bars[name] = np.array(curve.u)[np.array(curve.positions) != 0.0]
+        elif isinstance(curve, LegendreCurve) and covariance.root is not None:
+            bars[name] = curve_u(covariance, name, fit.samples.positions)
+    for name in resting:
+        curve = errors.motion_errors[name]
+        if isinstance(curve, LegendreCurve):
+            at = np.linspace(curve.basis.low, curve.basis.high, DRAWN)
+            u = np.zeros(at.size) if covariance.root is None else curve_u(covariance, name, at)
+            by_prior[name] = PriorCurve(at, curve(at), u)
+    grey = [name for name in doubtful if name not in by_prior]
+    return curves_picture(fits, u=bars, undetermined=grey, by_prior=by_prior)
+
+
 def _nothing_to_fit(errors: ErrorValues, file: Path) -> Fault:
     curves = errors.motion_errors.values()
+    if any(isinstance(curve, LegendreCurve) for curve in curves):
+        problem = "rest on the prior: no reading tells of them, so that there is nothing to fit"
+        return Fault(str(file), "motion_errors", problem, "use these error values as they are, or measure more")
     if curves and not any(isinstance(curve, TableCurve) for curve in curves):
         problem = "are polynomials already, without a table: there is nothing to fit"
         return Fault(str(file), "motion_errors", problem, "use these error values as they are")

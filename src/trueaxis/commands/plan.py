@@ -1,62 +1,73 @@
-"""trueaxis plan: what runs can and cannot determine, before they are made."""
+"""trueaxis plan: what runs will tell before they are made, and which runs to make."""
 
 import argparse
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.commands.arguments import file_to_write, noise, whole
+from trueaxis.commands.arguments import file_to_write, positive, tool_point, whole
+from trueaxis.commands.identify_options import noise_option
 from trueaxis.commands.measured import read_measured
 from trueaxis.commands.paths import named, overwritten
+from trueaxis.commands.plan_faults import RETIRED, faults_of_options
+from trueaxis.estimation.estimate import Estimate
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
-from trueaxis.input_files import utf8_text
+from trueaxis.identify.notes import dimension_notes
+from trueaxis.identify.weighting import NoiseModel
+from trueaxis.input_files import gathering, utf8_text
 from trueaxis.measure import readings as readings_files
 from trueaxis.measure import setup as setup_file
 from trueaxis.measure.active_compensation import active_file, moved_setup
-from trueaxis.measure.readings import Readings, dump_readings
-from trueaxis.plan.candidates import Candidate
-from trueaxis.plan.extended import setup_text, with_runs
-from trueaxis.plan.instruments import Assumptions
-from trueaxis.plan.method import PlanOptions, judge, plan_of, planned
-from trueaxis.plan.propose import propose
-from trueaxis.plan.repair import repair
+from trueaxis.measure.data import MeasuredData
+from trueaxis.measure.readings import dump_readings
+from trueaxis.plan.extended import new_setup, setup_text
+from trueaxis.plan.method import PlanOptions, Proposed, first_plan, judged_plan, proposed
+from trueaxis.plan.propose import VOLUME
+from trueaxis.plan.report import PlanReport
 from trueaxis.plan.report_text import report_json, report_text
-from trueaxis.plan.rows import of_runs
+from trueaxis.plan.runs import PlannedRuns
+from trueaxis.plan.slices import slices
 from trueaxis.runtime.curves import Curve, PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
-from trueaxis.spec import Machine
+from trueaxis.runtime.model import MachineModel, load_errors, load_model
+from trueaxis.spec import read_machine
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Say what the runs of --data can and cannot determine, and in which order, before any reading is taken (readings that
-are there are not looked at): rank and condition, the order of blocks, the standard uncertainty to expect of each
-error, combinations that stay open, location errors that are redundant. Where the plan is singular, points that would
-mend it are sought; --propose N seeks the runs that would add most. Exit code 1 where the runs determine nothing."""
+Say what the runs of --data will tell, before any reading is taken (readings that are there are not looked at): the
+standard uncertainty to expect of every error and of the tool point over the volume, what of it rests on [prior] of the
+spec, what is told together alone, whether repeats tell the noise, the order of blocks for --method stepwise.
+--propose N adds the runs that lower the uncertainty most per minute. --with, without --data, makes a first plan from
+nothing. Exit code 1 where the runs tell nothing."""
 
-HIGHEST_DEGREE = 30
 MOST_PROPOSED = 100
 INSTRUMENTS = ("laser", "ballbar", "probe")
 
 
 def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
-    parser = subparsers.add_parser("plan", help="what runs can and cannot determine", description=DESCRIPTION)
+    parser = subparsers.add_parser("plan", help="what runs will tell, and which to make", description=DESCRIPTION)
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
-    parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
+    parser.add_argument("--data", type=Path, metavar="DIR", help="folder with setup.toml, readings.csv: the plan")
+    parser.add_argument(
+        "--with", nargs="+", choices=INSTRUMENTS, default=[], metavar="NAME", dest="instruments",
+        help="without --data: a first plan with laser, ballbar, probe, written to --out",
+    )  # fmt: skip
+    parser.add_argument(
+        "--hours", type=positive, metavar="H",
+        help="of measuring time for it (default: until no run lowers the uncertainty by a hundredth)",
+    )  # fmt: skip
     parser.add_argument(
         "--runs", nargs="+", default=[], metavar="ID", help="judge these runs only (default: all of the folder)"
     )
     parser.add_argument(
-        "--noise-um", type=noise, default=1.0, metavar="S",
-        help="standard deviation of a reading, um (1: what 1 um of every reading becomes)",
+        "--noise-um", type=noise_option, default=NoiseModel(), metavar="S",
+        help="standard deviation of a reading, um, or of those of instruments or runs: laser=0.3,ballbar=0.5 (default: "
+        "as [device] tables say, else 1)",
     )  # fmt: skip
-    parser.add_argument(
-        "--degree", type=whole(1, HIGHEST_DEGREE), default=7, metavar="N", help="highest power of a motion error (7)"
-    )
     parser.add_argument(
         "--known", type=Path, metavar="E.json", help="values known beforehand: dimensions, location errors, components"
     )
@@ -64,64 +75,75 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--location-errors-only", action="store_true", help="motion errors are no unknowns: known, or left at zero"
     )
     parser.add_argument(
-        "--ideal-instruments", action="store_true",
-        help="nothing is unknown of the instruments; else straightness lines (offset and slope), ball bars (centre and "
-        "length) and probes (zero, centre of the sphere) have unknowns of their own",
+        "--tool-point", type=tool_point, action="append", default=[], metavar="X,Y,Z",
+        help="point in the tool frame, mm, whose uncertainty counts (0,0,0); given more than once: their mean",
     )  # fmt: skip
     parser.add_argument(
-        "--unknown-linkage-lines", action="store_true",
-        help="laser lines along which two axes move are where they are, too: offset and slope unknown",
+        "--propose", type=whole(1, MOST_PROPOSED), metavar="N",
+        help="choose the N runs that add most per minute; with --out, write them",
     )  # fmt: skip
-    parser.add_argument("--unknown-zeros", action="store_true", help="the zero of laser and probe at home is not exact")
-    parser.add_argument(
-        "--propose",
-        type=whole(1, MOST_PROPOSED),
-        metavar="N",
-        help="choose the N runs that would add most; with --out, write them",
-    )
     parser.add_argument(
         "--propose-with", nargs="+", choices=INSTRUMENTS, default=[], metavar="NAME",
         help="of the runs to propose: laser, ballbar, probe (default: those of the plan)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--for", default=VOLUME, metavar="NAME", dest="wanted",
+        help="what proposed runs are to tell best: volume (default: the tool point over the volume), a component such "
+        "as EYX, or a location error",
+    )  # fmt: skip
+    parser.add_argument(
+        "--datum", choices=("home", "best-fit"), default="home",
+        help="what the tool point is known against by proposed runs: the tool point at home (default), or a workpiece "
+        "placed where it fits best: balls and beams do not see a turn of the whole volume",
     )  # fmt: skip
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="another folder, to be written: the plan with the proposed runs"
     )
     parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON, too")
     parser.add_argument(
+        "--picture", type=file_to_write, metavar="FILE.png", help="draw the uncertainty of the tool point in the volume"
+    )
+    parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
+    for option, retired in RETIRED.items():
+        parser.add_argument(option, help=f"gone: {retired.instead}", **retired.argument)
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Judge a plan; raises InputError with the faults of every file."""
-    found = _faults_of_options(args)
-    read = read_measured(args, found)
-    machine, model, data, known = read.model.machine, read.model, read.data, read.known
-    if found := overwritten(
-        {"the active compensation of --data": active_file(args.data, data.setup)}, {"--report": args.report}
-    ):
-        raise InputError(found)
-    _check_runs(args.runs, [run.id for run in data.setup.runs])
-    assumed = Assumptions(args.ideal_instruments, args.unknown_linkage_lines, args.unknown_zeros)
-    if args.location_errors_only:
-        known = _no_motion_errors(machine, known)
-    options = PlanOptions(args.noise_um, args.degree, assumed, known)
-    observed = planned(str(args.data), data.setup.runs, data.readings)
-    if args.runs:
-        ids = [run.id for run in data.setup.runs]
-        observed = of_runs(observed, tuple(index for index, name in enumerate(ids) if name in args.runs))
-    plan = plan_of(model, observed, options)
-    report = judge(plan)
-    report = replace(report, repair=repair(plan, report))
+    """Judge a plan or make one; raises InputError with the faults of every file."""
+    found = faults_of_options(args)
     contents: dict[Path, bytes | str] = {}
-    if args.propose is not None:
-        extended = propose(plan, args.propose, args.propose_with)
-        report = replace(report, proposal=extended.proposal)
-        if args.out is not None:
-            contents = _extended(args, extended.runs, data.readings)
+    if args.data is None:
+        model, known = _model(args, found)
+        options = _options(args, model, known)
+        made = first_plan(model, options, args.instruments, args.hours)
+        if not made.runs:
+            print(f"{named(args.out)}: not written: {_no_run(args)}")
+            return 1
+        report = PlanReport(machine=model.name, source="", expected=None, proposal=made.report)
+        expected = made.expected
+        contents |= _written(args, new_setup(model.name), args.out, made)
+    else:
+        read = read_measured(args, found)
+        model, data = read.model, read.data
+        _check_files(args, data)
+        options = _options(args, model, read.known)
+        planned = PlannedRuns(str(args.data), data.setup.runs, data.readings)
+        planned = planned.of(args.runs) if args.runs else planned
+        report, expected = judged_plan(model, options, planned)
+        if args.propose is not None:
+            added = proposed(model, options, planned, args.propose, args.propose_with)
+            report, expected = replace(report, proposal=added.report), added.expected
+            if args.out is not None:
+                setup = args.data / setup_file.FILE_NAME
+                contents |= _written(args, utf8_text(setup, moved_setup(args.data, args.out)), setup, added)
+    report = replace(report, notes=(*dimension_notes(model, options.given), *report.notes))
     if args.report is not None:
         contents[args.report] = report_json(report)
+    if args.picture is not None:
+        contents[args.picture] = _picture(expected, options)
     write_files(contents)
     print(report_text(report), end="")
     if contents:
@@ -129,50 +151,62 @@ def run(args: argparse.Namespace) -> int:
     return 1 if report.nothing_determined else 0
 
 
-def _check_runs(wanted: Sequence[str], there: Sequence[str]) -> None:
-    found = [Fault("--runs", name, "is no run of the setup", f"of {', '.join(there)}") for name in wanted]
-    found = [fault for fault in found if fault.place not in there]
+def _no_run(args: argparse.Namespace) -> str:
+    if args.hours is None:
+        return "no run of these instruments tells anything of what is asked for"
+    return f"no run that tells anything of what is asked for fits into {args.hours:g} h with its set-up"
+
+
+def _model(args: argparse.Namespace, found: list[Fault]) -> tuple[MachineModel, ErrorValues | None]:
+    """For a plan from nothing. Raises InputError with the faults of all files, after those found before."""
+    machine = read_machine(args.machine)
+    model = known = None
+    with gathering(found):
+        model = load_model(args.machine, None, args.kernels)
+    if args.known is not None:
+        with gathering(found):
+            known = load_errors(args.known, machine)
+    if found or model is None:
+        raise InputError(found)
+    return model, known
+
+
+def _check_files(args: argparse.Namespace, data: MeasuredData) -> None:
+    """Raise InputError where an output is the active compensation, or runs are named that are not there."""
+    active = {"the active compensation of --data": active_file(args.data, data.setup)}
+    found = overwritten(active, {"--report": args.report, "--picture": args.picture})
+    ids = [run.id for run in data.setup.runs]
+    found += [
+        Fault("--runs", name, "is no run of the setup", f"of {', '.join(ids)}") for name in args.runs if name not in ids
+    ]
     if found:
         raise InputError(found)
 
 
-def _no_motion_errors(machine: Machine, known: ErrorValues | None) -> ErrorValues:
-    """Every component known, at zero where nothing else is said."""
-    known = known or ErrorValues(machine.name)
-    zeros: dict[str, Curve] = dict.fromkeys(machine.components, PolynomialCurve((), ()))
-    return replace(known, motion_errors={**zeros, **known.motion_errors})
+def _options(args: argparse.Namespace, model: MachineModel, known: ErrorValues | None) -> PlanOptions:
+    given = known or ErrorValues(model.name)
+    given = replace(given, u={}, undetermined=(), covariance=None, fit=None)
+    if args.location_errors_only:
+        zeros: dict[str, Curve] = dict.fromkeys(model.components, PolynomialCurve((), ()))
+        given = replace(given, motion_errors={**zeros, **given.motion_errors})
+    unknown = [name for name in model.components if name not in given.motion_errors]
+    unknown += [name for name in model.location_errors if name not in given.parameters]
+    if args.wanted not in (VOLUME, *unknown):
+        problem = "is no error that is to be identified"
+        raise InputError([Fault("--for", args.wanted, problem, f"{VOLUME}, or one of {', '.join(unknown)}")])
+    tools = tuple(args.tool_point) or ((0.0, 0.0, 0.0),)
+    return PlanOptions(given=given, noise=args.noise_um, tools=tools, wanted=args.wanted, datum=args.datum)
 
 
-def _extended(args: argparse.Namespace, runs: Sequence[Candidate], given: Readings) -> dict[Path, bytes | str]:
-    setup = args.data / setup_file.FILE_NAME
+def _written(args: argparse.Namespace, setup: str, file: Path, made: Proposed) -> dict[Path, bytes | str]:
+    """The plan with the runs, as a folder of measured data. setup: the text that they are added to, of a file."""
     return {
-        args.out / setup_file.FILE_NAME: setup_text(
-            utf8_text(setup, moved_setup(args.data, args.out)), runs, str(setup)
-        ),
-        args.out / readings_files.FILE_NAME: dump_readings(with_runs(given, runs)),
+        args.out / setup_file.FILE_NAME: setup_text(setup, made.runs, str(file)),
+        args.out / readings_files.FILE_NAME: dump_readings(made.planned.readings),
     }
 
 
-def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
-    inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
-    outputs = {"--report": args.report}
-    if args.out is not None and args.out.resolve() != args.data.resolve():
-        outputs |= {f"{name} of --out": args.out / name for name in (setup_file.FILE_NAME, readings_files.FILE_NAME)}
-    found = overwritten(inputs, outputs, args.kernels)
-    if args.ideal_instruments:
-        for option in ("unknown_linkage_lines", "unknown_zeros"):
-            if getattr(args, option):
-                name = f"--{option.replace('_', '-')}"
-                found.append(Fault(name, "", "does not go with --ideal-instruments", "one of them"))
-    if args.out is None:
-        return found
-    if args.runs:
-        found.append(Fault("--out", "", "goes with all runs", "no --runs"))
-    if args.propose is None:
-        found.append(Fault("--out", "", "is for proposed runs", "--propose N as well"))
-    other = args.out / readings_files.PARQUET_NAME
-    if args.out.resolve() == args.data.resolve():
-        found.append(Fault(str(args.out), "", "is the folder of the plan itself", "another folder for --out"))
-    elif other.exists():
-        found.append(Fault(str(other), "", f"would stand beside the new {readings_files.FILE_NAME}", "remove it"))
-    return found
+def _picture(expected: Estimate, options: PlanOptions) -> bytes:
+    from trueaxis.pictures.tool_uncertainty import uncertainty_picture  # noqa: PLC0415  matplotlib takes long to import
+
+    return uncertainty_picture(slices(expected, options.tools))

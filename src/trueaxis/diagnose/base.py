@@ -11,29 +11,32 @@ import numpy as np
 
 from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.rows import Rows
+from trueaxis.estimation.jacobian import RunRows, pieces
+from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up import ball_columns
-from trueaxis.identify.global_fit.design import Design
-from trueaxis.identify.global_fit.instruments import instruments
-from trueaxis.identify.global_fit.layout import Layout, layout
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 
 DEGREE = 12
+SLOPE = 2  # its place among the own unknowns of a straightness run
 RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Base:
-    """columns: (n, p), mm per scaled unknown, not whitened; plan: of those before offsets and centres."""
+    """columns: (n, p), mm per scaled unknown, not whitened: those of the machine, then slopes of straightness runs,
+    offsets and centres; of_machine: how many are the machine's; first_offset: where offsets begin.
+    """
 
-    plan: Layout
     columns: FloatArray
+    of_machine: int
+    first_offset: int
 
     @property
     def of_instruments(self) -> slice:
         """Columns of the instruments alone: what readings of an error-free machine would have, too."""
-        return slice(self.plan.of_machine, self.columns.shape[1])
+        return slice(self.of_machine, self.columns.shape[1])
 
 
 def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
@@ -41,16 +44,36 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
     dimensions = {name: model.errors.parameters.get(name, 0.0) for name in model.dimensions}
     known = ErrorValues(model.name, dimensions)
     bare = model.with_values(known)
-    observed = Observations("", rows.runs, rows.run, rows.positions, rows.reading)
-    plan = layout(bare, observed, known, degree, instruments(bare, observed, ("slope",)))
-    columns = np.zeros((rows.size, plan.count))
-    for at, piece in Design(plan, observed).pieces():
-        columns[at] = piece
-    zeroed = [index for index in rows.present if rows.runs[index].instrument != "ballbar"]
-    offsets = np.zeros((rows.size, len(zeroed)))
-    for place, index in enumerate(zeroed):
-        offsets[rows.of_run(index), place] = 1.0
-    return Base(plan, np.hstack([columns, offsets, _centres(bare, rows)]))
+    layout = layout_of(bare, Observations("", rows.runs, rows.run, rows.positions, rows.reading), known, degree=degree)
+    machine = np.zeros((rows.size, layout.of_machine))
+    slopes, offsets = [], []
+    for index in rows.present:
+        part = rows.of_run(index)
+        count = part.stop - part.start
+        one = RunRows(
+            index=index,
+            run=rows.runs[index],
+            at=np.arange(part.start, part.stop),
+            positions=np.ascontiguousarray(rows.positions[:, part]),
+            passed=np.zeros(count),
+            steps=np.zeros(count),
+        )
+        both = [(own, others[:, : layout.of_machine]) for _, own, others in pieces(layout, one)]
+        machine[part] = np.vstack([others for _, others in both])
+        own = np.vstack([own for own, _ in both])
+        if layout.straightness[index]:
+            slopes.append(_in_rows(rows, part, own[:, SLOPE]))
+        if rows.runs[index].instrument != "ballbar":
+            offsets.append(_in_rows(rows, part, np.ones(count)))
+    columns = [machine, *slopes, *offsets, _centres(bare, rows)]
+    return Base(np.hstack(columns), layout.of_machine, layout.of_machine + len(slopes))
+
+
+def _in_rows(rows: Rows, part: slice, values: FloatArray) -> FloatArray:
+    """(n, 1): a column that is zero in all other runs."""
+    found = np.zeros((rows.size, 1))
+    found[part, 0] = values
+    return found
 
 
 def _centres(model: MachineModel, rows: Rows) -> FloatArray:

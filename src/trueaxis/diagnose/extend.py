@@ -8,13 +8,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.polynomial import chebyshev
 
 from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.observations import Observations, observations
-from trueaxis.identify.global_fit.method import identify_global
-from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.weighting import NoiseModel
 from trueaxis.identify.words import enumerated
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
@@ -60,21 +61,23 @@ def reidentified(
 ) -> ErrorValues:
     """Error values of the extended machine: curves, location errors and effects, fitted together.
 
-    model: of the extended machine; given: values of the machine before; start: of its effects, to start from. Curves
-    change by polynomials up to the degree of the spec's curves; dimensions stay, and the instruments add nothing more.
-    Raises InputError where the readings hold no unknown.
+    model: of the extended machine; given: values of the machine before; start: of its effects, to start from.
+    Curves change by polynomials up to the degree of the spec's curves; dimensions stay, and the instruments add nothing
+    more. Raises InputError where the readings hold no unknown, NotConvergedError where the estimate does
+    not stand still.
     """
     dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
     bare = ErrorValues(model.name, dimensions)
     before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
-    options = GlobalOptions(
+    options = EstimateOptions(
         known=bare,
-        degree=model.machine.curve_degree,
-        instruments=(),
-        noise_by_group=_by_group(observed, noise),
+        noise=NoiseModel(by_group=_by_group(observed, noise)),
         start=tuple(start),
+        prior=False,
+        ideal=True,
+        degree=model.machine.curve_degree,
     )
-    change = identify_global(model, replace(observed, reading=observed.reading - before), options).values
+    change = identify_estimated(model, replace(observed, reading=observed.reading - before), options).values
     return changed(given, change, model.location_errors)
 
 
@@ -119,6 +122,9 @@ def _sum(given: Curve, change: Curve) -> Curve:
         return TableCurve(given.positions, tuple(values.tolist()))
     if isinstance(change, TableCurve):
         return _sum(change, given)
+    for one, other in ((given, change), (change, given)):
+        if isinstance(one, LegendreCurve) and float(np.abs(other(np.array([one.basis.home])))[0]) == 0.0:
+            return _legendre_sum(one, other)
     given, change = (polynomial_of(one) if isinstance(one, LegendreCurve) else one for one in (given, change))
     total: dict[int, float] = {}
     for curve in (given, change):
@@ -129,6 +135,18 @@ def _sum(given: Curve, change: Curve) -> Curve:
         of_change = dict(zip(change.powers, change.u, strict=True))
         u = tuple(of_change.get(power, np.nan) for power in sorted(total))
     return PolynomialCurve(tuple(sorted(total)), tuple(total[power] for power in sorted(total)), u)
+
+
+def _legendre_sum(curve: LegendreCurve, other: PolynomialCurve | LegendreCurve) -> LegendreCurve:
+    """On the basis of the first, of an order that holds both; u: of the first."""
+    order = other.basis.degree if isinstance(other, LegendreCurve) else max(other.powers, default=0)
+    basis = replace(curve.basis, degree=max(curve.basis.degree, order))
+    # two polynomials of this order that agree at the nodes of Chebyshev are the same
+    nodes = 0.5 * (basis.low + basis.high) + 0.5 * (basis.high - basis.low) * chebyshev.chebpts1(basis.degree + 1)
+    coefficients = np.linalg.lstsq(basis(nodes).T, curve(nodes) + other(nodes), rcond=None)[0]
+    added = basis.degree - curve.basis.degree
+    u = None if curve.u is None else (*curve.u, *([np.nan] * added))
+    return LegendreCurve(basis, tuple(coefficients.tolist()), u)
 
 
 def _open(left: Undetermined) -> Undetermined:

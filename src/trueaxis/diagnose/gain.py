@@ -74,7 +74,7 @@ def fitted_left(
     white noise of its size.
     """
     columns, ends = _stages(base, causes)
-    own = base.columns[:, base.plan.count :]
+    own = base.columns[:, base.first_offset :]
     left = []
     for coefficient in _fitted(values, columns, ends, 1.0 / _sizes(whitening), train):
         rest = values - columns[:, : coefficient.size] @ coefficient
@@ -97,7 +97,7 @@ def of_instruments(base: Base, whitening: Whitening, values: FloatArray, causes:
 
 def _stages(base: Base, causes: Sequence[Fitted]) -> tuple[FloatArray, tuple[int, int, int]]:
     """Columns of the instruments, of the machine and of the causes, in this order, and where each part ends."""
-    of_instruments, of_machine = base.columns[:, base.of_instruments], base.columns[:, : base.plan.of_machine]
+    of_instruments, of_machine = base.columns[:, base.of_instruments], base.columns[:, : base.of_machine]
     columns = np.hstack([of_instruments, of_machine, *(one.signal[:, np.newaxis] for one in causes)])
     return columns, (of_instruments.shape[1], base.columns.shape[1], columns.shape[1])
 

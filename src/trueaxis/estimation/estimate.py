@@ -20,6 +20,7 @@ from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
+from trueaxis.estimation.signs import reversed_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, at_share, linearised, moved, started, with_noise, without_outliers
 from trueaxis.measure.columns import BoolArray
@@ -56,7 +57,8 @@ class Estimate:
     factors: class of sizes -> the estimated size over the expected one. noise: of
     each instrument; scales: of each run with readings, by index, its noise over that of its instrument; stated:
     instruments whose noise was given: their scales are mm; zeroed: effects that are zero, since the readings make their
-    square negative; outliers: (n_readings,), left out;
+    square negative; reversed: runs, by index, that read as if their sign were reversed, and how much likelier that is,
+    as a logarithm; outliers: (n_readings,), left out;
     residual: (n_readings,), mm; freedom: degrees of freedom that are left; rounds, steps: how often noise and sizes,
     then the unknowns alone were estimated; last_step, last_change: the largest last step in standard uncertainties, and
     by how much it changed a residual, mm; converged: whether it was none.
@@ -74,6 +76,7 @@ class Estimate:
     scales: Mapping[int, float]
     stated: frozenset[str]
     zeroed: tuple[Effect, ...]
+    reversed: Mapping[int, float]
     outliers: BoolArray
     residual: FloatArray
     freedom: float
@@ -217,6 +220,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
+    flipped = reversed_runs(state, sizes, x, whole)
     if setting.prior:
         posterior = averaged(sizes, found, x)
         state = at_share(state, posterior)
@@ -236,6 +240,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         scales={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},
         stated=state.stated,
         zeroed=(),
+        reversed=flipped,
         outliers=outliers,
         residual=left,
         freedom=float((~outliers).sum()) - posterior.told,

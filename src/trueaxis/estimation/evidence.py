@@ -1,16 +1,17 @@
 """The marginal likelihood of readings by the sizes, its best point, and the posterior there and about it.
 
-The marginal likelihood of the readings, all unknowns integrated out, is maximised with the priors of the sizes by
-Fisher's scoring. Its derivative is exact (Fisher's identity): with u an unknown in units of its size, d log p / d log
-size is the sum of E[u^2 | readings] - 1. The unknowns of single runs stay in blocks of their own, so that the cost of a
-point depends on the number of runs and unknowns alone, not on that of the readings.
+The marginal likelihood of the readings, all unknowns integrated out, is maximised with the priors of the sizes. Its
+derivative is exact (Fisher's identity): with u an unknown in units of its size, d log p / d log size is the sum of
+E[u^2 | readings] - 1. The unknowns of single runs stay in blocks of their own, so that the cost of a point depends on
+the number of runs and unknowns alone, not on that of the readings.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import solve, solve_triangular
+from scipy.linalg import solve_triangular
+from scipy.optimize import minimize
 
 from trueaxis.estimation.parts import parted_root
 from trueaxis.estimation.posterior import OwnPosterior, Posterior
@@ -19,8 +20,9 @@ from trueaxis.estimation.sizes import Sizes
 from trueaxis.measure.machine import FloatArray
 
 MOST_STEPS = 60
-NO_GAIN = 1e-3  # by which the logarithm of the likelihood could still rise: likelihoods as near as that say the same
-LEAST_SHARE = 1e-3  # of a step
+REMEMBERED = 30  # steps: about as many as there are sizes
+GRADIENT = 1e-2  # of the logarithm of the likelihood per standard deviation of a size: far below what a size matters
+NO_GAIN = 3e-4  # of a step, in the logarithm of the likelihood: likelihoods as near as that say the same
 FARTHEST = 3.0  # standard deviations of a size from what was expected: beyond, the data are not of such a machine
 PAIRS, SEED = 8, 21  # of sizes over which the posterior is averaged
 
@@ -39,39 +41,25 @@ class _Batch:
 def best_sizes(sizes: Sizes, reduced: Reduced, start: FloatArray) -> tuple[FloatArray, Posterior]:
     """The sizes of largest marginal likelihood, looked for from `start` on, and the posterior at them."""
     batches = _batches(reduced.blocks)
-    x = start
-    value, slope, posterior = _posterior_density(sizes, reduced, batches, x)
-    for _ in range(MOST_STEPS):
-        step = _scoring_step(sizes.information(posterior, sizes.scale(x)[1]), slope, x)
-        if 0.5 * float(step @ slope) < NO_GAIN:
-            break
-        share = 1.0
-        while True:
-            tried = np.clip(x + share * step, -FARTHEST, FARTHEST)
-            after = _posterior_density(sizes, reduced, batches, tried)
-            if after[0] > value or share < LEAST_SHARE:
-                break
-            share *= 0.5
-        if after[0] <= value:
-            break
-        x, (value, slope, posterior) = tried, after
-    return x, posterior
+    value, _, posterior = _evidence(sizes, reduced, batches, start)
+    # in units of what the readings and the prior leave open of each size: it halves the number of points
+    unit = 1.0 / np.sqrt(np.diag(sizes.information(posterior, sizes.scale(start)[1])))
 
+    def cost(scaled: FloatArray) -> tuple[float, FloatArray]:
+        x = scaled * unit
+        value, slope, _ = _evidence(sizes, reduced, batches, x)
+        return 0.5 * float(x @ x) - value, (x - slope) * unit
 
-def _posterior_density(
-    sizes: Sizes, reduced: Reduced, batches: Sequence["_Batch"], x: FloatArray
-) -> tuple[float, FloatArray, Posterior]:
-    """Logarithm of the marginal likelihood times the prior of the sizes, its derivative, and the posterior."""
-    value, slope, posterior = _evidence(sizes, reduced, batches, x)
-    return value - 0.5 * float(x @ x), slope - x, posterior
-
-
-def _scoring_step(information: FloatArray, slope: FloatArray, x: FloatArray) -> FloatArray:
-    """A step of Fisher's scoring; sizes that are as far off as they may be and want to go on stay where they are."""
-    free = ~(((x >= FARTHEST) & (slope > 0.0)) | ((x <= -FARTHEST) & (slope < 0.0)))
-    step = np.zeros(x.size)
-    step[free] = solve(information[np.ix_(free, free)], slope[free], assume_a="pos")
-    return step
+    found = minimize(
+        cost,
+        start / unit,
+        jac=True,
+        method="L-BFGS-B",
+        bounds=[(-farthest, farthest) for farthest in (FARTHEST / unit).tolist()],
+        options={"maxiter": MOST_STEPS, "maxcor": REMEMBERED, "gtol": GRADIENT, "ftol": NO_GAIN / (1.0 + abs(value))},
+    )
+    best = np.asarray(found.x) * unit
+    return best, _evidence(sizes, reduced, batches, best)[2]
 
 
 def _batches(blocks: Sequence[OwnBlock]) -> list[_Batch]:

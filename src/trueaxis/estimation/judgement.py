@@ -18,11 +18,14 @@ class Judged:
     """A curve over the travel, or one value, mm or rad.
 
     largest: largest absolute value; u: largest standard uncertainty, NaN where open combinations take part in the
-    value, and its two parts there, by the noise of the readings and by the prior; determined: by what.
+    value, and its two parts there, by the noise of the readings and by the prior; u_rms, prior_rms: root mean squares
+    of u and of what the prior lets expect; determined: by what.
     """
 
     largest: float
     u: float
+    u_rms: float
+    prior_rms: float
     u_readings: float
     u_prior: float
     determined: Determined
@@ -61,6 +64,8 @@ def _judged(found: Estimate, change: FloatArray) -> Judged:
     return Judged(
         largest=float(values.max()),
         u=np.nan if hidden else float(u[at]),
+        u_rms=rms[0],
+        prior_rms=rms[3],
         u_readings=float(u_readings[at]),
         u_prior=float(u_prior[at]),
         determined=_left_open(float(np.sqrt(np.mean(opened**2))), rms[-1]) if hidden else determined_by(*rms),

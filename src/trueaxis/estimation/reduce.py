@@ -54,20 +54,31 @@ def triangle_of(rows: Sequence[FloatArray]) -> FloatArray:
 
 
 def reduced(
-    layout: Layout, runs: Sequence[RunRows], whitenings: Sequence[Whitening], readings: Sequence[FloatArray]
+    layout: Layout,
+    runs: Sequence[RunRows],
+    whitenings: Sequence[Whitening],
+    readings: Sequence[FloatArray],
+    unknowns: FloatArray | None = None,
+    own_unknowns: Sequence[FloatArray] | None = None,
 ) -> Reduced:
-    """readings: of each run (n,), mm, less what is expected without the unknowns."""
+    """readings: of each run (n,), mm, less what is expected with the unknowns (n,) and the runs' own ones, mm or rad;
+    None: none of them is known yet.
+    """
     n = layout.count
+    scaled = None if unknowns is None else unknowns / layout.sizes
     folded = np.zeros((0, n + 1))
     waiting: list[FloatArray] = []
     blocks = []
     log_root = 0.0
-    for rows, whiten, values in zip(runs, whitenings, readings, strict=True):
+    for place, (rows, whiten, values) in enumerate(zip(runs, whitenings, readings, strict=True)):
         kinds = own_kinds(rows.run, layout.straightness[rows.index])
         k = len(kinds)
         triangle = np.zeros((0, k + n + 1))
         for part, own, others in pieces(layout, rows):
-            white = whiten(np.hstack([own, others, values[part, np.newaxis]]))
+            whole = values[part]
+            if scaled is not None and own_unknowns is not None:
+                whole = whole + others @ scaled + own @ own_unknowns[place]
+            white = whiten(np.hstack([own, others, whole[:, np.newaxis]]))
             triangle = triangle_of([triangle, white])
         if triangle.shape[0] < k:
             triangle = np.vstack([triangle, np.zeros((k - triangle.shape[0], k + n + 1))])

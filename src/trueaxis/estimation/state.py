@@ -81,12 +81,9 @@ def started(
 def linearised(state: State) -> Reduced:
     """What the readings that count, whitened, say of the unknowns."""
     kept = [one.kept() for one in state.runs]
-    linear = first_order(state.layout, state.runs, state.unknowns, state.own)
-    values = [
-        (rest + part)[one.good] for one, rest, part in zip(state.runs, state.residual, linear, strict=True)
-    ]  # the readings less what is not linear
+    left = [rest[one.good] for one, rest in zip(state.runs, state.residual, strict=True)]
     whitenings = [state.whitening(place, rows) for place, rows in enumerate(kept)]
-    return reduced(state.layout, kept, whitenings, values)
+    return reduced(state.layout, kept, whitenings, left, state.unknowns, state.own)
 
 
 def moved(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) -> State:

@@ -5,11 +5,14 @@ from typing import Literal
 
 import numpy as np
 
+from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
 from trueaxis.estimation.judgement import judged_component, judged_location, open_counts
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import copied_runs
+from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.estimated_effects import covariance_with_effects, with_uncertainty
 from trueaxis.identify.estimated_report import estimated_report
@@ -20,6 +23,7 @@ from trueaxis.identify.fit_quality import (
     known_noise,
     quality,
     run_residuals,
+    with_reversed,
 )
 from trueaxis.identify.report import Identification
 from trueaxis.identify.weighting import NoiseModel, weighting
@@ -31,9 +35,10 @@ from trueaxis.runtime.model import MachineModel
 
 Choice = Literal["convention", "known"]
 SILENT = {
-    True: "no reading tells them, they rest on [prior]",
+    True: "the readings do not determine them; values and u are those of [prior]",
     False: "the readings leave combinations of them open, which are zero here",
 }
+ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that the report is about
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +84,9 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     residuals = _residuals(model, observed, found, noise)
     if not found.converged:
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
-    judged = quality(residuals, observed.runs)
+    surest = sorted(found.reversed, key=lambda index: -found.reversed[index])
+    judged = with_reversed(quality(residuals, observed.runs), [observed.runs[index].id for index in surest])
+    together, tool = combinations(found), tool_summary(found, [ORIGIN]) if options.prior else None
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}
@@ -109,6 +116,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         squareness=options.squareness,
         prior=options.prior,
     )
+    report = replace(report, combinations=together, tool=tool)
     return Identification(values, report, covariance_with_effects(found))
 
 
@@ -142,6 +150,7 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
         known,
         sizes,
         int(found.freedom),
+        () if set(np.unique(observed.run).tolist()) <= set(noise) else tuple(copied_runs(observed).tolist()),
     )
 
 

@@ -10,7 +10,7 @@ from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
 from trueaxis.identify.estimated_effects import effect_reports
 from trueaxis.identify.fit_quality import FitQuality
-from trueaxis.identify.notes import dimension_notes
+from trueaxis.identify.notes import dimension_notes, estimate_notes
 from trueaxis.identify.report import (
     ComponentReport,
     IdentificationReport,
@@ -37,8 +37,6 @@ ORIGINS: dict[bool, dict[Determined, str]] = {
     },
 }
 RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
-SLOW = 3.0  # slow over white noise: instruments drift by about as much as they scatter
-FAR = 3.0  # times the size of [prior], from where on a size is reported
 
 
 def estimated_report(
@@ -86,7 +84,7 @@ def estimated_report(
         instruments=_instruments(observed, found),
         noise_groups=_noise_groups(observed, found),
         effects=effect_reports(values, found),
-        notes=(*dimension_notes(model, given), *_notes(model, found, given)),
+        notes=(*dimension_notes(model, given), *estimate_notes(model, found, given)),
     )
 
 
@@ -136,6 +134,7 @@ def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentRep
         letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
         runs = ", ".join(observed.runs[index].id for index in unknown.runs)
         unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
+        unit = "rad" if unknown.kind == "probe alignment" else unit
         value = float(found.unknowns[place])
         reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
     return tuple(reports)
@@ -158,35 +157,3 @@ def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupRe
         told = " (stated)" if name in found.stated else f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
         groups.append(NoiseGroupReport(name + told, size))
     return tuple(groups)
-
-
-def _notes(model: MachineModel, found: Estimate, given: ErrorValues) -> tuple[str, ...]:
-    notes = []
-    fixed = [name for name in model.location_errors if name in given.parameters]
-    if fixed:
-        zero = [name for name in fixed if given.parameters[name] == 0.0]
-        what = f", {enumerated(zero)} as exactly 0" if zero else ""
-        notes.append(
-            f"{enumerated(fixed)}: taken as known{what}, without uncertainty (--known, --squareness known); "
-            "remove them from the file to have them estimated"
-        )
-    for name, one in found.noise.items():
-        if one.slow > SLOW * one.white:
-            notes.append(
-                f"the slow part of the noise of {name}, {one.slow * 1e3:.3g} um, is {one.slow / one.white:.2g} times "
-                "its white part: readings of a wrong sign, a wrong point in setup.toml or an effect that the model "
-                "lacks look like that (diagnose)"
-            )
-    expected = {
-        "translation": (model.prior.translation * 1e3, "translation_um"),
-        "rotation": (model.prior.rotation * 1e6, "rotation_urad"),
-        "location rad": (model.prior.location_angle * 1e6, "location_urad"),
-        "location mm": (model.prior.location_length * 1e3, "location_um"),
-    }
-    for kind, (size, key) in expected.items():
-        factor = found.factors.get(kind, 1.0)
-        if not 1.0 / FAR <= factor <= FAR:
-            notes.append(f"[prior] {key} = {size:g}: these readings ask for {size * factor:.3g}")
-    if found.outliers.any():
-        notes.append(f"{int(found.outliers.sum())} readings are left out as outliers")
-    return tuple(notes)

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from trueaxis.effects.kind import Role
+from trueaxis.estimation.combinations import Combination
+from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.identify.fit_quality import FitQuality
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Undetermined
@@ -126,7 +128,9 @@ class IdentificationReport:
     deviation of a reading, None where neither given nor to be had from the data; noise_origin says which;
     undetermined as in the error values; notes: everything else a reader must know; instruments: their unknowns;
     noise_groups: of each instrument; curve_orders: of tables that were made polynomials; effects: those of the
-    machine; quality: how the fit ended, and the residuals of each run; measurement: free text of setup.toml about it.
+    machine; quality: how the fit ended, and the residuals of each run; combinations: errors of which the readings tell
+    a sum much better than its parts; tool: how well the tool point is known over the volume, None without a prior;
+    measurement: free text of setup.toml about the measurement.
     """
 
     machine: str
@@ -152,6 +156,8 @@ class IdentificationReport:
     noise_groups: tuple[NoiseGroupReport, ...] = ()
     curve_orders: tuple[CurveOrderReport, ...] = ()
     effects: tuple[EffectReport, ...] = ()
+    combinations: tuple[Combination, ...] = ()
+    tool: ToolSummary | None = None
     measurement: Mapping[str, str] = field(default_factory=dict)
 
     @property

@@ -1,6 +1,7 @@
 """Discrete values of the component errors with their polynomials before and after optimisation (Fig. 14)."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
@@ -21,33 +22,56 @@ UNDETERMINED_COLOUR = "#B8B8B8"
 POINTS_COLOUR, BEFORE_COLOUR, AFTER_COLOUR = GREY, ORANGE, BLUE
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class PriorCurve:
+    """A curve that rests on the prior: positions (n,), mm or deg; values and standard uncertainties (n,), mm or rad."""
+
+    positions: FloatArray
+    values: FloatArray
+    u: FloatArray
+
+
 def curves_picture(
-    fits: Mapping[str, OptimalFit], *, u: Mapping[str, FloatArray] | None = None, undetermined: Sequence[str] = ()
+    fits: Mapping[str, OptimalFit],
+    *,
+    u: Mapping[str, FloatArray] | None = None,
+    undetermined: Sequence[str] = (),
+    by_prior: Mapping[str, PriorCurve] | None = None,
 ) -> bytes:
     """PNG with a panel per component, in the order given: values with error bars and both polynomials.
 
     fits: component (EXX, EYX, ... in ISO 230-1's names, from which units follow: um or urad over mm or deg)
     to its fit; u: standard uncertainties of a component's values, (n,) mm or rad, drawn as bars of 2 u to
     either side where given. The band about the optimal polynomial is 2 u of the fitted curve. undetermined: components
-    that the readings did not determine, drawn grey. Raises ValueError on no fits.
+    that the readings did not determine, drawn grey. by_prior: curves that rest on the prior, drawn dashed with a band
+    of 2 u, behind the others. Raises ValueError on no fits.
     """
     if not fits:
         raise ValueError("there is no fit to draw")
-    return png(lambda: _figure(fits, {} if u is None else u, undetermined))
+    return png(lambda: _figure(fits, {} if u is None else u, undetermined, by_prior or {}))
 
 
-def _figure(fits: Mapping[str, OptimalFit], u: Mapping[str, FloatArray], undetermined: Sequence[str]) -> Figure:
-    columns = min(COLUMNS, len(fits))
-    rows = ceil(len(fits) / columns)
+def _figure(
+    fits: Mapping[str, OptimalFit],
+    u: Mapping[str, FloatArray],
+    undetermined: Sequence[str],
+    by_prior: Mapping[str, PriorCurve],
+) -> Figure:
+    count = len(fits) + len(by_prior)
+    columns = min(COLUMNS, count)
+    rows = ceil(count / columns)
     figure = Figure(figsize=(1.2 + 4.2 * columns, 0.9 + 2.7 * rows), dpi=110, layout="constrained")
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
-    for panel in panels[len(fits) :]:
+    for panel in panels[count:]:
         panel.set_axis_off()
+    for panel, (component, curve) in zip(panels[len(fits) :], by_prior.items(), strict=False):
+        _draw_prior(panel, component, curve)
     for panel, (component, fit) in zip(panels, fits.items(), strict=False):
         _draw_panel(panel, component, fit, u.get(component))
         if component in undetermined:
             _grey(panel, component)
     shown = [panel for panel, name in zip(panels, fits, strict=False) if name not in undetermined] or list(panels)
+    shown += list(panels[len(fits) : count][:1])
     labelled = {
         label: artist for panel in shown for artist, label in zip(*panel.get_legend_handles_labels(), strict=True)
     }
@@ -56,7 +80,7 @@ def _figure(fits: Mapping[str, OptimalFit], u: Mapping[str, FloatArray], undeter
 
 
 def _draw_panel(panel: Axes, component: str, fit: OptimalFit, u: FloatArray | None) -> None:
-    unit, factor = ("\N{MICRO SIGN}rad", 1e6) if component[1] in "ABC" else ("\N{MICRO SIGN}m", 1e3)
+    unit, factor = _unit(component)
     x, y = fit.samples.positions, fit.samples.values * factor
     curve = np.linspace(min(0.0, x.min()), max(0.0, x.max()), CURVE_POINTS)
     after, band = fit.after.at(curve) * factor, 2 * factor * fit.after.u_at(curve)
@@ -69,7 +93,29 @@ def _draw_panel(panel: Axes, component: str, fit: OptimalFit, u: FloatArray | No
     )  # fmt: skip
     panel.plot(curve, fit.before.at(curve) * factor, "--", color=BEFORE_COLOUR, linewidth=2.0, zorder=3, label="before")
     panel.plot(curve, after, "-", color=AFTER_COLOUR, linewidth=1.4, zorder=4, label="after optimisation")
-    panel.set_title(f"{component}: {_summary(fit, unit, factor)}", fontsize=9, loc="left")
+    _frame(panel, component, _summary(fit, unit, factor), unit)
+
+
+def _draw_prior(panel: Axes, component: str, curve: PriorCurve) -> None:
+    unit, factor = _unit(component)
+    values, band = curve.values * factor, 2 * factor * curve.u
+    panel.axhline(0.0, color="#B0B0B0", linewidth=0.6, zorder=0)
+    panel.fill_between(
+        curve.positions, values - band, values + band, color=UNDETERMINED_COLOUR, alpha=0.35, linewidth=0, zorder=1
+    )
+    panel.plot(
+        curve.positions, values, "--", color=UNDETERMINED_COLOUR, linewidth=1.4, zorder=2,
+        label="by the prior \N{PLUS-MINUS SIGN} 2u, not measured",
+    )  # fmt: skip
+    _frame(panel, component, "rests on the prior", unit)
+
+
+def _unit(component: str) -> tuple[str, float]:
+    return ("\N{MICRO SIGN}rad", 1e6) if component[1] in "ABC" else ("\N{MICRO SIGN}m", 1e3)
+
+
+def _frame(panel: Axes, component: str, summary: str, unit: str) -> None:
+    panel.set_title(f"{component}: {summary}", fontsize=9, loc="left")
     panel.set_xlabel(f"{component[2]} ({'deg' if component[2] in 'ABC' else 'mm'})", fontsize=8, labelpad=1)
     panel.set_ylabel(f"{component} ({unit})", fontsize=8, labelpad=2)
     panel.tick_params(labelsize=8)
@@ -89,6 +135,8 @@ def _grey(panel: Axes, component: str) -> None:
 def _summary(fit: OptimalFit, unit: str, factor: float) -> str:
     if not fit.after.powers:
         return "no polynomial"
+    if fit.samples.whitening is not None:
+        unit, factor = "u", 1.0
     before, after = (side.residual_standard_error * factor for side in (fit.before, fit.after))
     terms = f"{len(fit.before.powers)}\N{RIGHTWARDS ARROW}{len(fit.after.powers)} terms"
     return f"{terms}, s {before:.3g}\N{RIGHTWARDS ARROW}{after:.3g} {unit}"

@@ -1,140 +1,177 @@
-"""`trueaxis plan`: what a set of runs can and cannot determine, and in which order."""
+"""`trueaxis plan`: a plan judged, runs proposed for it, a first plan from nothing."""
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.estimation.machine import IdentifiedMachine, lever
+from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.expected import expected
 from trueaxis.estimation.observations import Observations
-from trueaxis.identify.global_fit.design import Design
-from trueaxis.identify.global_fit.layout import layout
-from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
-from trueaxis.identify.notes import dimension_notes
-from trueaxis.measure.readings import Readings
-from trueaxis.measure.setup import Run
-from trueaxis.plan import expected
-from trueaxis.plan.combinations import settled_and_seen, undetermined
-from trueaxis.plan.convention import Settled, settle
-from trueaxis.plan.instruments import IDEAL, KNOWN, Assumptions, Unknowns, instrument_unknowns
+from trueaxis.estimation.tool_point import Datum
+from trueaxis.identify.weighting import NoiseModel
+from trueaxis.identify.words import enumerated, unit_of
+from trueaxis.measure.setup import Device, Instrument, Run, Vector
+from trueaxis.plan.candidates import LENGTHS, Candidate, Kit
+from trueaxis.plan.choice import LEAST_FALL, Chosen
+from trueaxis.plan.judge import judge
 from trueaxis.plan.location_sets import location_sets
+from trueaxis.plan.noise import noise_of_instruments, noise_of_runs
 from trueaxis.plan.order import order
-from trueaxis.plan.report import InstrumentReport, PlanReport
-from trueaxis.plan.system import System, system
+from trueaxis.plan.propose import VOLUME, Proposal, Wish, for_noise, named, propose
+from trueaxis.plan.report import Added, PlanReport, ProposalReport
+from trueaxis.plan.runs import PlannedRuns, no_runs
 from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.model import MachineModel
 
-CONVENTION_TEXT = (
-    "least-squares lines of the straightness are level (ISO 230-1), end-point lines beside it; it splits "
-    "straightness from squareness where readings do not"
-)
-PRIOR_UM = 50.0  # of a scaled unknown: errors of machines before compensation are of this size
+FIRST = "a plan from nothing"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PlanOptions:
-    """noise_um: standard deviation of a reading, micrometres; degree: highest power of a component's polynomial;
-    known: values given beforehand.
+    """given: error values that are no unknowns; noise: what is known of it; tools: points in the tool frame whose
+    uncertainty counts, mm; wanted: what proposed runs are to tell best: VOLUME, a component or a location error;
+    datum: against which the tool point is known then.
     """
 
-    noise_um: float = 1.0
-    degree: int = 7
-    assumed: Assumptions = field(default_factory=Assumptions)
-    known: ErrorValues | None = None
+    given: ErrorValues
+    noise: NoiseModel
+    tools: tuple[Vector, ...]
+    wanted: str = VOLUME
+    datum: Datum = "home"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Plan:
-    """A plan with its equations; `settled` by least-squares lines; given: values known beforehand."""
+class Proposed:
+    """The plan with the runs, their ids new; the runs; the report of them; the estimate to expect from the plan."""
 
-    machine: IdentifiedMachine
-    observed: Observations
-    options: PlanOptions
-    given: ErrorValues
-    system: System
-    settled: Settled
-
-    @property
-    def noise(self) -> float:
-        """Standard deviation of a reading, mm."""
-        return self.options.noise_um * 1e-3
-
-    @property
-    def ridge(self) -> float:
-        """What is expected of a scaled unknown beforehand, as information in units of that of a reading."""
-        return (self.options.noise_um / PRIOR_UM) ** 2
+    planned: PlannedRuns
+    runs: tuple[Candidate, ...]
+    report: ProposalReport
+    expected: Estimate
 
 
-def planned(source: str, runs: tuple[Run, ...], readings: Readings) -> Observations:
-    """Every row of a plan, whether it has a reading or not."""
-    return Observations(source, runs, readings.run, readings.positions, np.zeros(readings.run.size))
-
-
-def plan_of(machine: IdentifiedMachine, observed: Observations, options: PlanOptions) -> Plan:
-    """Set up the equations of a plan."""
-    given = options.known or ErrorValues(machine.name)
-    machine = machine.with_values(given)
-    unknowns = instrument_unknowns(machine, observed, options.assumed)
-    named = frozenset([*given.motion_errors, *given.parameters])
-    whole = system(Design(layout(machine, observed, given, options.degree), observed), unknowns, named)
-    return Plan(machine, observed, options, given, whole, settle(whole.layout, whole.factors.null, "least-squares"))
-
-
-def judge(plan: Plan) -> PlanReport:
-    """Everything that can be said of a plan, proposals apart."""
-    whole, settled, machine = plan.system, plan.settled, plan.machine
-    by_ends = settle(whole.layout, whole.factors.null, "end-point")
-    spread = expected.covariance(whole, settled, plan.noise)
-    spread_by_ends = expected.covariance(whole, by_ends, plan.noise)
-    blocks = order(machine, plan.observed, plan.given)
-    return PlanReport(
-        machine=machine.name,
-        source=plan.observed.source,
-        runs=len(plan.observed.runs),
-        readings=plan.observed.reading.size,
-        degree=plan.options.degree,
-        noise_um=plan.options.noise_um,
-        lever=lever(machine),
-        rank_tolerance=RANK_TOLERANCE,
-        instruments=_instruments(plan.observed.runs, whole.unknowns, plan.options.assumed),
-        instrument_unknowns=whole.instruments,
-        unknowns=whole.layout.count,
-        rank=whole.factors.rank,
-        settled=settled_and_seen(whole, settled).shape[1],
-        condition=whole.factors.condition,
-        convention=CONVENTION_TEXT,
+def judged_plan(model: MachineModel, options: PlanOptions, planned: PlannedRuns) -> tuple[PlanReport, Estimate]:
+    """Everything that can be said of a plan, proposals apart, and the estimate to expect from it."""
+    observed = planned.observed
+    noise = noise_of_runs(observed, options.noise)
+    found = expected(model, observed, options.given, noise)
+    blocks = order(model.with_values(options.given), observed, options.given)
+    report = PlanReport(
+        machine=model.name,
+        source=observed.source,
+        expected=judge(found, planned, noise, options.tools),
         blocks=blocks.blocks() if blocks else (),
         blocks_fault=blocks.fault if blocks else "",
-        free_of_order=blocks.left_out if blocks else tuple(run.id for run in plan.observed.runs),
-        curves=expected.curves(whole, settled, spread),
-        locations=expected.locations(whole, settled, spread, spread_by_ends),
-        undetermined=undetermined(whole, settled, blocks),
-        location_sets=location_sets(machine, plan.given),
-        repair=None,
-        proposal=None,
-        notes=(*dimension_notes(machine, plan.given), *_travel_notes(plan)),
+        free_of_order=blocks.left_out if blocks else tuple(run.id for run in observed.runs),
+        location_sets=location_sets(model, options.given),
+        notes=(*_effect_notes(model), *_travel_notes(model, observed)),
     )
+    return report, found
 
 
-def _instruments(
-    runs: tuple[Run, ...], unknowns: tuple[Unknowns, ...], assumed: Assumptions
-) -> tuple[InstrumentReport, ...]:
-    """What was assumed of all runs: those with unknowns, then the rest."""
-    found: dict[str, tuple[list[str], int]] = {}
-    for one in unknowns:
-        ids, count = found.setdefault(one.kind, ([], 0))
-        found[one.kind] = (ids + [runs[index].id for index in one.runs], count + one.columns.shape[1])
-    exact = [run.id for index, run in enumerate(runs) if not any(index in one.runs for one in unknowns)]
-    if exact:
-        found[IDEAL if assumed.ideal else KNOWN] = (exact, 0)
-    return tuple(InstrumentReport(tuple(ids), kind, count) for kind, (ids, count) in found.items())
+def proposed(
+    model: MachineModel, options: PlanOptions, planned: PlannedRuns, count: int, instruments: Sequence[Instrument]
+) -> Proposed:
+    """The `count` runs that add most; instruments: of the candidates, those of the plan where none are named."""
+    kit = _kit_of(planned.runs, options, instruments)
+    wish = _wish(options, kit)
+
+    def goes_on(chosen: Sequence[Chosen]) -> float:
+        return np.inf if len(chosen) < count else 0.0
+
+    noise = noise_of_runs(planned.observed, options.noise)
+    found = named(propose(model, options.given, planned, noise, kit, wish, goes_on), planned.runs, "added-")
+    return _with_report(model, options, planned, noise, found, wish)
 
 
-def _travel_notes(plan: Plan) -> tuple[str, ...]:
+def first_plan(
+    model: MachineModel, options: PlanOptions, instruments: Sequence[Instrument], hours: float | None
+) -> Proposed:
+    """Runs for a machine of which nothing is measured, in at most `hours`; None: while a run is worth its time."""
+    kit = Kit(instruments=tuple(instruments), tools=options.tools)
+    wish = _wish(options, kit)
+
+    def goes_on(chosen: Sequence[Chosen]) -> float:
+        return np.inf if hours is None else 60.0 * hours - sum(one.minutes for one in chosen)
+
+    least = LEAST_FALL if hours is None else 0.0
+    nothing = no_runs(FIRST, model.axes)
+    found = named(for_noise(propose(model, options.given, nothing, {}, kit, wish, goes_on, least)), (), "run-")
+    return _with_report(model, options, nothing, {}, found, wish)
+
+
+def _with_report(
+    model: MachineModel,
+    options: PlanOptions,
+    planned: PlannedRuns,
+    noise: Mapping[int, float],
+    found: Proposal,
+    wish: Wish,
+) -> Proposed:
+    runs = tuple(one.candidate for one in found.runs)
+    whole = planned.with_added(runs)
+    every = {**noise, **{k: wish.noise[one.run.instrument] for k, one in enumerate(runs, len(planned.runs))}}
+    after = expected(model, whole.observed, options.given, every)
+    added = tuple(
+        Added(
+            run=one.candidate.run.id,
+            what=one.candidate.what,
+            readings=one.candidate.positions.shape[1],
+            minutes=one.minutes,
+            u=one.u,
+        )
+        for one in found.runs
+    )
+    report = ProposalReport(
+        wanted=wish.wanted,
+        unit=_unit(model, wish.wanted),
+        before=found.before,
+        candidates=found.count,
+        added=added,
+        after=judge(after, whole, every, options.tools),
+    )
+    return Proposed(whole, runs, report, after)
+
+
+def _kit_of(runs: Sequence[Run], options: PlanOptions, instruments: Sequence[Instrument]) -> Kit:
+    """What the plan has at hand: instruments, bars, a place on the tool."""
+    used = tuple(dict.fromkeys(instruments or (run.instrument for run in runs)))
+    lengths = tuple(dict.fromkeys(run.length for run in runs if run.length is not None)) or LENGTHS
+    devices: dict[str, Device] = {}
+    for run in runs:
+        if run.device is not None:
+            devices[run.instrument] = run.device
+    on_tool = [end.point for run in runs for end in (run.target, run.reference) if end.on == "tool"]
+    tools = tuple(dict.fromkeys((*on_tool[:1], *options.tools)))
+    return Kit(instruments=used, tools=tools, lengths=lengths, devices=devices, session=runs[-1].session)
+
+
+def _wish(options: PlanOptions, kit: Kit) -> Wish:
+    noise = noise_of_instruments(kit.instruments, kit.devices, options.noise)
+    return Wish(wanted=options.wanted, datum=options.datum, tools=options.tools, noise=noise)
+
+
+def _unit(model: MachineModel, wanted: str) -> str:
+    if wanted in model.components:
+        return unit_of(wanted)
+    return model.machine.parameter_unit(wanted) if wanted in model.location_errors else "mm"
+
+
+def _effect_notes(model: MachineModel) -> tuple[str, ...]:
+    if not model.effects:
+        return ()
+    return (f"{enumerated([one.label for one in model.effects])}: taken as known; identify estimates them as well",)
+
+
+def _travel_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:
     """Axes that are measured over a part of their travel only."""
     notes = []
-    for axis, knots in zip(plan.machine.axes, plan.system.layout.knots, strict=True):
-        low, high = plan.machine.travel[axis]
-        if knots.size < 2:
+    for axis, positions in zip(model.axes, observed.positions, strict=True):
+        low, high = model.travel[axis]
+        first, last = float(positions.min()), float(positions.max())
+        if last - first < 1e-6:
             notes.append(f"{axis} is not moved")
-        elif knots[0] > low + 1e-6 or knots[-1] < high - 1e-6:
-            notes.append(f"{axis} is measured from {knots[0]:g} to {knots[-1]:g} of its travel {low:g} to {high:g}")
+        elif first > low + 1e-6 or last < high - 1e-6:
+            notes.append(f"{axis} is measured from {first:g} to {last:g} of its travel {low:g} to {high:g}")
     return tuple(notes)

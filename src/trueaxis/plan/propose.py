@@ -1,112 +1,144 @@
-"""`plan --propose N`: the runs that would add most to a plan."""
+"""Runs that would add most to a plan, or make the first one: candidates, what they tell, and the choice among them."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.estimation.observations import Observations
-from trueaxis.identify.global_fit.layout import Layout, layout
-from trueaxis.identify.global_fit.least_squares import RANK_TOLERANCE
+from trueaxis.estimation.expected import expected_posterior, informing_rows
+from trueaxis.estimation.gauge import levelling
+from trueaxis.estimation.judgement import SAMPLES
+from trueaxis.estimation.layout import Layout, layout_of
+from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.tool_point import POINTS, Datum, moved_by, volume
 from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.setup import Instrument
-from trueaxis.plan import expected
-from trueaxis.plan.candidates import Candidate, candidates, style_of
-from trueaxis.plan.combinations import settled_and_seen
-from trueaxis.plan.convention import settle
-from trueaxis.plan.d_optimal import choose
-from trueaxis.plan.method import PRIOR_UM, Plan, plan_of
-from trueaxis.plan.report import Added, Proposal
-from trueaxis.plan.rows import rows_of, with_added
-from trueaxis.plan.system import folded
+from trueaxis.measure.setup import Run, Vector
+from trueaxis.plan.candidates import Candidate, Kit, candidates
+from trueaxis.plan.choice import Chosen, Offer, choose
+from trueaxis.plan.measuring_time import SET_UP_MINUTES, run_minutes, set_up_of
+from trueaxis.plan.runs import PlannedRuns
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.model import MachineModel
 
-ROUNDED = 1e-6  # share of a row below which it holds nothing
+VOLUME = "volume"  # what is to be known best: the tool point over the volume, or the error that is named instead
+LEAST_FREEDOM = 20  # degrees of freedom of repeats: the noise of an instrument is then known to a sixth
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wish:
+    """What proposed runs are for. wanted: VOLUME, a component or a location error; tools: points in the tool frame
+    whose place against the datum counts, mm; noise: standard deviation of readings by instrument, mm.
+    """
+
+    wanted: str
+    datum: Datum
+    tools: tuple[Vector, ...]
+    noise: dict[str, float]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Extended:
-    """The proposal and the runs behind it, with ids."""
+class Proposed:
+    """A run taken from `count` candidates: minutes it takes, u of what is wanted after it, mm or rad."""
 
-    proposal: Proposal
-    runs: tuple[Candidate, ...]
-
-
-def propose(plan: Plan, count: int, instruments: Sequence[Instrument] = ()) -> Extended:
-    """Choose `count` runs; instruments: of the candidates, those of the plan where none are named."""
-    used = tuple(dict.fromkeys(instruments or (run.instrument for run in plan.observed.runs)))
-    readings = np.bincount(plan.observed.run, minlength=len(plan.observed.runs))
-    style = style_of(plan.machine, plan.observed.runs, readings.tolist(), used)
-    offered = candidates(plan.machine, style)
-    whole = _layout_of_all(plan, offered)
-    rows = [_rows(whole, one, plan) for one in offered]
-    held = [index for index, one in enumerate(rows) if one.any()]
-    offered, rows = [offered[index] for index in held], [rows[index] for index in held]
-    triangle = folded(np.zeros((whole.count,) * 2), rows_of(whole, plan.observed, plan.options.assumed))
-    chosen = choose(triangle.T @ triangle + plan.ridge * np.eye(whole.count), rows, count)
-    taken = _named(plan, [offered[index] for index in chosen.indices])
-    added, observed = [], plan.observed
-    for one, index, gain in zip(taken, chosen.indices, chosen.gains, strict=True):
-        triangle = folded(triangle, rows[index])
-        observed = with_added(observed, one.run, one.positions)
-        added.append(Added(one.run.id, one.what, one.positions.shape[1], _rank(triangle), gain))
-    after = plan_of(plan.machine, observed, plan.options)
-    by_ends = settle(after.system.layout, after.system.factors.null, "end-point")
-    spread, other = (expected.covariance(after.system, one, plan.noise) for one in (after.settled, by_ends))
-    proposal = Proposal(
-        added=tuple(added),
-        candidates=_told(used, len(offered), chosen.exchanges, style.readings),
-        prior_um=PRIOR_UM,
-        exchanges=chosen.exchanges,
-        unknowns=after.system.layout.count,
-        rank=after.system.factors.rank,
-        settled=settled_and_seen(after.system, after.settled).shape[1],
-        condition=after.system.factors.condition,
-        curves=expected.curves(after.system, after.settled, spread),
-        locations=expected.locations(after.system, after.settled, spread, other),
-    )
-    return Extended(proposal, tuple(taken))
+    candidate: Candidate
+    minutes: float
+    u: float
 
 
-def _layout_of_all(plan: Plan, offered: Sequence[Candidate]) -> Layout:
-    """Unknowns of every axis that the plan or a candidate moves."""
-    positions = np.hstack([plan.observed.positions, *(one.positions for one in offered)])
-    everything = replace(plan.observed, positions=positions)
-    return layout(plan.machine, everything, plan.given, plan.options.degree)
+@dataclass(frozen=True, slots=True, eq=False)
+class Proposal:
+    """Runs in the order of their choice, among `count` candidates; before: u without them, mm or rad."""
+
+    runs: tuple[Proposed, ...]
+    count: int
+    before: float
 
 
-def _rows(whole: Layout, one: Candidate, plan: Plan) -> FloatArray:
-    count = one.positions.shape[1]
-    alone = Observations("", (one.run,), np.zeros(count, dtype=np.int64), one.positions, np.zeros(count))
-    rows = rows_of(whole, alone, plan.options.assumed)
-    rows[np.abs(rows).max(axis=1) < ROUNDED] = 0.0
-    return rows
+def propose(
+    model: MachineModel,
+    given: ErrorValues,
+    there: PlannedRuns,
+    noise: dict[int, float],
+    kit: Kit,
+    wish: Wish,
+    goes_on: Callable[[Sequence[Chosen]], float],
+    least_fall: float = 0.0,
+) -> Proposal:
+    """Choose runs to be added to those that are there. Where there are none, repeats of the noise take time, too.
+
+    noise: of the runs that are there, by index, mm; goes_on, least_fall: see `choose`.
+    """
+    first = len(there.runs)
+    offered = candidates(model.with_values(given), kit)
+    everything = there.with_added(offered).observed
+    layout = layout_of(model.with_values(given), everything, given)
+    before, _ = expected_posterior(layout, everything.of(np.flatnonzero(everything.run < first)), noise)
+    scale = before.scale * layout.sizes
+    rows = [one.rows for one in measured_runs(everything) if one.rows.index >= first]
+    offers = [
+        _offer(informing_rows(layout, one, wish.noise[one.run.instrument], scale), candidate, repeats=not first)
+        for one, candidate in zip(rows, offered, strict=True)
+    ]
+    spread = before.spread / before.scale[:, np.newaxis]
+    target = _target(layout, wish) * scale
+    chosen = choose(spread, target, offers, goes_on, [set_up_of(*path) for path in there.paths], least_fall)
+    runs = tuple(Proposed(offered[one.index], one.minutes, one.u) for one in chosen)
+    return Proposal(runs, len(offered), float(np.linalg.norm(target @ spread)))
 
 
-def _named(plan: Plan, chosen: Sequence[Candidate]) -> list[Candidate]:
+def for_noise(proposal: Proposal) -> Proposal:
+    """The same with the first run of every instrument taken more than once, so that repeats tell the noise."""
+    runs, known = [], set[str]()
+    for one in proposal.runs:
+        instrument = one.candidate.run.instrument
+        runs.append(one if instrument in known else replace(one, candidate=_repeated(one.candidate)))
+        known.add(instrument)
+    return replace(proposal, runs=tuple(runs))
+
+
+def _repeated(one: Candidate) -> Candidate:
+    again = one.positions[:, 1:]  # from where the run ends, which is where it began
+    return replace(one, positions=np.ascontiguousarray(np.hstack([one.positions, *([again] * _passes(one))])))
+
+
+def _passes(one: Candidate) -> int:
+    """How often a run is repeated: each time as many readings are taken again, but for where it turns."""
+    return -(-LEAST_FREEDOM // max(int(one.positions.shape[1]) - 2, 1))
+
+
+def named(proposal: Proposal, taken: Sequence[Run], prefix: str) -> Proposal:
     """With ids that no run has yet."""
-    taken = {run.id for run in plan.observed.runs}
-    found, number = [], 0
-    for one in chosen:
+    ids, number, runs = {run.id for run in taken}, 0, []
+    for one in proposal.runs:
         number += 1
-        while f"added-{number}" in taken:
+        while f"{prefix}{number}" in ids:
             number += 1
-        found.append(replace(one, run=replace(one.run, id=f"added-{number}")))
-    return found
+        candidate = replace(one.candidate, run=replace(one.candidate.run, id=f"{prefix}{number}"))
+        runs.append(replace(one, candidate=candidate))
+    return replace(proposal, runs=tuple(runs))
 
 
-def _rank(triangle: FloatArray) -> int:
-    size = np.linalg.svd(triangle, compute_uv=False)
-    return int(np.count_nonzero(size > RANK_TOLERANCE * size[0]))
+def _offer(informing: FloatArray, one: Candidate, *, repeats: bool) -> Offer:
+    run, readings = one.run, one.positions.shape[1]
+    shared: list[tuple[Hashable, float]] = [(set_up_of(run, one.positions), SET_UP_MINUTES[run.instrument])]
+    once = run_minutes(run, readings)
+    if repeats:
+        more = run_minutes(run, readings + _passes(one) * (readings - 1)) - once
+        shared.append((run.instrument, more))
+    return Offer(informing, once, tuple(shared))
 
 
-def _told(instruments: Sequence[Instrument], count: int, exchanges: int, readings: int) -> str:
-    kinds = {
-        "laser": "lines of one, two and three axes through corners and centre of the box of the given points",
-        "probe": "such lines, and turns of rotary axes about spheres at quarters of the travels",
-        "ballbar": "circles, and turns of rotary axes, about balls at quarters of the travels",
-    }
-    return (
-        f"chosen D-optimally, greedily and by {exchanges} exchanges, among {count} candidates "
-        f"({'; '.join(f'{name}: {kinds[name]}' for name in instruments)}), {readings} readings at most each, errors of "
-        f"{PRIOR_UM:g} um expected beforehand"
-    )
+def _target(layout: Layout, wish: Wish) -> FloatArray:
+    """(q, n): rows whose variances sum up to the mean variance of what is wanted, by unknowns in mm and rad."""
+    found = np.zeros((1, layout.count))
+    if wish.wanted == VOLUME:
+        moved = moved_by(layout, volume(layout.model), wish.tools, wish.datum) / np.sqrt(POINTS)
+        return np.hstack([moved, np.zeros((moved.shape[0], layout.count - layout.of_machine))])
+    if wish.wanted in layout.locations:
+        found[0, int(layout.offsets[-1]) + layout.locations.index(wish.wanted)] = 1.0
+    else:
+        place = layout.components.index(wish.wanted)
+        basis, first = layout.bases[place], int(layout.offsets[place])
+        found = np.zeros((SAMPLES, layout.count))
+        found[:, first : first + basis.degree] = basis(np.linspace(basis.low, basis.high, SAMPLES)).T / np.sqrt(SAMPLES)
+    return np.asarray(found @ levelling(layout))

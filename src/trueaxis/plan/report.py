@@ -3,16 +3,11 @@
 from dataclasses import dataclass
 from typing import Literal
 
-State = Literal["determined", "by convention", "partly", "undetermined", "not seen", "given"]
+from trueaxis.estimation.combinations import Combination
+from trueaxis.estimation.tool_point import ToolSummary
+from trueaxis.runtime.errors import Determined
 
-
-@dataclass(frozen=True, slots=True)
-class InstrumentReport:
-    """What was assumed of the instruments of some runs."""
-
-    runs: tuple[str, ...]
-    assumed: str
-    unknowns: int
+State = Determined | Literal["given"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,42 +29,31 @@ class BlockReport:
     because: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class CurveReport:
-    """One motion error: determined of its `unknowns` coefficients; largest standard uncertainty over the positions
-    measured and over the whole travel, mm or rad (None: not determined).
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ErrorReport:
+    """A component or location error, mm or rad as `unit` says. state: by what it will be determined; u, u_rms: largest
+    standard uncertainty and its root mean square over the travel; prior: what [prior] lets expect. None: given.
     """
 
     name: str
     state: State
-    unknowns: int
-    determined: int
-    u_measured: float | None
-    u_travel: float | None
     unit: str
+    u: float | None = None
+    u_rms: float | None = None
+    prior: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class LocationReport:
-    """One location error: u in `unit` with least-squares lines level, and with end points level, where that matters."""
-
-    name: str
-    state: State
-    u: float | None
-    u_end_point: float | None
-    unit: str
-
-
-@dataclass(frozen=True, slots=True)
-class OpenReport:
-    """Combinations that no reading sees: how many, of which errors, in words; and the convention's, if it settles
-    them.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NoiseReport:
+    """Of an instrument. um: lowest and highest standard deviation of a reading that was assumed, micrometres; freedom:
+    degrees of freedom that repeats leave.
     """
 
-    combination: str
-    parameters: tuple[str, ...]
-    count: int
-    settled: bool
+    instrument: str
+    runs: int
+    readings: int
+    um: tuple[float, float]
+    freedom: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,94 +81,74 @@ class LocationSet:
     missing: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Move:
-    """A target point to be moved, mm, in the frame of its body; rank and condition of the whole afterwards."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Expectations:
+    """What runs will tell. combinations: what they tell together alone; freedom: degrees of freedom left for the noise
+    beside what the readings tell of the unknowns.
+    """
 
-    run: str
-    carrier: str
-    given: tuple[float, float, float]
-    moved: tuple[float, float, float]
-    rank: int
-    condition: float
+    tool: ToolSummary
+    components: tuple[ErrorReport, ...]
+    locations: tuple[ErrorReport, ...]
+    combinations: tuple[Combination, ...]
+    noise: tuple[NoiseReport, ...]
+    runs: int
+    readings: int
+    unknowns: int
+    freedom: float
+    minutes: float
+
+    @property
+    def nothing_determined(self) -> bool:
+        """Whether the runs tell of no error at all."""
+        return all(one.state in ("prior", "given") for one in (*self.components, *self.locations))
 
 
-@dataclass(frozen=True, slots=True)
-class Repair:
-    """The moves that make a plan as regular as any plan can be, or as regular as candidates make it."""
-
-    moves: tuple[Move, ...]
-    others: tuple[Move, ...]
-    candidates: str
-    regular: bool
-
-
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Added:
-    """A run proposed: rank of the whole with it and those before; gain: of the logarithm of the determinant."""
+    """A run proposed: minutes that it takes; u: of what is wanted after it and those before, mm or rad."""
 
     run: str
     what: str
     readings: int
-    rank: int
-    gain: float
+    minutes: float
+    u: float
 
 
-@dataclass(frozen=True, slots=True)
-class Proposal:
-    """The runs that add most: from how many candidates, of which kind; prior_um: size of the errors expected;
-    unknowns, rank, settled, condition, curves, locations: as in the plan, with the runs added.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ProposalReport:
+    """The runs that add most: wanted: the tool point over the volume or one error; before: its u, mm or rad as `unit`
+    says; candidates: of how many they were chosen; after: what the plan with them will tell.
     """
 
+    wanted: str
+    unit: str
+    before: float
+    candidates: int
     added: tuple[Added, ...]
-    candidates: str
-    prior_um: float
-    exchanges: int
-    unknowns: int
-    rank: int
-    settled: int
-    condition: float
-    curves: tuple[CurveReport, ...]
-    locations: tuple[LocationReport, ...]
+    after: Expectations
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PlanReport:
     """Everything. Lengths mm and angles rad unless a name says otherwise.
 
-    unknowns, rank, condition: of the machine's unknowns, rotations scaled by the lever, the instruments' eliminated;
-    settled: combinations that the convention settles; blocks_fault: why there is no order of blocks, or empty;
-    free_of_order: runs that take no part in it.
+    expected: None for a plan from nothing, whose runs are all proposed; blocks_fault: why there is no order of blocks,
+    or empty; free_of_order: runs that take no part in it.
     """
 
     machine: str
     source: str
-    runs: int
-    readings: int
-    degree: int
-    noise_um: float
-    lever: float
-    rank_tolerance: float
-    instruments: tuple[InstrumentReport, ...]
-    instrument_unknowns: int
-    unknowns: int
-    rank: int
-    settled: int
-    condition: float
-    convention: str
-    blocks: tuple[BlockReport, ...]
-    blocks_fault: str
-    free_of_order: tuple[str, ...]
-    curves: tuple[CurveReport, ...]
-    locations: tuple[LocationReport, ...]
-    undetermined: tuple[OpenReport, ...]
-    location_sets: tuple[LocationSet, ...]
-    repair: Repair | None
-    proposal: Proposal | None
-    notes: tuple[str, ...]
+    expected: Expectations | None
+    blocks: tuple[BlockReport, ...] = ()
+    blocks_fault: str = ""
+    free_of_order: tuple[str, ...] = ()
+    location_sets: tuple[LocationSet, ...] = ()
+    proposal: ProposalReport | None = None
+    notes: tuple[str, ...] = ()
 
     @property
     def nothing_determined(self) -> bool:
-        """Whether the runs determine no error at all."""
-        states = [one.state for one in self.curves] + [one.state for one in self.locations]
-        return not any(state in ("determined", "by convention", "partly") for state in states)
+        """Whether the runs, those proposed apart, tell of no error at all."""
+        found = self.expected or (self.proposal.after if self.proposal is not None else None)
+        return found is None or found.nothing_determined

@@ -2,56 +2,41 @@
 
 import json
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from trueaxis.identify.words import enumerated
+from trueaxis.identify.words import combination_text, enumerated, small, tool_sentence
+from trueaxis.plan.propose import LEAST_FREEDOM
 from trueaxis.plan.report import (
-    Added,
     BlockReport,
-    CurveReport,
-    LocationReport,
+    ErrorReport,
+    Expectations,
     LocationSet,
-    Move,
+    NoiseReport,
     PlanReport,
-    Proposal,
-    Repair,
+    ProposalReport,
 )
 
 WIDTH = 110
+LEVEL = "least-squares lines of the straightness are level (ISO 230-1): the location errors take their slopes"
+STATES = {
+    "data": "determined by readings",
+    "partly": "partly by the prior",
+    "prior": "by the prior alone",
+}
 
 
 def report_text(report: PlanReport) -> str:
     """Lines of text, ending with a newline."""
-    lines = [
-        f"{report.machine}: {report.runs} runs, {report.readings} readings; motion errors as polynomials up to order "
-        f"{report.degree}",
-        *_wrapped(_rank(report), ""),
-        "",
-        "instruments:",
-    ]
-    for one in report.instruments:
-        count = f" ({one.unknowns} unknowns)" if one.unknowns else ""
-        lines += _wrapped(f"{one.assumed}{count}: {', '.join(one.runs)}", "  ")
-    lines += ["", *_order(report)]
-    per = f"standard uncertainty for readings of {report.noise_um:g} um"
-    curves = [curve for curve in report.curves if curve.state != "given"]
-    if curves:
-        lines += ["", f"motion errors, largest {per}, over the positions measured:"]
-        lines += [_curve(curve) for curve in curves]
-    if report.locations:
-        lines += ["", f"location errors, {per}:"]
-        lines += [_location(location) for location in report.locations]
-        lines += _wrapped(f"convention: {report.convention}", "  ")
-    lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing"]
-    for item in report.undetermined:
-        lines += _wrapped(item.combination, "- ")
+    lines = [f"{report.machine}: {_size(report)}"]
+    if report.expected is not None:
+        lines += _expectations(report.expected)
+    lines += _order(report)
     for placed in report.location_sets:
         lines += _set(placed, report.location_sets.index(placed) == 0)
-    if report.repair is not None:
-        lines += _repair(report.repair, report)
     if report.proposal is not None:
-        lines += _proposal(report.proposal, report)
+        lines += _proposal(report.proposal, report.expected)
     lines += [""] if report.notes else []
     for note in report.notes:
         lines += _wrapped(note, "note: ")
@@ -59,24 +44,80 @@ def report_text(report: PlanReport) -> str:
 
 
 def report_json(report: PlanReport) -> str:
-    """The same as JSON; NaN is null."""
-    return json.dumps(_plain({"schema": 1, **asdict(report)}), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    """The same as JSON; NaN is null; combinations carry their text."""
+    tree = _plain({"schema": 1, **asdict(report)})
+    parts = [(tree["expected"], report.expected)]
+    if report.proposal is not None:
+        parts.append((tree["proposal"]["after"], report.proposal.after))
+    for of_tree, of in parts:
+        if of is not None:
+            for one, combination in zip(of_tree["combinations"], of.combinations, strict=True):
+                one["text"] = combination_text(combination)
+    return json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def _rank(report: PlanReport) -> str:
-    still_open = report.unknowns - report.rank - report.settled
-    said = f"{report.settled} more settled by convention, " if report.settled else ""
-    others = f"; {report.instrument_unknowns} unknowns of instruments besides" if report.instrument_unknowns else ""
-    return (
-        f"rank {report.rank} of {report.unknowns} unknowns, {said}{still_open} open; condition {report.condition:.4g} "
-        f"(rotations times {report.lever:g} mm){others}"
-    )
+def _size(report: PlanReport) -> str:
+    found = report.expected
+    if found is None:
+        return "a plan from nothing"
+    return f"{found.runs} runs, {found.readings} readings, about {found.minutes / 60.0:.1f} h with all set-ups"
+
+
+def _expectations(found: Expectations) -> list[str]:
+    lines = [*_wrapped(tool_sentence(found.tool), "tool point:"), "", "noise:"]
+    for one in found.noise:
+        lines += _wrapped(_noise(one), "  ")
+    lines += ["", "motion errors: standard uncertainty over the travel, RMS and largest; what [prior] lets expect, RMS"]
+    lines += _errors(found.components)
+    if found.locations:
+        lines += ["", f"location errors: standard uncertainty; what [prior] lets expect; {LEVEL}"]
+        lines[-1:] = _wrapped(lines[-1], "")
+        lines += _errors(found.locations)
+    lines += ["", "what these runs tell together alone:" if found.combinations else "told together alone: nothing"]
+    for combination in found.combinations:
+        lines += _wrapped(combination_text(combination), "- ")
+    return lines
+
+
+def _noise(one: NoiseReport) -> str:
+    low, high = one.um
+    um = f"{low:g} um" if low == high else f"{low:g} to {high:g} um"
+    text = f"{one.instrument}: {um} assumed, {one.runs} runs, {one.readings} readings"
+    if one.freedom == 0:
+        return (
+            f"{text}; nothing is repeated: the noise has to come from what the errors leave over, where an effect that "
+            "the model lacks counts as noise"
+        )
+    share = 100.0 / math.sqrt(2.0 * one.freedom)
+    enough = "" if one.freedom >= LEAST_FREEDOM else f"; {LEAST_FREEDOM} would tell it to a sixth"
+    return f"{text}; repeats leave {one.freedom} degrees of freedom: they tell the noise to {share:.0f} %{enough}"
+
+
+def _errors(found: Sequence[ErrorReport]) -> list[str]:
+    given = [one.name for one in found if one.state == "given"]
+    lines = [_error(one) for one in found if one.state != "given"]
+    return lines + (_wrapped(f"given: {', '.join(given)}", "  ") if given else [])
+
+
+def _error(one: ErrorReport) -> str:
+    assert one.u is not None
+    assert one.u_rms is not None
+    assert one.prior is not None
+    u = _column(one.u, one.unit)
+    parts = u if one.u == one.u_rms else f"{_column(one.u_rms, one.unit)} {u}"
+    return f"  {one.name:<8} {STATES[one.state]:<23}{parts}  of {small(one.prior, one.unit)}".rstrip()
+
+
+def _column(value: float, unit: str) -> str:
+    return f"{value * (1e3 if unit == 'mm' else 1e6):10.3g} {'um' if unit == 'mm' else 'urad':<4}"
 
 
 def _order(report: PlanReport) -> list[str]:
-    lines = ["order in which blocks can be solved (identify --method paper):"]
+    if report.expected is None:
+        return []
+    lines = ["", "order in which blocks can be solved (identify --method stepwise):"]
     if not report.blocks:
-        lines[0] += " none"
+        lines[-1] += " none"
     for number, block in enumerate(report.blocks, 1):
         lines += _block(number, block)
     if report.blocks_fault:
@@ -96,93 +137,51 @@ def _block(number: int, block: BlockReport) -> list[str]:
     return _wrapped(text + (f"; {block.because}" if block.because else ""), "  ")
 
 
-def _curve(curve: CurveReport) -> str:
-    if curve.u_measured is None or curve.u_travel is None:
-        part = f"{curve.determined} of {curve.unknowns} orders" if curve.state == "partly" else ""
-        return f"  {curve.name:<4} {curve.state:<14} {part}".rstrip()
-    text = f"  {curve.name:<4} {curve.state:<14} {_small(curve.u_measured, curve.unit)}"
-    beyond = curve.u_travel > curve.u_measured * (1.0 + 1e-6)
-    return f"{text} {_small(curve.u_travel, curve.unit)} over the travel".rstrip() if beyond else text.rstrip()
-
-
-def _location(one: LocationReport) -> str:
-    text = f"  {one.name:<10} {one.state:<14}"
-    if one.u is not None:
-        text += f" {_small(one.u, one.unit)}"
-    if one.u_end_point is not None:
-        text += f"   end points level: {_small(one.u_end_point, one.unit).strip()}"
-    return text.rstrip()
-
-
-def _small(value: float, unit: str) -> str:
-    number = value * (1e3 if unit == "mm" else 1e6)
-    return f"{number:10.4g} {'um' if unit == 'mm' else 'urad':<4}"
-
-
 def _set(one: LocationSet, first: bool) -> list[str]:
     lines = ["", "location errors that the machine needs, from the rank over its volume:"] if first else []
     text = f"{one.placement}: {one.rank} of {one.rank + len(one.redundant)}: {' '.join(one.kept)}"
-    if not one.placement.startswith("workpiece placed anyhow"):
-        text += ""
-    elif one.missing:
-        text += f"; {one.complete} would be complete: without counterpart is a constant {enumerated(one.missing)}"
-    else:
-        text += "; complete"
+    if one.placement.startswith("workpiece placed anyhow"):
+        if one.missing:
+            text += f"; {one.complete} would be complete: without counterpart is a constant {enumerated(one.missing)}"
+        else:
+            text += "; complete"
     lines += _wrapped(text, "  ")
     for spare in one.redundant:
         lines += _wrapped(f"{spare.name} is redundant: {spare.stands_for}", "      ")
     return lines
 
 
-def _repair(repair: Repair, report: PlanReport) -> list[str]:
-    lines = ["", "points that would make the plan regular:" if repair.regular else "points that would help:"]
-    for number, move in enumerate(repair.moves, 1):
-        lines += _wrapped(f"{number}. {_move(move, report)}", "  ")
-    if not repair.moves:
-        lines.append("  no single target point raises the rank: the plan lacks runs, not points (--propose N)")
-    if repair.others:
-        lines += _wrapped("or instead of the first: " + "; ".join(_move(move, report) for move in repair.others), "  ")
-    return [*lines, *_wrapped(repair.candidates, "  ")]
-
-
-def _move(move: Move, report: PlanReport) -> str:
-    return (
-        f"{move.run}: target on the {move.carrier} from {_point(move.given)} to {_point(move.moved)}: rank {move.rank} "
-        f"of {report.unknowns}, condition {move.condition:.4g}"
-    )
-
-
-def _point(point: tuple[float, float, float]) -> str:
-    return f"({', '.join(f'{part:g}' for part in point)})"
-
-
-def _proposal(proposal: Proposal, report: PlanReport) -> list[str]:
-    lines = ["", "runs that would add most:"]
-    lines += [line for number, one in enumerate(proposal.added, 1) for line in _added(number, one)]
-    lines += _wrapped(proposal.candidates, "  ")
-    lines += _wrapped(
-        f"with them: rank {proposal.rank} of {proposal.unknowns}, {proposal.settled} more settled by convention, "
-        f"condition {proposal.condition:.4g}; standard "
-        "uncertainties before and after:",
-        "  ",
-    )
-    pairs: list[tuple[CurveReport | LocationReport, CurveReport | LocationReport]] = [
-        *zip(report.curves, proposal.curves, strict=True),
-        *zip(report.locations, proposal.locations, strict=True),
+def _proposal(proposal: ProposalReport, before: Expectations | None) -> list[str]:
+    what = "the tool point over the volume" if proposal.wanted == "volume" else proposal.wanted
+    minutes = sum(one.minutes for one in proposal.added)
+    lines = [
+        "",
+        *_wrapped(
+            f"runs that lower the uncertainty of {what} most per minute, of {proposal.candidates} candidates (from "
+            f"{small(proposal.before, proposal.unit)} RMS; about {minutes / 60.0:.1f} h):",
+            "",
+        ),
     ]
+    for number, one in enumerate(proposal.added, 1):
+        text = f"{number}. {one.run}: {one.what}; {one.readings} readings, {one.minutes:.0f} min"
+        lines += _wrapped(f"{text}; u {small(one.u, proposal.unit)}", "  ")
+    if not proposal.added:
+        lines.append("  none is worth its time")
+    lines += ["", "with these runs:" if before is None else "with them, and those of the plan:"]
+    if before is None:
+        return [*lines, *_expectations(proposal.after)]
+    lines += _wrapped(tool_sentence(proposal.after.tool), "  tool point:")
+    pairs = [
+        *zip(before.components, proposal.after.components, strict=True),
+        *zip(before.locations, proposal.after.locations, strict=True),
+    ]
+    lines += [f"    {'u, RMS':<10} {'before':>12}    {'after':>12}"]
     return lines + [_before_after(*pair) for pair in pairs if pair[0].state != "given"]
 
 
-def _added(number: int, one: Added) -> list[str]:
-    return _wrapped(f"{number}. {one.run}: {one.what}; {one.readings} readings; rank {one.rank}", "  ")
-
-
-def _before_after(before: CurveReport | LocationReport, after: CurveReport | LocationReport) -> str:
-    told = []
-    for one in (before, after):
-        u = one.u if isinstance(one, LocationReport) else one.u_travel
-        told.append(_small(u, one.unit) if u is not None else f"{one.state:<15}")
-    return f"    {before.name:<10} {told[0]} -> {told[1]}".rstrip()
+def _before_after(before: ErrorReport, after: ErrorReport) -> str:
+    columns = [_column(one.u_rms, one.unit) for one in (before, after) if one.u_rms is not None]
+    return f"    {before.name:<10} {' -> '.join(columns)}".rstrip()
 
 
 def _wrapped(text: str, lead: str) -> list[str]:
@@ -196,8 +195,8 @@ def _wrapped(text: str, lead: str) -> list[str]:
 
 
 def _plain(value: Any) -> Any:
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
+    if isinstance(value, Sequence) and not isinstance(value, str):
         return [_plain(item) for item in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value

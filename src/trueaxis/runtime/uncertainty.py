@@ -141,6 +141,14 @@ def _as_many(position: FloatArray, tool: FloatArray) -> FloatArray:
     return np.repeat(position, tool.shape[1], axis=1)
 
 
+def curve_u(covariance: Covariance, component: str, positions: FloatArray) -> FloatArray:
+    """(n,): standard uncertainty of a curve at positions (n,), mm or deg. Raises ValueError where none is known."""
+    if covariance.root is None:
+        raise ValueError("the noise of the readings is unknown")
+    basis = covariance.bases[covariance.components.index(component)]
+    return np.asarray(np.sqrt(((basis(positions).T @ covariance.root[covariance.rows_of(component)]) ** 2).sum(axis=1)))
+
+
 def prior_size(model: MachineModel, positions: FloatArray, tool: FloatArray) -> FloatArray:
     """(n,): length of the deviation of tool points that the prior sizes of all errors let expect, mm.
 

@@ -1,6 +1,6 @@
 """Optimal polynomials of the position-dependent errors (Sects. 4.2-4.4 of the paper)."""
 
-from trueaxis.identify.polynomial.optimal import MAX_ORDER, fit_optimal
+from trueaxis.identify.polynomial.optimal import MAX_ORDER, fit_optimal, fit_samples
 from trueaxis.identify.polynomial.records import OptimalFit, PolynomialFit, Step
 from trueaxis.identify.polynomial.regression import fit_terms
 from trueaxis.identify.polynomial.samples import Samples, checked_samples
@@ -14,6 +14,7 @@ __all__ = [
     "Step",
     "checked_samples",
     "fit_optimal",
+    "fit_samples",
     "fit_terms",
     "statistics_table",
 ]

@@ -40,8 +40,14 @@ def fit_optimal(
     Raises ValueError on values that are not finite, on shapes that differ, on fewer than two points, on
     positions that are all zero, and on an `order` that the points do not determine.
     """
+    return fit_samples(checked_samples(positions, values, weights), max_order=max_order, order=order, alpha=alpha)
+
+
+def fit_samples(
+    samples: Samples, *, max_order: int = MAX_ORDER, order: int | None = None, alpha: float = 0.05
+) -> OptimalFit:
+    """`fit_optimal` for samples that are at hand. Where their covariance is known, AIC picks the order as well."""
     _check_options(max_order, order, alpha)
-    samples = checked_samples(positions, values, weights)
     if samples.all_zero:
         empty = empty_fit(samples)
         verdict = "every value is zero: the polynomial is empty"
@@ -50,7 +56,9 @@ def fit_optimal(
     if order is not None and system.order < order:
         raise ValueError(f"the {samples.values.size} points determine powers up to {system.order} only, not {order}")
     mean_squares = tuple(system.mean_square(_all_up_to(tried)) for tried in range(1, system.order + 1))
-    chosen = order if order is not None else int(np.argmin(mean_squares)) + 1
+    # with a known covariance the residual mean square says little; Mallows' Cp, which is then the AIC, judges
+    judged = [system.aic(_all_up_to(tried)) for tried in range(1, system.order + 1)] if system.known else mean_squares
+    chosen = order if order is not None else int(np.argmin(judged)) + 1
     before = fit_terms(samples, _all_up_to(chosen))
     steps: tuple[Step, ...] = (Step("start", "", before.powers, before.aic),)
     after = empty_fit(samples)

@@ -16,9 +16,11 @@ def scale_exponent(positions: FloatArray) -> int:
     return int(exponent) - int(mantissa == 0.5)
 
 
-def scaled_powers(positions: FloatArray, powers: tuple[int, ...], exponent: int) -> FloatArray:
-    """Columns (x / 2^exponent)^k, shape (n, terms)."""
-    return np.power(np.ldexp(positions, -exponent)[:, np.newaxis], np.array(powers, dtype=np.float64))
+def scaled_powers(positions: FloatArray, powers: tuple[int, ...], exponent: int, home: float = 0.0) -> FloatArray:
+    """Columns (x / 2^exponent)^k less their value at home, shape (n, terms)."""
+    orders = np.array(powers, dtype=np.float64)
+    columns = np.power(np.ldexp(positions, -exponent)[:, np.newaxis], orders)
+    return columns - np.power(np.ldexp(home, -exponent), orders) if home else columns
 
 
 def to_position_powers(scaled: FloatArray, powers: tuple[int, ...], exponent: int) -> FloatArray:
@@ -27,11 +29,10 @@ def to_position_powers(scaled: FloatArray, powers: tuple[int, ...], exponent: in
 
 
 def weighted_system(samples: Samples, powers: tuple[int, ...]) -> tuple[FloatArray, FloatArray, int]:
-    """Design (n, terms) and right-hand side (n,), rows times sqrt(weight), and the exponent of the scale."""
-    root = np.sqrt(samples.weights)
+    """Design (n, terms) and right-hand side (n,), rows as they count, and the exponent of the scale."""
     exponent = scale_exponent(samples.positions)
-    design = root[:, np.newaxis] * scaled_powers(samples.positions, powers, exponent)
-    return design, root * samples.values, exponent
+    design = samples.weighed(scaled_powers(samples.positions, powers, exponent, samples.home))
+    return design, samples.weighed(samples.values), exponent
 
 
 def rounding_floor(right_hand_side: FloatArray) -> float:

@@ -16,9 +16,10 @@ class PolynomialFit:
 
     powers: k of the terms x^k; coefficients, u (standard uncertainties), t_values, p_values: (terms,);
     covariance: (terms, terms); coefficients in mm/mm^k, mm/deg^k, rad/mm^k or rad/deg^k. r_squared and
-    adjusted_r_squared are uncentred, there being no constant term. aic is n log(RSS/n) + 2 terms. The F test
-    (f_statistic, f_p_value) is that of the whole equation. An empty polynomial has no terms, R^2 of 0 and NaN
-    in the F test.
+    adjusted_r_squared are uncentred, there being no constant term. aic is n log(RSS/n) + 2 terms, or RSS + 2 terms
+    where the covariance of the values is known; RSS is then in units of it. The F test (f_statistic, f_p_value) is that
+    of the whole equation. An empty polynomial has no terms, R^2 of 0 and NaN in the F test. home: the position at which
+    every term is zero.
     """
 
     powers: tuple[int, ...]
@@ -36,16 +37,21 @@ class PolynomialFit:
     aic: float
     f_statistic: float
     f_p_value: float
+    home: float = 0.0
 
     def at(self, positions: FloatArray) -> FloatArray:
         """Values (mm or rad) at positions (mm or deg), same shape."""
-        return np.asarray(_powers(positions, self.powers) @ self.coefficients, dtype=np.float64)
+        return np.asarray(self._terms(positions) @ self.coefficients, dtype=np.float64)
 
     def u_at(self, positions: FloatArray) -> FloatArray:
         """Standard uncertainty of `at` from the covariance of the coefficients."""
-        rows = _powers(positions, self.powers)
+        rows = self._terms(positions)
         variance = np.einsum("...i,ij,...j->...", rows, self.covariance, rows)
         return np.asarray(np.sqrt(np.maximum(variance, 0.0)), dtype=np.float64)
+
+    def _terms(self, positions: FloatArray) -> FloatArray:
+        terms = _powers(positions, self.powers)
+        return terms - _powers(np.array(self.home), self.powers) if self.home else terms
 
     def significant(self, alpha: float) -> bool:
         """Whether the F test of the equation and the t test of every term are passed."""

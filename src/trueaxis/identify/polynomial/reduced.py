@@ -22,7 +22,8 @@ class ReducedSystem:
     """Sums of squares of every subset of the powers 1..order.
 
     order: highest power the points determine; n_points; triangle: R, (order, order); projection: Q'y,
-    (order,); outside: sum of squares of y outside all terms; floor: sums of squares below this are rounding.
+    (order,); outside: sum of squares of y outside all terms; floor: sums of squares below this are rounding; known:
+    whether the covariance of the values is known, so that the squares are in units of it.
     """
 
     order: int
@@ -31,6 +32,7 @@ class ReducedSystem:
     projection: FloatArray
     outside: float
     floor: float
+    known: bool = False
 
     def rss(self, powers: tuple[int, ...]) -> float:
         """(Weighted) residual sum of squares of the model with these powers, never below the rounding floor."""
@@ -47,11 +49,13 @@ class ReducedSystem:
 
     def aic(self, powers: tuple[int, ...]) -> float:
         """Akaike's criterion as R's extractAIC.lm gives it: n log(RSS / n) + 2 terms."""
-        return aic(self.rss(powers), self.n_points, len(powers))
+        return aic(self.rss(powers), self.n_points, len(powers), known=self.known)
 
 
-def aic(rss: float, n_points: int, n_terms: int) -> float:
-    """Akaike's criterion n log(RSS / n) + 2 terms; -inf for a residual of zero."""
+def aic(rss: float, n_points: int, n_terms: int, *, known: bool = False) -> float:
+    """Akaike's criterion n log(RSS / n) + 2 terms; -inf for a residual of zero. With a known variance RSS + 2 terms."""
+    if known:
+        return rss + 2.0 * n_terms
     return n_points * log(rss / n_points) + 2.0 * n_terms if rss > 0 else -float("inf")
 
 
@@ -69,9 +73,19 @@ def reduced_system(samples: Samples, max_order: int) -> ReducedSystem:
     design, right, _ = weighted_system(samples, tuple(range(1, order + 1)))
     triangle = _triangle(design)
     told_apart = np.abs(np.diag(triangle)) > RANK_TOLERANCE * np.linalg.norm(design, axis=0)
+    if samples.whitening is not None:  # it has an inverse: the points alone tell powers apart
+        told_apart = np.ones(order, dtype=bool)
     order = order if told_apart.all() else int(np.argmin(told_apart))
     basis, triangle = np.linalg.qr(design[:, :order])
     projection = basis.T @ right
     rest = right - basis @ projection
     rest -= basis @ (basis.T @ rest)
-    return ReducedSystem(order, right.size, triangle, projection, float(rest @ rest), rounding_floor(right))
+    return ReducedSystem(
+        order=order,
+        n_points=right.size,
+        triangle=triangle,
+        projection=projection,
+        outside=float(rest @ rest),
+        floor=rounding_floor(right),
+        known=samples.whitening is not None,
+    )

@@ -19,7 +19,8 @@ def fit_terms(samples: Samples, powers: tuple[int, ...]) -> PolynomialFit:
     """Fit sum of a_k x^k over `powers` (Eq. 46) with its F and t tests.
 
     The points must outnumber the terms and tell them apart. Where the residuals are rounding alone, they are
-    taken to be as large as rounding can make them, so that every statistic stays finite.
+    taken to be as large as rounding can make them, so that every statistic stays finite. Where the covariance of the
+    values is known, it stands, unless residuals are larger than it says: then it grows with them (Birge ratio).
     """
     if not powers or samples.all_zero:
         return empty_fit(samples)
@@ -27,14 +28,14 @@ def fit_terms(samples: Samples, powers: tuple[int, ...]) -> PolynomialFit:
     basis, triangle = np.linalg.qr(design)
     model = OLS(right, basis, hasconst=False)
     fit = model.fit(method="qr")
-    floor = rounding_floor(right)
+    floor = rounding_floor(right) if samples.whitening is None else max(rounding_floor(right), float(fit.df_resid))
     if fit.ssr <= floor:
         fixed = {"scale": floor / fit.df_resid}
         fit = model.fit(method="qr", cov_type="fixed scale", cov_kwds=fixed, use_t=True)
     to_scaled = solve_triangular(triangle, np.eye(len(powers)))
     tests = fit.t_test(to_scaled)
     covariance = to_position_powers(fit.cov_params(r_matrix=to_scaled), powers, exponent)
-    rss = max(float(fit.ssr), floor)
+    rss = max(float(fit.ssr), rounding_floor(right))
     return PolynomialFit(
         powers=powers,
         coefficients=to_position_powers(np.atleast_1d(tests.effect), powers, exponent),
@@ -48,9 +49,10 @@ def fit_terms(samples: Samples, powers: tuple[int, ...]) -> PolynomialFit:
         residual_standard_error=float(np.sqrt(rss / fit.df_resid)),
         r_squared=float(fit.rsquared),
         adjusted_r_squared=float(fit.rsquared_adj),
-        aic=aic(rss, right.size, len(powers)),
+        aic=aic(rss, right.size, len(powers), known=samples.whitening is not None),
         f_statistic=float(fit.fvalue),
         f_p_value=float(fit.f_pvalue),
+        home=samples.home,
     )
 
 
@@ -58,7 +60,7 @@ def empty_fit(samples: Samples) -> PolynomialFit:
     """The polynomial without terms: zero everywhere, all of the values left as residuals."""
     none = np.empty(0)
     size = samples.values.size
-    rss = float(samples.weights @ samples.values**2)
+    rss = float(np.sum(samples.weighed(samples.values) ** 2))
     return PolynomialFit(
         powers=(),
         coefficients=none,
@@ -72,7 +74,7 @@ def empty_fit(samples: Samples) -> PolynomialFit:
         residual_standard_error=float(np.sqrt(rss / size)),
         r_squared=0.0,
         adjusted_r_squared=0.0,
-        aic=aic(rss, size, 0),
+        aic=aic(rss, size, 0, known=samples.whitening is not None),
         f_statistic=float("nan"),
         f_p_value=float("nan"),
     )

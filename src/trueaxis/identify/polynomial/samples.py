@@ -13,17 +13,27 @@ class Samples:
     """Values of one error component at axis positions, ready to be fitted.
 
     positions: (n,) mm or deg; values: (n,) mm or rad; weights: (n,) proportional to 1/u^2, ones where not
-    given.
+    given; whitening: (n, n), makes the values independent with a standard deviation of 1 each, where their covariance
+    is known: generalised least squares, without `weights`; home: the position, mm or deg, at which every term is zero.
     """
 
     positions: FloatArray
     values: FloatArray
     weights: FloatArray
+    whitening: FloatArray | None = None
+    home: float = 0.0
 
     @property
     def all_zero(self) -> bool:
         """Whether there is nothing to describe: every value is exactly zero."""
         return not self.values.any()
+
+    def weighed(self, rows: FloatArray) -> FloatArray:
+        """Rows (n,) or (n, m) as each counts: times the root of its weight, or whitened."""
+        if self.whitening is not None:
+            return np.asarray(self.whitening @ rows)
+        root = np.sqrt(self.weights)
+        return root * rows if rows.ndim == 1 else root[:, np.newaxis] * rows
 
 
 def checked_samples(positions: ArrayLike, values: ArrayLike, weights: ArrayLike | None = None) -> Samples:

@@ -21,9 +21,11 @@ def statistics_table(fit: OptimalFit, unit: str, units_per_si: float) -> str:
     """Statistics before and after optimisation side by side, after the paper's Fig. 15.
 
     unit: what the residual standard error is shown in (um, urad); units_per_si: how many of them make one mm
-    or rad.
+    or rad. Where the covariance of the values is known it is in units of their standard uncertainty.
     """
     both = (fit.before, fit.after)
+    if fit.samples.whitening is not None:
+        unit, units_per_si = "in u", 1.0
     rows: list[list[str]] = [["", "before", "after"], ["terms", *(str(len(side.powers)) for side in both)]]
     for label, name, factor in (
         (f"residual standard error ({unit})", "residual_standard_error", units_per_si),

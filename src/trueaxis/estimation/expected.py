@@ -1,0 +1,94 @@
+"""What readings will say before any is taken: the posterior covariance of a plan, and the rows of single runs.
+
+The covariance of a linear mixed model holds no reading, only the derivative, the noise and the sizes of the prior; so
+readings of a machine without errors have it, too.
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.evidence import posterior_at
+from trueaxis.estimation.instruments import OWN_SIZES, own_kinds
+from trueaxis.estimation.jacobian import RunRows, pieces
+from trueaxis.estimation.layout import Layout, layout_of
+from trueaxis.estimation.noise import Noise, Whitening
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.parts import parted_root
+from trueaxis.estimation.posterior import Posterior
+from trueaxis.estimation.reduce import reduced
+from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.sizes import Sizes
+from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.model import MachineModel
+
+UNIT = Noise(1.0)  # white; the standard deviation of each run, mm, is its scale
+NEGLIGIBLE = 1e-3  # variance of a combination of readings over that of its noise: it lowers no variance by more
+
+
+def expected_posterior(
+    layout: Layout, observed: Observations, noise: Mapping[int, float]
+) -> tuple[Posterior, Mapping[str, float]]:
+    """The posterior before any reading, at the sizes of [prior] and of the instruments, and these by their class.
+
+    observed: what they read is not looked at; noise: standard deviation of the readings of every run, by index, mm.
+    """
+    rows = [one.rows for one in measured_runs(observed)]
+    whitenings = [Whitening(UNIT, one.steps, noise[one.index]) for one in rows]
+    found = reduced(layout, rows, whitenings, [np.zeros(one.at.size) for one in rows])
+    sizes = Sizes(layout, [own_kinds(one.run, layout.straightness[one.index]) for one in rows])
+    start = np.zeros(sizes.spread.size)
+    return posterior_at(sizes, found, start), sizes.factors(start)
+
+
+def expected(model: MachineModel, observed: Observations, given: ErrorValues, noise: Mapping[int, float]) -> Estimate:
+    """The estimate from readings of a machine without errors: its spread is what a plan lets expect.
+
+    observed, noise: see `expected_posterior`; given: errors that are no unknowns. Effects of the spec are left out.
+    """
+    layout = layout_of(model.with_values(given), observed, given)
+    posterior, factors = expected_posterior(layout, observed, noise)
+    spread, of_prior = parted_root([posterior], posterior.mean, layout.of_machine)
+    unknowns, readings = np.zeros(layout.count), observed.reading.size
+    instruments = frozenset(observed.runs[index].instrument for index in noise)
+    return Estimate(
+        layout=layout,
+        values=layout.values(unknowns, given),
+        unknowns=unknowns,
+        spread=spread * layout.sizes[:, np.newaxis],
+        open=np.zeros((layout.count, 0)),
+        of_prior=of_prior,
+        scale=posterior.scale * layout.sizes,
+        factors=factors,
+        noise=dict.fromkeys(sorted(instruments), UNIT),
+        scales=dict(noise),
+        stated=instruments,
+        zeroed=(),
+        reversed={},
+        outliers=np.zeros(readings, dtype=bool),
+        residual=np.zeros(readings),
+        freedom=readings - posterior.told,
+        rounds=0,
+        steps=0,
+        last_step=0.0,
+        last_change=0.0,
+        converged=True,
+    )
+
+
+def informing_rows(layout: Layout, rows: RunRows, noise: float, scale: FloatArray) -> FloatArray:
+    """(m, n): what one run adds to the information, noise of 1, by unknowns in units of their prior sizes, scale (n,).
+
+    The unknowns of the run alone are integrated out; combinations of readings that tell nothing are left out. noise:
+    standard deviation of its readings, mm.
+    """
+    parts = [(own, others) for _, own, others in pieces(layout, rows)]
+    own, others = (np.vstack(columns) / noise for columns in zip(*parts, strict=True))
+    kinds = own_kinds(rows.run, layout.straightness[rows.index])
+    left, singular, _ = np.linalg.svd(own * np.array([OWN_SIZES[kind] for kind in kinds]), full_matrices=False)
+    found = others * (scale / layout.sizes)
+    found -= left @ ((1.0 - 1.0 / np.hypot(1.0, singular))[:, np.newaxis] * (left.T @ found))
+    variance, vectors = np.linalg.eigh(found @ found.T)
+    return np.asarray(vectors[:, variance > NEGLIGIBLE].T @ found)

@@ -1,0 +1,113 @@
+"""How well an estimate knows the tool point over the volume, and how much of that is the prior."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.gauge import covariance_of
+from trueaxis.estimation.layout import Layout
+from trueaxis.measure.machine import FloatArray
+from trueaxis.measure.setup import Vector
+from trueaxis.runtime.best_fit import placements
+from trueaxis.runtime.model import MachineModel
+from trueaxis.runtime.uncertainty import derivative, home_of
+
+Datum = Literal["home", "best-fit"]
+POINTS, SEED = 200, 11  # of the volume; a mean over them is good to some percent
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class ToolPoint:
+    """Lengths of vectors at n positions (n_axes, n), mm: standard uncertainty of the tool point, the part of it that
+    rests on the prior, and what the prior lets expect without readings. RMS over the tool points.
+    """
+
+    positions: FloatArray
+    u: FloatArray
+    u_prior: FloatArray
+    prior: FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ToolSummary:
+    """The tool point over the volume, seen from home, mm. u_rms, u_prior_rms, prior_rms: root mean squares of the
+    standard uncertainty, of its part that rests on the prior, and of what is expected without readings; u_placed_rms,
+    prior_placed_rms: the first and the last of a workpiece placed where it fits best; u_worst: the largest u of the
+    positions looked at, at `worst` (axis -> mm or deg).
+    """
+
+    tools: tuple[Vector, ...]
+    u_rms: float
+    u_prior_rms: float
+    prior_rms: float
+    u_placed_rms: float
+    prior_placed_rms: float
+    u_worst: float
+    worst: dict[str, float]
+
+
+def volume(model: MachineModel) -> FloatArray:
+    """(n_axes, POINTS): positions drawn evenly from the travels, always the same."""
+    draw = np.random.default_rng(SEED)
+    return np.array([draw.uniform(*model.travel[axis], POINTS) for axis in model.axes])
+
+
+def tool_point(found: Estimate, positions: FloatArray, tools: Sequence[Vector], datum: Datum = "home") -> ToolPoint:
+    """At positions (n_axes, n), of points in the tool frame, mm.
+
+    Before the convention for straightness and squareness, which moves none of them.
+    """
+    machine = slice(found.layout.of_machine)
+    moved = moved_by(found.layout, positions, tools, datum)
+    spread = moved @ found.spread[machine]
+    by_prior = spread[:, spread.shape[1] - found.of_prior :]
+    u, u_prior, prior = (_length(part, positions.shape[1]) for part in (spread, by_prior, moved * found.scale[machine]))
+    return ToolPoint(positions=positions, u=u, u_prior=u_prior, prior=prior)
+
+
+def moved_by(layout: Layout, positions: FloatArray, tools: Sequence[Vector], datum: Datum) -> FloatArray:
+    """(n_tools * 3 * n, of_machine): by how much unknowns in mm and rad move the tool points against a datum.
+
+    Divided by the root of the number of tools, so that squares add up to their mean. home: the tool point at home;
+    best-fit: a workpiece placed where it fits best at all of the positions.
+    """
+    model, known = layout.model, covariance_of(layout, np.zeros((layout.count, 0)))
+    ends = [np.array(point)[:, np.newaxis] for point in tools]
+    each = [derivative(model, known, positions, tool) - derivative(model, known, home_of(model), tool) for tool in ends]
+    moved = np.concatenate(each, axis=2)
+    if datum == "best-fit":
+        rigid = placements(np.hstack([model.ideal(positions, tool) for tool in ends])).directions
+        moved = moved - np.einsum("inr,rk->ikn", rigid, np.einsum("inr,ikn->rk", rigid, moved))
+    parts = np.split(moved, len(tools), axis=2)
+    rows = [part.transpose(0, 2, 1).reshape(-1, layout.of_machine) for part in parts]
+    return np.asarray(np.vstack(rows) / np.sqrt(len(tools)))
+
+
+def _length(rows: FloatArray, count: int) -> FloatArray:
+    """(count,): of vectors whose coordinates are rows, in the order of `moved_by`."""
+    return np.asarray(np.sqrt(np.sum((rows**2).sum(axis=1).reshape(-1, count), axis=0)))
+
+
+def tool_summary(found: Estimate, tools: Sequence[Vector]) -> ToolSummary:
+    """Over the volume. found: before the convention for straightness and squareness, which moves no tool point."""
+    positions = volume(found.layout.model)
+    seen, placed = tool_point(found, positions, tools), tool_point(found, positions, tools, "best-fit")
+    worst = int(np.argmax(seen.u))
+    at = dict(zip(found.layout.model.axes, np.round(seen.positions[:, worst], 1).tolist(), strict=True))
+    return ToolSummary(
+        tools=tuple(tools),
+        u_rms=_rms(seen.u),
+        u_prior_rms=_rms(seen.u_prior),
+        prior_rms=_rms(seen.prior),
+        u_placed_rms=_rms(placed.u),
+        prior_placed_rms=_rms(placed.prior),
+        u_worst=float(seen.u[worst]),
+        worst=at,
+    )
+
+
+def _rms(values: FloatArray) -> float:
+    return float(np.sqrt(np.mean(values**2)))

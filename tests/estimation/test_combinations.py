@@ -1,0 +1,71 @@
+"""What is told together alone."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.plan.data import folder, model
+from trueaxis.estimation.combinations import Combination, Part, combinations
+from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.expected import expected
+from trueaxis.identify.words import combination_text
+from trueaxis.runtime.errors import ErrorValues
+
+
+def found(name: str, um: float, **known: float) -> Estimate:
+    observed = folder(name).observed
+    noise = dict.fromkeys(range(len(observed.runs)), 1e-3 * um)
+    return expected(model(), observed, ErrorValues("dmu60p", known), noise)
+
+
+def test_squareness_and_slopes_of_the_papers_plan() -> None:
+    """At 10 nm each squareness stands with a slope of straightness, by +-1, as the kinematics have it."""
+    each = combinations(found("dmu60p_regular_runs", 0.01))
+    assert {("eps_xy", "EYX"), ("eps_yz", "EYZ")} <= {
+        (one.parts[0].name, part.name) for one in each for part in one.parts[1:]
+    }
+    for one in each:
+        slopes = [part for part in one.parts if part.name in ("EYX", "EYZ", "EXZ")]
+        assert all(abs(part.factor) == pytest.approx(1.0, abs=0.01) for part in slopes)
+        assert one.u < 0.1 * one.alone[0]
+
+
+def test_it_is_the_uncertainty_of_the_sum() -> None:
+    estimate = found("dmu60p_runs", 1.0)
+    for one in combinations(estimate):
+        layout = estimate.layout
+        change = np.zeros(layout.count)
+        for part in one.parts:
+            if part.what == "location":
+                change[int(layout.offsets[-1]) + layout.locations.index(part.name)] = part.factor
+            else:
+                place = layout.components.index(part.name)
+                change[int(layout.offsets[place])] = part.factor * layout.bases[place].per_position
+        assert np.linalg.norm(change @ estimate.spread) == pytest.approx(one.u, rel=1e-6)
+
+
+def test_known_squareness_leaves_the_slopes_alone() -> None:
+    names = dict.fromkeys(model().location_errors, 0.0)
+    parts = [part.name for one in combinations(found("dmu60p_regular_runs", 0.01, **names)) for part in one.parts]
+    assert not set(parts) & {"eps_xy", "eps_yz", "eps_xz"}
+
+
+def test_nothing_measured_is_no_combination() -> None:
+    estimate = found("dmu60p_runs", 1.0)
+    assert combinations(replace(estimate, spread=np.diag(estimate.scale))) == ()
+
+
+def test_in_words() -> None:
+    parts = (Part("location", "eps_xy", 1.0, "rad"), Part("slope", "EYX", 1.0002, "mm/mm"))
+    one = Combination(parts, 0.8e-6, (40.6e-6, 38.7e-6))
+    expected_text = (
+        "eps_xy and the slope of EYX: only their sum, to 0.8 urad (by themselves to 40.6 urad and 38.7 urad)"
+    )
+    assert combination_text(one) == expected_text
+    turned = replace(one, parts=(parts[0], replace(parts[1], factor=-1.0)))
+    assert "only their difference, to 0.8 urad" in combination_text(turned)
+    third = Part("slope", "EBX", -754.3, "rad/mm")
+    three = replace(one, parts=(*parts, third), alone=(*one.alone, 0.0512e-6))
+    assert ": only eps_xy + the slope of EYX - 754 x the slope of EBX, to 0.8 urad" in combination_text(three)
+    assert combination_text(three).endswith("38.7 urad and 0.0512 urad/mm)")
