@@ -5,6 +5,7 @@ from typing import Literal
 
 import numpy as np
 
+from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
@@ -12,6 +13,7 @@ from trueaxis.estimation.judgement import NINE_TENTHS, TENTH, Judged, judged_com
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
+from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.estimated_effects import covariance_with_effects, effect_reports, with_uncertainty
 from trueaxis.identify.fit_quality import (
@@ -52,6 +54,7 @@ SILENT = {
     True: "the readings do not determine them; values and u are those of [prior]",
     False: "the readings leave combinations of them open, which are zero here",
 }
+ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that the report is about
 RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
 
 
@@ -100,6 +103,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
     surest = sorted(found.reversed, key=lambda index: -found.reversed[index])
     judged = with_reversed(quality(residuals, observed.runs), [observed.runs[index].id for index in surest])
+    together, tool = combinations(found), tool_summary(found, [ORIGIN]) if options.prior else None
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}
@@ -122,6 +126,8 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         report,
         effects=effect_reports(values, found),
         undetermined=left_open,
+        combinations=together,
+        tool=tool,
         notes=(*dimension_notes(model, given), *estimate_notes(model, found, given)),
     )
     return Identification(values, report, covariance_with_effects(found))
