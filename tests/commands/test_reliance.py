@@ -190,7 +190,7 @@ def test_the_parts_of_u_are_written_and_predicted(
     words = ["compensate", str(MACHINE), "--errors", str(estimated), str(tmp_path / "part.nc")]
     (tmp_path / "part.nc").write_text("G21 G90\nG1 X270. Y350. Z150. F1000\nX280.\n")
     assert main([*words, "--out", str(tmp_path / "c.nc"), *KERNELS]) == 0
-    assert "largest part of one that rests on [prior] of the spec" in capsys.readouterr().out
+    assert "largest part from [prior] of the spec" in capsys.readouterr().out
 
 
 def test_files_without_the_parts_are_read(tmp_path: Path, estimated: Path) -> None:

@@ -109,6 +109,13 @@ def test_an_arc_that_bulges_out_of_the_travel(bench: Bench) -> None:
         bench.run("G0 X100. Y0. Z0.\nG3 I-100. F9\n", chord_tolerance=1e-11)
 
 
+def test_a_start_outside_the_travel_is_the_fault_of_the_option(bench: Bench) -> None:
+    with pytest.raises(InputError, match=r"--start: X = 5000 is outside its travel, from -?\d+ to \d+") as caught:
+        bench.run(HEAD, start={"X": 5000.0, "Y": -6000.0})
+    assert "Y = -6000" in str(caught.value)
+    assert "line" not in str(caught.value)
+
+
 def test_an_axis_that_the_start_names_must_exist(bench: Bench) -> None:
     with pytest.raises(InputError, match="no axis C"):
         bench.run(HEAD, start={"C": 1.0})

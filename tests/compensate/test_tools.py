@@ -235,3 +235,20 @@ def test_faults_of_files(tmp_path: Path, name: str, text: str, said: str) -> Non
     (tmp_path / name).write_text(text)
     with pytest.raises(InputError, match=said):
         read_tools(tmp_path / name)
+
+
+@pytest.mark.parametrize(
+    ("blocks", "line"),
+    [
+        ("G0 X30.\nG1 Z5. F99\n", 6),
+        ("G1 X30. F99\n", 5),
+        ("G0 X30. Y9.\nG43 H2 Z50.\nG1 Z5. F99\n", 0),  # the usual way: above the place, then down with its length
+        ("G49 Z200.\nG1 Z5. F99\n", 0),
+    ],
+)
+def test_the_length_of_the_tool_before_is_said(bench: Bench, blocks: str, line: int) -> None:
+    program = f"G21 G90\nT1 M6\nG43 H1 G0 X10. Y20. Z50.\nT2 M6\n{blocks}"
+    bench.run(program, paper_sized(5.0), tools=TABLE, dialect="linuxcnc")
+    said = f"line {line}: tool 2 came with a tool change and no G43 since: the length of tool 1 stays in force"
+    assert (said in str(bench.report)) == bool(line)
+    assert ("stays in force" in str(bench.report)) == bool(line)

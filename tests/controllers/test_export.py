@@ -116,7 +116,10 @@ def test_the_tool_point_is_that_which_is_asked_for(tmp_path: Path) -> None:
 
 def test_more_positions_than_the_control_takes_are_a_fault(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert export("linuxcnc-comp", tmp_path / "out", "--step", "1") == 2
-    assert "needs 701 positions with a step of 1, and the control takes 256" in capsys.readouterr().err
+    assert (
+        "needs 701 positions of Y with a step of 1 (1843 of all axes), and the control takes 256"
+        in capsys.readouterr().err
+    )
     assert export("linuxcnc-comp", tmp_path / "out", "--step", "5") == 0
 
 
@@ -124,3 +127,34 @@ def test_what_a_machine_has_not_is_a_fault(tmp_path: Path, capsys: pytest.Captur
     assert export("isg-csv", tmp_path / "out") == 2
     assert "positive commands of Y move the tool in the negative direction" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("name", ["isg-csv", "siemens-enc", "siemens-cec", "heidenhain-com", "linuxcnc-comp"])
+def test_a_step_far_too_small_is_a_fault_that_says_which_would_do(
+    tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert export(name, tmp_path / "out", "--step", "0.001") == 2
+    told = capsys.readouterr().err
+    assert "needs 700001 positions of Y with a step of 0.001 (1840003 of all axes)" in told
+    assert not (tmp_path / "out").exists()
+    step = told.split("--step ")[1].split(" ")[0]
+    if name != "isg-csv":  # which cannot hold this machine
+        assert export(name, tmp_path / "out", "--step", step) == 0
+
+
+@pytest.mark.parametrize("curves", [{}, {"EXX": {"basis": "table", "positions": [0, 100], "values": [0, 0]}}])
+def test_error_values_that_are_all_zero_are_said(
+    tmp_path: Path, curves: dict[str, object], capsys: pytest.CaptureFixture[str]
+) -> None:
+    errors = tmp_path / "e.json"
+    dimensions = {"q_wx": 5.0}
+    errors.write_text(json.dumps({"schema": 1, "machine": "dmu60p", "parameters": dimensions, "motion_errors": curves}))
+    said = "every error value is zero or missing"
+    assert export("siemens-enc", tmp_path / "out", errors=errors) == 0
+    assert said in capsys.readouterr().out
+    (tmp_path / "part.nc").write_text("G21 G90\nG1 X270. Y350. Z150. F1000\n")
+    words = ["compensate", DMU60P, "--errors", errors, tmp_path / "part.nc", "--out", tmp_path / "c.nc"]
+    assert main(list(map(str, [*words, "--kernels", KERNELS]))) == 0
+    assert said in capsys.readouterr().out
+    assert export("siemens-enc", tmp_path / "out") == 0
+    assert said not in capsys.readouterr().out

@@ -58,7 +58,7 @@ def loss(one: World, seed: int, max_order: int = 7) -> Loss:
 
     def judged(values: ErrorValues, of: Covariance) -> tuple[float, float]:
         model = one.model.with_values(values)
-        off = deviations(model, positions, home=True) - true
+        off = deviations(model, positions) - true
         u = tool_uncertainty(model, of, positions, TOOL, datum=home_of(model)).u.T
         return rms_um(off), float((np.abs(off) <= 1.96 * u).mean())
 

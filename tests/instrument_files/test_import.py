@@ -365,3 +365,14 @@ def test_the_readings_file_has_no_columns_that_nobody_measured(tmp_path: Path) -
     (tmp_path / "x.rtl").write_bytes(rtl(LONG_AXIS, SHAPE[np.newaxis], axis="X").encode())
     imported(tmp_path / "data", tmp_path / "x.rtl", "--map", "target.point=0,0,0", "at.Y=0", "at.Z=0")
     assert pl.read_csv(tmp_path / "data" / "readings.csv").columns == ["run", "seq", "X", "Y", "Z", "dir_X", "reading"]
+
+
+def test_a_key_that_is_none_is_told_with_what_else_is_missing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "x.rtl").write_bytes(rtl(LONG_AXIS, SHAPE[np.newaxis], axis="X").encode())
+    keys = ["target.pont=0,0,0", "at.Y=0", "x:colour=red"]
+    told = refused(tmp_path / "out", capsys, tmp_path / "x.rtl", "--map", *keys)
+    assert "--map: target.pont: is no key; did you mean target.point?" in told
+    assert "--map: x:colour: is no key; known: id, instrument, axis" in told
+    assert "--map at.Z=" in told

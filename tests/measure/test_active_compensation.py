@@ -88,7 +88,7 @@ def test_a_setup_that_says_nothing_is_reported(tmp_path: Path, capsys: pytest.Ca
     assert simulated(PLAN, data) == 0
     assert identify(data, tmp_path / "e.json") == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "setup.toml does not say whether a compensation was active; taken as none" in said
+    assert "setup.toml does not say whether a compensation of the control was active; none is assumed" in said
 
 
 def test_the_way_to_the_file_is_kept_in_another_folder(tmp_path: Path) -> None:

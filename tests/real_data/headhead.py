@@ -5,58 +5,23 @@ import io
 import sys
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from tests.real_data.headhead_data import DIMENSIONS, FILE, probe_data
+from tests.real_data.headhead_data import DIMENSIONS, FILE, probe_data, write
+from tests.real_data.headhead_least_squares import BIG, FORMS, SMALL, Form, fitted, left_out, rms_3d
 from trueaxis.cli import main as trueaxis
 from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.instruments import own_kinds
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.residuals import residual_of
 from trueaxis.estimation.runs import measured_runs
-from trueaxis.identify.global_fit.design import Design
-from trueaxis.identify.global_fit.method import fit_global
-from trueaxis.identify.global_fit.result import GlobalOptions, GlobalResult
-from trueaxis.identify.global_fit.solve import residuals
-from trueaxis.identify.global_fit.write_up import identification
-from trueaxis.identify.report_text import report_text
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel, load_model
 
 ROOT = Path(__file__).parents[2]
 SPEC = ROOT / "machines" / "headhead_mill.toml"
-ZERO = PolynomialCurve((), ())
-
-OFFSETS = ("EX0C", "EY0C", "EX0B", "EZ0B", "EX0T", "EY0T", "EZ0T")
-TILTS = ("EA0C", "EB0C", "EA0B", "EC0B")
-SQUARENESS = ("EC0Y", "EA0Z", "EB0Z")
-SCALES = ("EXX", "EYY", "EZZ")
-OF_C, OF_B = (tuple(f"E{direction}{axis}" for direction in "XYZABC") for axis in "CB")
-
-
-@dataclass(frozen=True)
-class Form:
-    """What is unknown besides the centre of the sphere; motion errors of the given degree."""
-
-    title: str
-    locations: tuple[str, ...] = ()
-    components: tuple[str, ...] = ()
-    degree: int = 1
-
-
-CENTRE = Form("sphere centre only")
-AXES_ONLY = Form("and the rotary axes by ISO 230-7, no tool", (*OFFSETS[:4], *TILTS))
-SMALL = Form("centre, offsets of rotary axes and tool", OFFSETS)
-TILTED = Form("and tilts of the rotary axes", (*OFFSETS, *TILTS))
-BIG = Form("and linear scale and squareness", (*OFFSETS, *TILTS, *SQUARENESS), SCALES)
-CURVED_B = Form("these and motion errors of B, degree 2", BIG.locations, (*SCALES, *OF_B), 2)
-CURVED_C = Form("these and motion errors of C, degree 2", BIG.locations, (*SCALES, *OF_C), 2)
-FORMS = (CENTRE, AXES_ONLY, SMALL, TILTED, BIG, CURVED_B, CURVED_C)
 
 
 def model(sense_of_b: int = 1) -> MachineModel:
@@ -68,34 +33,6 @@ def model(sense_of_b: int = 1) -> MachineModel:
         spec.write_text(SPEC.read_text().replace("[axis.B]\n", f"[axis.B]\nsense = {sense_of_b}\n"))
         trueaxis(["derive", str(spec), "--out", folder])
         return load_model(spec, None, Path(folder), backend="numpy")
-
-
-def fitted(machine: MachineModel, observed: Observations, form: Form) -> GlobalResult:
-    """Least squares of all readings, every reading counting the same."""
-    given = ErrorValues(
-        machine.name,
-        {**DIMENSIONS, **{name: 0.0 for name in machine.location_errors if name not in form.locations}},
-        {name: ZERO for name in machine.components if name not in form.components},
-    )
-    degree = {name: 1 if name in SCALES else form.degree for name in form.components}
-    return fit_global(machine, observed, GlobalOptions(known=given, degree=degree))
-
-
-def rms_3d(residual: FloatArray) -> float:
-    """Root mean square of the lengths of the residual vectors, mm; residual: (3 n,), pose by pose."""
-    return float(np.sqrt((residual.reshape(-1, 3) ** 2).sum(axis=1).mean()))
-
-
-def left_out(machine: MachineModel, observed: Observations, form: Form) -> float:
-    """3-D rms of poses predicted from the 31 others, mm."""
-    n = observed.reading.size // 3
-    found = np.zeros((n, 3))
-    for pose in range(n):
-        mine = np.arange(3 * pose, 3 * pose + 3)
-        fit = fitted(machine, observed.of(np.setdiff1d(np.arange(3 * n), mine)), form)
-        whole = Design(fit.layout, observed)
-        found[pose] = residuals(whole, fit.given, fit.unknowns / fit.layout.scale)[mine]
-    return rms_3d(found.ravel())
 
 
 def left_out_of_estimate(machine: MachineModel, observed: Observations, poses: Sequence[int]) -> float:
@@ -127,7 +64,7 @@ def table(machine: MachineModel, sense_of_b: int, forms: Sequence[Form]) -> list
     for form in forms:
         fit = fitted(machine, observed, form)
         inside, outside = rms_3d(fit.residual), left_out(machine, observed, form)
-        lines.append(f"  {form.title:<45} rank {fit.factors.rank:2d}   {inside:.3f} ({outside:.3f})")
+        lines.append(f"  {form.title:<45} rank {fit.rank:2d}   {inside:.3f} ({outside:.3f})")
     return lines
 
 
@@ -145,8 +82,20 @@ def main() -> int:
     print(f"  {'all errors with their prior, the estimate':<45}           {inside:.3f} ({outside:.3f})")
     print(f"repeats of B0 C0: 3-D standard deviation {repeats(observed):.3f} mm\n")
     for form in (SMALL, BIG):
-        print(report_text(identification(fitted(model(), observed, form)).report))
-    return 0
+        fit = fitted(model(), observed, form)
+        print(f"{form.title}: {fit.unknowns.size} unknowns, {fit.rank} told; +- one standard uncertainty")
+        for name, value, u in zip(form.locations, fit.unknowns[3:], fit.u[3:], strict=False):
+            print(f"  {name} {1e3 * value:9.3f} +- {1e3 * u:.3f} {'um' if name[1] in 'XYZ' else 'mrad'}")
+    print("\nidentify on the same poses as files:")
+    return command()
+
+
+def command() -> int:
+    """`trueaxis identify` on the readings as a user's folder, the nominal dimensions known; its exit code."""
+    with tempfile.TemporaryDirectory() as name:
+        data, known = write(Path(name))
+        options = ["--data", str(data), "--known", str(known), "--kernels", str(ROOT / "generated")]
+        return trueaxis(["identify", str(SPEC), *options, "--out", str(Path(name) / "errors.json")])
 
 
 if __name__ == "__main__":

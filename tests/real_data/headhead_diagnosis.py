@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from tests.kernels import kernels_of
-from tests.real_data.headhead import SPEC, rms_3d
+from tests.real_data.headhead import SPEC
 from tests.real_data.headhead_data import DIMENSIONS, FILE, probe_data, write
+from tests.real_data.headhead_least_squares import rms_3d
 from trueaxis.cli import main as trueaxis
 from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.procedure import diagnose

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from tests.worlds.design import Design, draw_design
-from trueaxis.identify.estimated import FAR
+from trueaxis.identify.notes import FAR
 
 Line = Mapping[str, Any]
 NEAR = 2.0  # factor within which a size counts as found

@@ -93,7 +93,7 @@ def world(seed: int, folder: Path, axes: int | None = None) -> World:
         with contextlib.redirect_stdout(io.StringIO()):
             assert main(["derive", str(folder / "machine.toml"), "--out", str(folder / "kernels")]) == 0
     models = {}
-    for name, sizes in reversed(GIVEN.items()):  # the default comes last and stays
+    for name, sizes in reversed(list(GIVEN.items())):  # the default comes last and stays
         (folder / "machine.toml").write_text(spec_toml(design.machine, prior=sizes))
         models[name] = load_model(folder / "machine.toml", folder / "errors.json", folder / "kernels")
     data = read_data(folder / "data", models["default"])

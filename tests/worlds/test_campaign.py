@@ -28,8 +28,8 @@ def test_figures_of_machines_made_by_hand() -> None:
     found = figures([line(3.0, 3.0, 1.0, "smooth"), line(4.0, 4.0, 0.9, "prior"), line(12.0, 4.0, 0.5, "prior")])
     assert found.left == pytest.approx((9.0 + 16.0 + 144.0) / 300.0)
     assert found.ratio == pytest.approx(np.sqrt(169.0 / 41.0))
-    assert (found.smooth, found.prior) == (1.0, pytest.approx(0.7))
-    assert (found.worse, found.worst) == (pytest.approx(1.0 / 3.0), 1.2)
+    assert (found.smooth, found.prior) == pytest.approx((1.0, 0.7))
+    assert (found.worse, found.worst) == pytest.approx((1.0 / 3.0, 1.2))
 
 
 def test_the_uncertainty_of_a_ratio_is_its_scatter_over_campaigns() -> None:

@@ -18,7 +18,12 @@ from trueaxis.compensate.settings import Dialect, Integers, Settings
 from trueaxis.compensate.tool_files import read_tools
 from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
-from trueaxis.reporting.reliance import prior_sentences, program_sentences, refusal_sentences
+from trueaxis.reporting.reliance import (
+    error_free_sentences,
+    prior_sentences,
+    program_sentences,
+    refusal_sentences,
+)
 from trueaxis.runtime.model import load_model
 from trueaxis.runtime.uncertainty import covariance_file, load_uncertainty
 
@@ -222,6 +227,8 @@ def run(args: argparse.Namespace) -> int:
         name = problem.filename or args.program
         raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None
     print(report)
+    for sentence in error_free_sentences(model.error_free):
+        print(f"note: {sentence}")
     if report.reliance is not None:
         rests = prior_sentences(model.errors, report.reliance.uncertainty.components)
         for sentence in (*program_sentences(report.reliance), *rests):

@@ -15,7 +15,13 @@ from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
 from trueaxis.reporting.control_tables import export_sentences, head_lines
-from trueaxis.reporting.reliance import above_sentence, extent_sentences, prior_sentences, range_sentences
+from trueaxis.reporting.reliance import (
+    above_sentence,
+    error_free_sentences,
+    extent_sentences,
+    prior_sentences,
+    range_sentences,
+)
 from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.extent import UncertaintyExtent, uncertainty_extent, volume_grid
 from trueaxis.runtime.measured_range import beyond_measured
@@ -100,6 +106,7 @@ def run(args: argparse.Namespace) -> int:
         write_files(contents)
     notes = export_sentences(args.format, model, export)
     for sentence in (
+        *error_free_sentences(model.error_free),
         *notes,
         *extent_sentences(extent, "over the travel"),
         *prior_sentences(model.errors, extent.components),

@@ -61,14 +61,15 @@ def run(args: argparse.Namespace) -> int:
     for key, value in args.map:
         if given.setdefault(key, value) != value:
             found.append(Fault("--map", shown(key), "is given more than once", "one value for each key"))
-    asked = not found and sys.stdin is not None and sys.stdin.isatty() and sys.stderr.isatty()
+    unknown = UserKeys(given).unknown()
+    asked = not found and not unknown and sys.stdin is not None and sys.stdin.isatty() and sys.stderr.isatty()
     while True:
         runs, keys = _runs(args, machine, given, found)
         if not (asked and keys.questions and not keys.faults):
             break
         question = keys.questions[0]
         given[f"{question.run}:{question.key}"] = _answer(question, given)
-    faults = [*keys.faults, *(question.fault for question in keys.questions)]
+    faults = [*unknown, *keys.faults, *(question.fault for question in keys.questions)]
     if not faults:
         faults = keys.unused()
     if found + faults:
@@ -102,7 +103,7 @@ def _runs(
         with gathering(faults):
             sources += read_instrument_file(path, args.format, keys)
     if faults:
-        raise InputError(faults)
+        raise InputError([*faults, *keys.unknown()])
 
     def view(positions: FloatArray, point: FloatArray) -> FloatArray:
         return load_model(args.machine, None, args.kernels).ideal(positions, point)

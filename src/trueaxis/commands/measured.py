@@ -16,7 +16,7 @@ from trueaxis.runtime.model import MachineModel, load_errors, load_model
 from trueaxis.spec import read_machine
 
 _LOG = logging.getLogger(__name__)
-SILENT = "setup.toml does not say whether a compensation was active; taken as none"
+SILENT = "setup.toml does not say whether a compensation of the control was active; none is assumed"
 
 
 @dataclass(frozen=True)

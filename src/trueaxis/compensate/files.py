@@ -93,6 +93,13 @@ def compensate_file(
     foreign = sorted(set(settings.start) - set(model.axes))
     if foreign:
         raise InputError([Fault("--start", "", f"this machine has no axis {' '.join(foreign)}")])
+    outside = [
+        f"{axis} = {at:g} is outside its travel, from {model.travel[axis][0]:g} to {model.travel[axis][1]:g}"
+        for axis, at in settings.start.items()
+        if not model.travel[axis][0] <= at <= model.travel[axis][1]
+    ]
+    if outside:
+        raise InputError([Fault("--start", "", problem, "a position that the axis reaches") for problem in outside])
     if language == "apt" and (settings.offsets.systems or settings.tools is not None):
         raise InputError([Fault("--offset, --tools", "", "go with NC programs: a CL file is in machine coordinates")])
     home = dict(zip(model.axes, home_of(model).tolist(), strict=True))

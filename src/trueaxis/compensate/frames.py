@@ -134,6 +134,11 @@ class Frames:
                 self._tools[row] = tool
         self.length = list(lengths)
 
+    @property
+    def tool_of_length(self) -> int:
+        """The tool whose length is in force in Z; 0: none, negative: a length that the program states."""
+        return self._tools[self.axes.index("Z")] if "Z" in self.axes else 0
+
     def has_length_of(self, tool: int) -> bool:
         """Whether the length of this tool is in force; 0: none."""
         return not set(self._tools) - {0, tool} and (tool == 0 or tool in self._tools)

@@ -15,6 +15,9 @@ _LINUXCNC = "say --dialect linuxcnc if that is the control"
 IN_SPINDLE = "no tool change before this G43: tool {} is taken to be in the spindle"
 
 
+OLD_LENGTH = (
+    "tool {} came with a tool change and no G43 since: the length of tool {} stays in force, as on LinuxCNC and Fanuc"
+)
 OF_ANOTHER = "the length of tool {} is put in force while tool {} is in the spindle"
 
 
@@ -27,6 +30,7 @@ class ToolReader:
         self._on_linuxcnc = settings.dialect == "linuxcnc"
         self._changes = ToolChanges(settings.dialect, notes, None if settings.tools is None else faults)
         self._selected: int | None = None
+        self._changed = False  # a tool has come since the last length was put in force
 
     @property
     def remedy(self) -> str:
@@ -54,12 +58,22 @@ class ToolReader:
         else:
             self._tool(number, self._selected)
             state.tool = self._selected
+            self._changed = True
 
     def length(self, number: int, meaning: Meaning) -> None:
-        """Take in G43 and G49."""
+        """Take in G43 and G49; note a motion with the length of the tool before the one in the spindle.
+
+        A rapid beside Z is none: programs go there first, and then to Z with the new length.
+        """
         frames = self._state.frames
         if meaning.length_code is None:
+            rapid = meaning.motion == 0 or (meaning.motion is None and self._state.motion == 0)
+            if self._changed and (meaning.drilling or (meaning.positions and ("Z" in meaning.axes or not rapid))):
+                self._changed = False
+                if (old := frames.tool_of_length) and old != self._state.tool:
+                    self._notes.add(number, OLD_LENGTH.format(self._state.tool, old))
             return
+        self._changed = False
         if meaning.length_code == codes.END_LENGTH:
             self._set(number, meaning, [0.0] * len(frames.axes), 0)
             return

@@ -67,8 +67,12 @@ def nodes(travel: tuple[float, float], step: float | None, most: int = MOST_POIN
     low, high = travel
     if step is None:
         step = round_step((high - low) / (most - 1))
-    count = max(1, math.ceil((high - low) / step - 1e-9))
-    return np.linspace(low, high, count + 1)
+    return np.linspace(low, high, node_count(travel, step))
+
+
+def node_count(travel: tuple[float, float], step: float) -> int:
+    """How many regular positions from end to end are at most `step` apart."""
+    return max(1, math.ceil((travel[1] - travel[0]) / step - 1e-9)) + 1
 
 
 def round_step(least: float) -> float:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from trueaxis.controllers import heidenhain, linuxcnc, siemens
-from trueaxis.controllers.axis_tables import AxisTable, axis_tables, nodes
+from trueaxis.controllers.axis_tables import AxisTable, axis_tables, node_count, nodes, round_step
 from trueaxis.controllers.isg_csv import DIRECTIONS, control_model, csv_text, motion_errors, reversed_axes
 from trueaxis.controllers.remaining import Remaining, TakenOff, remaining, taken_by_tables
 from trueaxis.effects.placement import context_of
@@ -85,6 +85,9 @@ TABLE_FORMATS: Mapping[str, TableFormat] = {
         both_directions=True,
     ),
 }
+# Positions of an axis in a table, where the control does not set a lower limit. No axis is measured at more; a step of
+# 0.001 mm instead of 1 mm would make files of 50 MB and more.
+MOST_POSITIONS = 5000
 UNTABLED = {"v", "d", "t", "T"}  # what effects may depend on that a table has no room for: see effects/variables.py
 FORMATS = (ISG, *TABLE_FORMATS)
 
@@ -93,6 +96,8 @@ def problem_of(name: str, model: MachineModel, step: float | None) -> str:
     """Why the machine cannot be exported in that format; empty where it can."""
     if any(axis not in model.axes for axis in LINEAR):
         return "has no X, Y and Z axis: tables are made for machines with all three"
+    if step is not None and (problem := _step_problem(name, model, step)):
+        return problem
     if name == ISG:
         axes = reversed_axes(model)
         return (
@@ -101,12 +106,24 @@ def problem_of(name: str, model: MachineModel, step: float | None) -> str:
             if axes
             else ""
         )
-    most = TABLE_FORMATS[name].most_points
-    if most is not None and step is not None:
-        longest = max(nodes(model.travel[axis], step).size for axis in model.axes)
-        if longest > most:
-            return f"needs {longest} positions with a step of {step:g}, and the control takes {most} in a table"
     return ""
+
+
+def _step_problem(name: str, model: MachineModel, step: float) -> str:
+    """Why tables cannot have that step; empty where they can."""
+    of_control = None if name == ISG else TABLE_FORMATS[name].most_points
+    most = of_control or MOST_POSITIONS
+    spans = {axis: high - low for axis, (low, high) in model.travel.items()}
+    longest = max(model.axes, key=lambda axis: spans[axis])
+    count = node_count(model.travel[longest], step)
+    if count <= most:
+        return ""
+    total = sum(node_count(model.travel[axis], step) for axis in model.axes)
+    takes = "the control takes" if of_control else "an axis has at most"
+    return (
+        f"needs {count} positions of {longest} with a step of {step:g} ({total} of all axes), and {takes} {most} in a "
+        f"table: --step {round_step(spans[longest] / (most - 1)):g} or more"
+    )
 
 
 def export_tables(

@@ -20,6 +20,7 @@ from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
+from trueaxis.estimation.signs import reversed_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, at_share, linearised, moved, started, with_noise, without_outliers
 from trueaxis.measure.columns import BoolArray
@@ -50,12 +51,14 @@ class Estimate:
     """What readings say of a machine and of the instruments.
 
     values: of the machine; unknowns: (n,), mm, rad or 1; spread: (n, r), a root of their covariance, the last
-    `of_prior` columns of which are the prior's part, the others that of the readings; open: (n, d), combinations that
-    are zero since, without a prior, no reading determines them; scale: (n,), their prior standard deviations, at their
-    estimated sizes; factors: class of sizes -> the estimated size over the expected one. noise: of
+    `of_prior` columns of which are the prior's part, the others that of the readings; open: (n, d), combinations of
+    errors, as large as expected, that are zero since, without a prior, no reading determines them, with what
+    instruments and effects would then be; scale: (n,), their prior standard deviations, at their estimated sizes;
+    factors: class of sizes -> the estimated size over the expected one. noise: of
     each instrument; scales: of each run with readings, by index, its noise over that of its instrument; stated:
     instruments whose noise was given: their scales are mm; zeroed: effects that are zero, since the readings make their
-    square negative; outliers: (n_readings,), left out;
+    square negative; reversed: runs, by index, that read as if their sign were reversed, and how much likelier that is,
+    as a logarithm; outliers: (n_readings,), left out;
     residual: (n_readings,), mm; freedom: degrees of freedom that are left; rounds, steps: how often noise and sizes,
     then the unknowns alone were estimated; last_step, last_change: the largest last step in standard uncertainties, and
     by how much it changed a residual, mm; converged: whether it was none.
@@ -73,6 +76,7 @@ class Estimate:
     scales: Mapping[int, float]
     stated: frozenset[str]
     zeroed: tuple[Effect, ...]
+    reversed: Mapping[int, float]
     outliers: BoolArray
     residual: FloatArray
     freedom: float
@@ -88,7 +92,8 @@ class Estimate:
         prior = np.linalg.norm(change * self.scale, axis=1)
         unknowns = change @ self.unknowns
         left_open = change @ self.open
-        left_open = left_open[:, np.linalg.norm(left_open / prior[:, np.newaxis], axis=0) > SETTLED_BY_CONVENTION]
+        of_machine = (left_open / self.scale[:, np.newaxis])[: self.layout.of_machine]
+        left_open = left_open[:, np.linalg.norm(of_machine, axis=0) > SETTLED_BY_CONVENTION]
         given = replace(self.values, parameters=_others(self.values.parameters, self.layout.locations))
         given = replace(given, motion_errors=_others(self.values.motion_errors, self.layout.components))
         own = {identity(one.effect) for one in self.layout.effects.members}
@@ -215,6 +220,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
+    flipped = reversed_runs(state, sizes, x, whole)
     if setting.prior:
         posterior = averaged(sizes, found, x)
         state = at_share(state, posterior)
@@ -234,6 +240,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         scales={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},
         stated=state.stated,
         zeroed=(),
+        reversed=flipped,
         outliers=outliers,
         residual=left,
         freedom=float((~outliers).sum()) - posterior.told,

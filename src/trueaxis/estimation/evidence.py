@@ -55,7 +55,7 @@ def best_sizes(sizes: Sizes, reduced: Reduced, start: FloatArray) -> tuple[Float
         start / unit,
         jac=True,
         method="L-BFGS-B",
-        bounds=np.outer(FARTHEST / unit, (-1.0, 1.0)),
+        bounds=[(-farthest, farthest) for farthest in (FARTHEST / unit).tolist()],
         options={"maxiter": MOST_STEPS, "maxcor": REMEMBERED, "gtol": GRADIENT, "ftol": NO_GAIN / (1.0 + abs(value))},
     )
     best = np.asarray(found.x) * unit

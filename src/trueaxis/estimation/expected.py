@@ -66,6 +66,7 @@ def expected(model: MachineModel, observed: Observations, given: ErrorValues, no
         scales=dict(noise),
         stated=instruments,
         zeroed=(),
+        reversed={},
         outliers=np.zeros(readings, dtype=bool),
         residual=np.zeros(readings),
         freedom=readings - posterior.told,

@@ -7,6 +7,7 @@ from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 
+MOSTLY, FEWEST_COPIES = 0.5, 3  # a coarse display makes some repeats equal, hardly ever most of them
 DECIMALS = 6  # of mm and deg, within which commanded positions are the same
 
 
@@ -20,6 +21,19 @@ def places(observed: Observations) -> IntArray:
             columns[f"direction {axis}"] = directions
     ranks = pl.DataFrame(columns).select(pl.struct(pl.all()).rank("dense").alias("place"))
     return ranks["place"].to_numpy().astype(np.int64) - 1
+
+
+def copied_runs(observed: Observations) -> IntArray:
+    """Runs, by index, most of whose repeats are equal to the last digit: rows that were copied have no noise."""
+    place = places(observed)
+    count = np.bincount(place)
+    _, reading = np.unique(observed.reading, return_inverse=True)
+    pairs, times = np.unique(np.stack([place, reading]), axis=1, return_counts=True)
+    run_of_place = np.zeros(count.size, dtype=np.int64)
+    run_of_place[place] = observed.run
+    repeats = np.bincount(run_of_place, weights=count - 1, minlength=len(observed.runs))
+    equal = np.bincount(run_of_place[pairs[0]], weights=times - 1, minlength=len(observed.runs))
+    return np.flatnonzero((equal >= FEWEST_COPIES) & (equal > MOSTLY * repeats))
 
 
 def pure_error(observed: Observations, group: IntArray, groups: int) -> tuple[FloatArray, IntArray]:

@@ -5,12 +5,15 @@ from typing import Literal
 
 import numpy as np
 
+from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
-from trueaxis.estimation.judgement import NINE_TENTHS, TENTH, Judged, judged_component, judged_location
+from trueaxis.estimation.judgement import NINE_TENTHS, Judged, judged_component, judged_location, open_counts
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import copied_runs
+from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.estimated_effects import covariance_with_effects, effect_reports, with_uncertainty
 from trueaxis.identify.fit_quality import (
@@ -21,8 +24,9 @@ from trueaxis.identify.fit_quality import (
     known_noise,
     quality,
     run_residuals,
+    with_reversed,
 )
-from trueaxis.identify.notes import dimension_notes
+from trueaxis.identify.notes import dimension_notes, estimate_notes
 from trueaxis.identify.report import (
     ComponentReport,
     Identification,
@@ -47,12 +51,11 @@ ORIGINS: dict[Determined, str] = {
     "prior": "undetermined: from the prior alone",
 }
 SILENT = {
-    True: "no reading tells them, they rest on [prior]",
+    True: "the readings do not determine them; values and u are those of [prior]",
     False: "the readings leave combinations of them open, which are zero here",
 }
+ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that the report is about
 RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
-SLOW = 3.0  # slow over white noise: instruments drift by about as much as they scatter
-FAR = 3.0  # times the size of [prior], from where on a size is reported
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +101,9 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     residuals = _residuals(model, observed, found, noise)
     if not found.converged:
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
-    judged = quality(residuals, observed.runs)
+    surest = sorted(found.reversed, key=lambda index: -found.reversed[index])
+    judged = with_reversed(quality(residuals, observed.runs), [observed.runs[index].id for index in surest])
+    together, tool = combinations(found), tool_summary(found, [ORIGIN]) if options.prior else None
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}
@@ -121,7 +126,9 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         report,
         effects=effect_reports(values, found),
         undetermined=left_open,
-        notes=(*dimension_notes(model, given), *_notes(model, found, given)),
+        combinations=together,
+        tool=tool,
+        notes=(*dimension_notes(model, given), *estimate_notes(model, found, given)),
     )
     return Identification(values, report, covariance_with_effects(found))
 
@@ -156,6 +163,7 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
         known,
         sizes,
         int(found.freedom),
+        () if set(np.unique(observed.run).tolist()) <= set(noise) else tuple(copied_runs(observed).tolist()),
     )
 
 
@@ -164,7 +172,7 @@ def _curves(model: MachineModel, observed: Observations, found: Estimate) -> dic
     curves: dict[str, Curve] = {}
     readings, by_prior = np.split(found.spread, [found.spread.shape[1] - found.of_prior], axis=1)
     parts = [np.linalg.norm(part, axis=1) for part in (found.spread, readings, by_prior)]
-    parts[0][np.linalg.norm(found.open, axis=1) > TENTH * found.scale] = np.nan
+    parts[0][open_counts(np.linalg.norm(found.open, axis=1), parts[0])] = np.nan
     for place, name in enumerate(found.layout.components):
         first = int(found.layout.offsets[place])
         curve = found.values.motion_errors[name]
@@ -262,10 +270,11 @@ def _component(name: str, judged: Judged | None) -> ComponentReport:
 def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentReport, ...]:
     layout = found.layout
     u = np.linalg.norm(found.spread, axis=1)
+    silent = (u > NINE_TENTHS * found.scale) | open_counts(np.linalg.norm(found.open, axis=1), u)
     reports = []
     for place, unknown in enumerate(layout.shared, layout.of_machine):
-        if u[place] > NINE_TENTHS * found.scale[place]:
-            continue  # the readings say nothing of it
+        if silent[place]:
+            continue
         letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
         runs = ", ".join(observed.runs[index].id for index in unknown.runs)
         unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
@@ -292,35 +301,3 @@ def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupRe
         told = " (stated)" if name in found.stated else f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
         groups.append(NoiseGroupReport(name + told, size, None))
     return tuple(groups)
-
-
-def _notes(model: MachineModel, found: Estimate, given: ErrorValues) -> tuple[str, ...]:
-    notes = []
-    fixed = [name for name in model.location_errors if name in given.parameters]
-    if fixed:
-        zero = [name for name in fixed if given.parameters[name] == 0.0]
-        what = f", {enumerated(zero)} as exactly 0" if zero else ""
-        notes.append(
-            f"{enumerated(fixed)}: taken as known{what}, without uncertainty (--known, --squareness known); "
-            "remove them from the file to have them estimated"
-        )
-    for name, one in found.noise.items():
-        if one.slow > SLOW * one.white:
-            notes.append(
-                f"the slow part of the noise of {name}, {one.slow * 1e3:.3g} um, is {one.slow / one.white:.2g} times "
-                "its white part: readings of a wrong sign, a wrong point in setup.toml or an effect that the model "
-                "lacks look like that (diagnose)"
-            )
-    expected = {
-        "translation": (model.prior.translation * 1e3, "translation_um"),
-        "rotation": (model.prior.rotation * 1e6, "rotation_urad"),
-        "location rad": (model.prior.location_angle * 1e6, "location_urad"),
-        "location mm": (model.prior.location_length * 1e3, "location_um"),
-    }
-    for kind, (size, key) in expected.items():
-        factor = found.factors.get(kind, 1.0)
-        if not 1.0 / FAR <= factor <= FAR:
-            notes.append(f"[prior] {key} = {size:g}: these readings ask for {size * factor:.3g}")
-    if found.outliers.any():
-        notes.append(f"{int(found.outliers.sum())} readings are left out as outliers")
-    return tuple(notes)

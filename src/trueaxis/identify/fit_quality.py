@@ -1,7 +1,7 @@
 """How a fit ended: whether it stands still, and whether its residuals are of the size of the noise that is known."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
 from trueaxis.identify.expected_size import expected_size
 from trueaxis.identify.weighting import INSTRUMENTS, LEAST_FREEDOM
+from trueaxis.identify.words import enumerated
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Run
 from trueaxis.runtime.errors import Fit
@@ -25,6 +26,7 @@ RESOLUTION = 1e-6  # mm: no instrument resolves less, however small the residual
 MISFIT = 3.0
 MISFIT_OF_RUN = 5.0  # a run may have one reading: beyond five standard deviations it is no noise either
 DISCREPANCY = 0.01  # of the prior size of a reading: what any model of a machine leaves, however small the stated noise
+FAR_FROM_NOISE = "the residuals are far from the noise that is known"
 MOST_RUNS = 10  # named
 MOST_DOUBTED = 0.25  # of the readings: a robust fit follows the outliers before they are half, whose pull adds up
 
@@ -54,7 +56,7 @@ class Residuals:
 
     run: (n,), index into the runs; count: (n,), readings of each; squares: (n,), sums of their squared residuals, mm^2;
     noise, size: (n,), standard deviation of a reading by its noise, and by errors of their prior sizes, mm; None where
-    unknown; freedom: degrees of freedom left.
+    unknown; freedom: degrees of freedom left; copied: runs, by index, whose repeats are mostly equal to the last digit.
     """
 
     run: IntArray
@@ -63,6 +65,7 @@ class Residuals:
     noise: FloatArray | None
     size: FloatArray | None
     freedom: int
+    copied: tuple[int, ...] = ()
 
 
 class NotConvergedError(RuntimeError):
@@ -123,7 +126,7 @@ def quality(residuals: Residuals, runs: Sequence[Run], doubted: float = 0.0) -> 
         worst = sorted(np.flatnonzero(of_runs > MISFIT), key=lambda index: -of_runs[index])
         if ratio > MISFIT or of_runs.max(initial=0.0) > MISFIT_OF_RUN:
             named = tuple(runs[int(index)].id for index in worst) or (runs[int(of_runs.argmax())].id,)
-            return FitQuality(Fit("misfit", chi2, named), each, "the residuals are far from the noise that is known")
+            return FitQuality(Fit("misfit", chi2, named), each, FAR_FROM_NOISE + _copies(residuals, runs))
         return FitQuality(Fit("converged", chi2), each)
     if residuals.size is not None and left:
         rms = float(np.sqrt(residuals.squares.sum() / residuals.count.sum()))
@@ -132,6 +135,22 @@ def quality(residuals: Residuals, runs: Sequence[Run], doubted: float = 0.0) -> 
             reason = f"the residuals are larger than errors of the sizes of [prior] would be ({prior * 1e3:.3g} um)"
             return FitQuality(Fit("misfit", None, tuple(one.run for one in each[:MOST_RUNS])), each, reason)
     return FitQuality(Fit("converged"), each)
+
+
+def with_reversed(judged: FitQuality, runs: Sequence[str]) -> FitQuality:
+    """A misfit where runs read as if their sign were reversed, surest first: the values follow them, too."""
+    if not runs:
+        return judged
+    named = f"run {runs[0]} reads" if len(runs) == 1 else f"runs {', '.join(runs)}: one of them at least reads"
+    reason = f"{named} as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)"
+    return replace(judged, fit=Fit("misfit", judged.fit.chi2, tuple(runs)), reason=reason)
+
+
+def _copies(residuals: Residuals, runs: Sequence[Run]) -> str:
+    if not residuals.copied:
+        return ""
+    named = enumerated([runs[index].id for index in residuals.copied[:MOST_RUNS]])
+    return f"; repeats of {named} are equal to the last digit, which makes this noise too small: are rows copied?"
 
 
 def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidual, ...]:

@@ -2,18 +2,25 @@
 
 from collections.abc import Sequence
 
+from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up import is_straightness
 from trueaxis.identify.report import ComponentReport
 from trueaxis.identify.words import enumerated
 from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.model import MachineModel
+
+SLOW = 3.0  # slow over white noise: instruments drift by about as much as they scatter
+FAR = 3.0  # times the size of [prior], from where on a size is reported
 
 
 def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str, ...]:
     """Dimensions that nobody gave."""
     silent = [n for n in machine.parameters if n not in machine.location_errors and n not in given.parameters]
-    return (f"{enumerated(silent)}: not given (--known), taken as zero",) if silent else ()
+    if not silent:
+        return ()
+    return (f"dimensions {enumerated(silent)} are not given (--known); they are taken as zero",)
 
 
 def weak_notes(components: Sequence[ComponentReport]) -> tuple[str, ...]:
@@ -36,3 +43,42 @@ def alignment_notes(machine: IdentifiedMachine, observed: Observations) -> tuple
         "squareness, and rotations found from several such lines, rest on that, which u does not hold; --method global "
         "fits offset and slope of each line",
     )
+
+
+def estimate_notes(model: MachineModel, found: Estimate, given: ErrorValues) -> tuple[str, ...]:
+    """On an estimate: what was taken as known, and where readings and expectations are far apart."""
+    notes = []
+    fixed = [name for name in model.location_errors if name in given.parameters]
+    if fixed:
+        zero = [name for name in fixed if given.parameters[name] == 0.0]
+        what = f", {enumerated(zero)} as exactly 0" if zero else ""
+        notes.append(
+            f"{enumerated(fixed)}: taken as known{what}, without uncertainty (--known, --squareness known); "
+            "remove them from the file to have them estimated"
+        )
+    for name, one in found.noise.items():
+        if one.slow > SLOW * one.white:
+            notes.append(
+                f"the noise of {name} is mostly slow: its slow part, {one.slow * 1e3:.3g} um, is "
+                f"{one.slow / one.white:.2g} times its white part. Drift of the instrument looks like that, and so do "
+                "a wrong sign, a wrong point in setup.toml and an effect that the model lacks; diagnose tells more"
+            )
+    expected = {
+        "translation": (model.prior.translation * 1e3, "translation_um"),
+        "rotation": (model.prior.rotation * 1e6, "rotation_urad"),
+        "location rad": (model.prior.location_angle * 1e6, "location_urad"),
+        "location mm": (model.prior.location_length * 1e3, "location_um"),
+    }
+    for kind, (size, key) in expected.items():
+        factor = found.factors.get(kind, 1.0)
+        if not 1.0 / FAR <= factor <= FAR:
+            notes.append(
+                f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g}: more than a "
+                f"factor of {FAR:g} apart; the estimate takes the size that the readings show"
+            )
+    if found.outliers.any():
+        notes.append(
+            f"{int(found.outliers.sum())} of {found.outliers.size} readings are left out as outliers: they lie too far "
+            "from the other readings of their run"
+        )
+    return tuple(notes)

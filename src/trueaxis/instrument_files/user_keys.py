@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Literal
 
@@ -10,6 +11,11 @@ from trueaxis.faults import Fault
 from trueaxis.instrument_files.numbers import decimal
 from trueaxis.plain_text import shown
 
+# Of --map; those that end with a point have a name behind it: of an axis, a column.
+KEYS = (
+    "id", "instrument", "axis", "target", "target.point", "direction", "frame", "reference", "reference.point", "zero",
+    "length", "plane", "compensation", "at.", "home.", "column.", "unit.",
+)  # fmt: skip
 Source = Literal["user", "default"]
 LONGEST_SHOWN = 60  # characters of a value in a message
 
@@ -46,6 +52,18 @@ class UserKeys:
     def of_run(self, file: str, run: str) -> "RunKeys":
         """The keys of one run of a file."""
         return RunKeys(self, file, run)
+
+    def unknown(self) -> list[Fault]:
+        """A fault for every key that no file ever asks for."""
+        found = []
+        for given in self.given:
+            key = given.rpartition(":")[2]
+            if key not in KEYS and not any(known.endswith(".") and key.startswith(known) for known in KEYS):
+                named = [known + "NAME" if known.endswith(".") else known for known in KEYS]
+                close = get_close_matches(key, named, n=1)
+                remedy = f"did you mean {close[0]}?" if close else f"known: {', '.join(named)}"
+                found.append(Fault("--map", shown(given, LONGEST_SHOWN), "is no key", remedy))
+        return found
 
     def unused(self) -> list[Fault]:
         """A fault for every key that no run asked for."""

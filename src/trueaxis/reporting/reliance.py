@@ -1,6 +1,6 @@
 """How far a result relies on what was measured, in sentences."""
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensate.reliance import Reliance
@@ -10,17 +10,32 @@ from trueaxis.runtime.extent import UncertaintyExtent
 from trueaxis.runtime.measured_range import BeyondMeasured
 from trueaxis.spec.machine import LINEAR
 
+_CONTINUED = "the curve is continued there, which nothing supports"
 NOTICEABLE = 0.001  # mm: a displacement at home that a work offset shows
 
 
-def range_sentences(beyond: Iterable[BeyondMeasured], total: int) -> list[str]:
-    """One for each range that was left, of `total` positions."""
-    return [
+def range_sentences(beyond: Sequence[BeyondMeasured], total: int) -> list[str]:
+    """One for each range that was left, of `total` positions; one for each axis whose curves rest on the prior."""
+    found = [
         f"{one.count} of {total} positions lie beyond what was measured: {', '.join(one.components)} "
-        f"from {one.axis} = {one.low:g} to {one.high:g} {_unit(one.axis)}, used at {_reached(one)}; "
-        "the curve is continued there, which nothing supports"
+        f"from {one.axis} = {one.low:g} to {one.high:g} {_unit(one.axis)}, used at {_reached(one)}; {_CONTINUED}"
         for one in beyond
+        if not one.by_prior
     ]
+    for axis in dict.fromkeys(one.axis for one in beyond if one.by_prior):
+        of_axis = [one for one in beyond if one.by_prior and one.axis == axis]
+        found.append(
+            f"up to {max(one.count for one in of_axis)} of {total} positions lie beyond the measured range of {axis} "
+            f"({_ranges(of_axis)}): the curves rest on [prior] of the spec there, and u says how far"
+        )
+    return found
+
+
+def _ranges(beyond: Sequence[BeyondMeasured]) -> str:
+    """`EXX, EYX 10 to 400 mm, EZX 20 to 380 mm`."""
+    return ", ".join(
+        f"{', '.join(one.components)} {one.low:g} to {one.high:g} {_unit(one.axis)}" for one in beyond
+    )  # fmt: skip
 
 
 def open_sentence(points: int, total: int, largest: float, names: Sequence[str]) -> str:
@@ -53,7 +68,7 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
     if extent.unknown < extent.points:
         of = " of the positions where it is known" if extent.unknown else ""
         prior = extent.largest_u_prior
-        part = "" if not prior else f"; largest part of one that rests on [prior] of the spec: {_um(prior)}"
+        part = "" if not prior else f" (largest part from [prior] of the spec: {_um(prior)})"
         found.append(
             f"largest standard uncertainty of the tool point {where}{of}, from home: {_um(extent.largest_u)}{part}"
         )
@@ -72,7 +87,7 @@ def prior_sentences(errors: ErrorValues, named: Collection[str]) -> list[str]:
     if errors.covariance is None or not told:
         return []
     names = [name for name in (*errors.motion_errors, *errors.parameters) if name in told]
-    return [f"no reading told {', '.join(names)}: they rest on [prior] of the spec, and so does their part of u"]
+    return [f"the readings do not determine {', '.join(names)}: their values and u rest on [prior] of the spec"]
 
 
 def program_sentences(reliance: Reliance) -> list[str]:
@@ -95,9 +110,16 @@ def program_sentences(reliance: Reliance) -> list[str]:
         )
     found += [
         f"the program leaves what was measured: {', '.join(one.components)} from {one.axis} = {one.low:g} to "
-        f"{one.high:g} {_unit(one.axis)}, used at {_reached(one)}; the curve is continued there, which nothing supports"
+        f"{one.high:g} {_unit(one.axis)}, used at {_reached(one)}; {_CONTINUED}"
         for one in reliance.beyond
+        if not one.by_prior
     ]
+    for axis in dict.fromkeys(one.axis for one in reliance.beyond if one.by_prior):
+        of_axis = [one for one in reliance.beyond if one.by_prior and one.axis == axis]
+        found.append(
+            f"the program leaves the measured range of {axis} ({_ranges(of_axis)}): the curves rest on [prior] of the "
+            "spec there, and u says how far"
+        )
     return found
 
 
@@ -125,6 +147,13 @@ def above_sentence(u: float, limit: float) -> str:
     """Why a result is refused by --max-u; u: the largest standard uncertainty, infinite where none is known, mm."""
     known = f"the largest standard uncertainty is {_um(u)}" if isfinite(u) else "an uncertainty is not known"
     return f"{known}, and --max-u allows {_um(limit)}"
+
+
+def error_free_sentences(error_free: bool) -> list[str]:
+    """error_free: whether every error value is zero, or none is there."""
+    if not error_free:
+        return []
+    return ["every error value is zero or missing: the model is that of a machine without errors, nothing is corrected"]
 
 
 def misfit_sentence(fit: Fit) -> str:

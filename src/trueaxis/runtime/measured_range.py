@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.runtime.curves import FloatArray
+from trueaxis.runtime.curves import FloatArray, TableCurve
 from trueaxis.runtime.errors import ErrorValues
 
 ROUNDING = 1e-6  # mm or deg: positions that agree so far are the same position
@@ -15,7 +15,8 @@ ROUNDING = 1e-6  # mm or deg: positions that agree so far are the same position
 class BeyondMeasured:
     """Positions of an axis beyond what was measured of some of its components.
 
-    low, high: what was measured, mm or deg; lowest, highest: of the positions beyond; count: how many these are.
+    low, high: what was measured, mm or deg; lowest, highest: of the positions beyond; count: how many these are;
+    by_prior: whether the curves rest on the prior there, whose uncertainty is in that of the values.
     """
 
     axis: str
@@ -25,6 +26,7 @@ class BeyondMeasured:
     lowest: float
     highest: float
     count: int
+    by_prior: bool = False
 
 
 def beyond_measured(errors: ErrorValues, axes: Sequence[str], positions: FloatArray) -> tuple[BeyondMeasured, ...]:
@@ -33,17 +35,26 @@ def beyond_measured(errors: ErrorValues, axes: Sequence[str], positions: FloatAr
     axes: letters of the rows of positions, (n_axes, n), mm or deg. Curves that do not say what was measured count as
     measured everywhere.
     """
-    ranges: dict[tuple[str, float, float], list[str]] = {}
+    ranges: dict[tuple[str, float, float, bool], list[str]] = {}
     for name, curve in errors.motion_errors.items():
         if curve.measured is not None:
-            ranges.setdefault((name[2], *curve.measured), []).append(name)
+            by_prior = not isinstance(curve, TableCurve) and curve.u_prior is not None
+            ranges.setdefault((name[2], *curve.measured, by_prior), []).append(name)
     found = []
-    for (axis, low, high), names in ranges.items():
+    for (axis, low, high, by_prior), names in ranges.items():
         at = positions[list(axes).index(axis)]
         beyond = at[(at < low - ROUNDING) | (at > high + ROUNDING)]
         if beyond.size:
             ends = {"lowest": float(np.min(beyond)), "highest": float(np.max(beyond))}
             found.append(
-                BeyondMeasured(axis=axis, components=tuple(names), low=low, high=high, count=beyond.size, **ends)
+                BeyondMeasured(
+                    axis=axis,
+                    components=tuple(names),
+                    low=low,
+                    high=high,
+                    count=beyond.size,
+                    by_prior=by_prior,
+                    **ends,
+                )
             )
     return tuple(found)

@@ -11,7 +11,7 @@ from trueaxis.effects.kind import Effect, Kind, Place
 from trueaxis.faults import Faults
 from trueaxis.runtime.believable import check_believable
 from trueaxis.runtime.context import Context, ReadingContext
-from trueaxis.runtime.curves import FloatArray, evaluate_components, pack_polynomials
+from trueaxis.runtime.curves import FloatArray, TableCurve, evaluate_components, pack_polynomials
 from trueaxis.runtime.effect_terms import component_term, reading_term
 from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, read_errors
@@ -111,6 +111,17 @@ class MachineModel:
             angle = float(values.vector(self.kinds[values.effect.kind])[0])
             found[self.parameters.index(values.effect.component or "")] += angle
         return found
+
+    @property
+    def error_free(self) -> bool:
+        """Whether every error value is zero, or none is there."""
+        values = self.errors
+        numbers = [one for name in self.location_errors if (one := values.parameters.get(name, 0.0))]
+        for curve in values.motion_errors.values():
+            numbers += curve.values if isinstance(curve, TableCurve) else curve.coefficients
+        for effect in values.effects:
+            numbers += effect.parameters.values()
+        return not any(numbers)
 
     @cached_property
     def _curves(self) -> FloatArray | None:

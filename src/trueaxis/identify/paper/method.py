@@ -7,6 +7,7 @@ from scipy.sparse import csr_array
 
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import copied_runs
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.fit_quality import (
     FitQuality,
@@ -115,7 +116,8 @@ def _quality(
         known = np.array([of_run[run] for run in cells.run.tolist()])
     squares = cells.repeats * solution.residual**2 + cells.scatter
     size = expected_sizes(machine, observed.runs, cells.run, cells.positions)
-    return quality(Residuals(cells.run, cells.repeats, squares, known, size, found.freedom), observed.runs)
+    copied = tuple(copied_runs(observed).tolist()) if given_um is None else ()
+    return quality(Residuals(cells.run, cells.repeats, squares, known, size, found.freedom, copied), observed.runs)
 
 
 def _uncertainty(
