@@ -55,7 +55,7 @@ def test_no_step_makes_the_values_less_likely(times: float) -> None:
         assert np.allclose(after.unknowns, posterior.mean * state.layout.sizes)
     else:  # the whole of it would have: it is halved as often as is needed, and no more
         assert misfit(at_share(state, step), step, own_scales) > before
-        share = after.unknowns @ state.layout.sizes / (step.mean * state.layout.sizes @ state.layout.sizes)
+        share = float(after.unknowns @ state.layout.sizes / (step.mean * state.layout.sizes @ state.layout.sizes))
         assert np.log2(share) == pytest.approx(round(np.log2(share)), abs=1e-6)
         assert misfit(at_share(state, step, 2.0 * share), step, own_scales) > before
 

@@ -148,13 +148,13 @@ def test_where_a_curve_is_sampled_makes_no_difference() -> None:
 
 
 def off(errors: Path) -> float:
-    """Error of the predicted tool point from home at 300 positions of the volume, um RMS."""
+    """Root mean square of a coordinate of the error of the predicted tool point, from home, over the volume, um."""
     model, true = (load_model(MACHINE, path, ROOT / "generated") for path in (errors, ERRORS))
     draw = np.random.default_rng(9)
     positions = np.array([draw.uniform(*model.travel[axis], 300) for axis in model.axes])
     tool, home = np.zeros((3, 1)), home_of(model)
     moved = [one.deviation(positions, tool) - one.deviation(home, tool) for one in (model, true)]
-    return 1e3 * float(np.sqrt(((moved[0] - moved[1]) ** 2).sum(axis=0).mean()))
+    return 1e3 * float(np.sqrt(((moved[0] - moved[1]) ** 2).mean()))
 
 
 def test_readme_s_way_loses_little(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -17,9 +17,10 @@ from pathlib import Path
 from tests.worlds.campaign_tables import tables
 from tests.worlds.estimates import GIVEN, Outcome, World, outcome, world
 
+CURVES = ("smooth", "prior")
 # machines of a design in turn: half of them draws of a prior; [prior] as nobody has touched it, right, or wrong
-KINDS = tuple((curves, given) for given in GIVEN for curves in ("smooth", "prior"))
-A_TURN = len(KINDS)
+KINDS = tuple((CURVES[(k + start) % 2], given) for start in range(2) for k, given in enumerate(GIVEN))
+A_TURN = len(GIVEN)
 SEEDS_APART = 1000  # machines of a design at most
 
 

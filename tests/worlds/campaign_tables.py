@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -10,14 +11,16 @@ from tests.worlds.design import Design, draw_design
 from trueaxis.identify.notes import FAR
 
 Line = Mapping[str, Any]
-NEAR = 2.0  # factor within which a size counts as found
+NEAR = 2.0  # factor within which a size counts as estimated
+OFF = (1.0, 2.0, 3.0, 5.0, 20.0, np.inf)  # factors by which [prior] is off
 
 
 @dataclass(frozen=True, kw_only=True)
 class Figures:
-    """Of some machines: root mean squares, um; share of the mean square that is left of doing nothing; error over that
-    of the oracle, with the standard uncertainty of that figure; coverage of smooth curves and of draws of a prior, and
-    the standard uncertainty of that of all; share of machines worse than doing nothing, and the worst one's factor.
+    """Of some machines: root mean squares of a coordinate, um; share of the mean square that is left of doing nothing;
+    error over that of the oracle, with the standard uncertainty of that figure; coverage of smooth curves and of draws
+    of a prior, and the standard uncertainty of that of all; share of machines worse than doing nothing, and the worst
+    one's factor.
     """
 
     machines: int
@@ -104,7 +107,8 @@ def _summary(lines: Sequence[Line], each: Iterable[Figures]) -> Iterator[str]:
         f"{sum(ratio <= 1.15 for ratio in ratios)} of {len(ratios)} at most 1.15"
     )
     yield (
-        f"- coverage: {np.mean(coverage):.3f}; of draws of a prior {_mean(np.array(of_draws)):.3f}, "
+        f"- coverage: {np.mean(coverage):.3f} ± {together.u_coverage:.3f}; of draws of a prior "
+        f"{_mean(np.array(of_draws)):.3f}, "
         f"of curves that are none {_mean(np.array(others)):.3f}; oracle {together.oracle_coverage:.3f}"
     )
     yield f"- worse than doing nothing: {together.worse:.1%} of the machines, at worst by {together.worst:.2f} times"
@@ -164,25 +168,23 @@ def _by_given(lines: Sequence[Line]) -> Iterator[str]:
 
 
 def _sizes(lines: Sequence[Line]) -> Iterator[str]:
-    """By class: how far estimated sizes are from the true ones, and what is said of a wrong [prior]."""
+    """By class and by how far [prior] is off: how far the estimated size is, and how often [prior] is said to be."""
     yield from _head(
-        "sizes of", "[prior]", "machines", "given/true, median", "estimated/true, median (16 %, 84 %)",
-        f"found within {NEAR:g}", "said to be wrong",
+        "sizes of", "[prior] off by", "machines", f"estimated within {NEAR:g}", "estimated/true: 16 %, median, 84 %",
+        "said to be off",
     )  # fmt: skip
-    kinds = dict.fromkeys(kind for line in lines for kind in line["sizes"])
-    for kind in kinds:
-        for given in dict.fromkeys(line["given"] for line in lines):
-            own = np.array([line["sizes"][kind] for line in lines if line["given"] == given and kind in line["sizes"]])
-            if not own.size:
+    for kind in dict.fromkeys(kind for line in lines for kind in line["sizes"]):
+        every = np.array([line["sizes"][kind] for line in lines if kind in line["sizes"]])
+        off = np.exp(np.abs(np.log(every[:, 0] / every[:, 1])))
+        for low, high in pairwise(OFF):
+            stated, true, estimated = every[(off >= low) & (off < high)].T
+            if not true.size:
                 continue
-            stated, true, estimated = own.T
-            low, middle, high = np.quantile(estimated / true, [0.16, 0.5, 0.84])
-            found = np.mean(np.abs(np.log(estimated / true)) < np.log(NEAR))
+            spread = ", ".join(f"{value:.2f}" for value in np.quantile(estimated / true, [0.16, 0.5, 0.84]))
+            near = np.mean(np.abs(np.log(estimated / true)) < np.log(NEAR))
             said = np.mean(np.abs(np.log(estimated / stated)) > np.log(FAR))
-            yield _row(
-                kind, given, len(own), f"{np.median(stated / true):.2f}", f"{middle:.2f} ({low:.2f}, {high:.2f})",
-                f"{found:.0%}", f"{said:.0%}",
-            )  # fmt: skip
+            beyond = f"{low:g} to {high:g}" if np.isfinite(high) else f"more than {low:g}"
+            yield _row(kind, beyond, true.size, f"{near:.0%}", spread, f"{said:.0%}")
 
 
 def _head(*names: str) -> Iterator[str]:

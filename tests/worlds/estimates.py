@@ -68,9 +68,10 @@ class World:
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one machine, um, root mean squares over points, of vectors: true deviation, error of the estimate and of the
-    oracle, u of the estimate; coverage, oracle_coverage: share of the coordinates within 1.96 u; sizes: class -> given,
-    true and estimated, mm or rad, where the true one is the geometric mean over the members; seconds: of the estimate.
+    """Of one machine, um, root mean squares of a coordinate over points: true deviation, error of the estimate and of
+    the oracle, u of the estimate; coverage, oracle_coverage: share of the coordinates within 1.96 u; sizes: class ->
+    given, true and estimated, mm or rad, where the true one is the geometric mean over the members; seconds: of the
+    estimate.
     """
 
     true: float
@@ -165,5 +166,5 @@ def deviations(model: MachineModel, positions: Array) -> Array:
 
 
 def rms_um(vectors: Array) -> float:
-    """Root mean square of the lengths of vectors (n, 3), mm."""
-    return 1e3 * float(np.sqrt(np.mean(np.sum(vectors**2, axis=1))))
+    """Root mean square of a coordinate of vectors (n, 3), mm."""
+    return 1e3 * float(np.sqrt(np.mean(vectors**2)))

@@ -189,9 +189,9 @@ def prediction_columns(
 
 @dataclass(frozen=True)
 class Figures:
-    """Over machines, points and directions: root mean squares of the true deviation, of the error of the prediction and
-    of its u, um; share of the errors within 1.96 u; true deviation and error relative to the tool point at home, where
-    work offsets are touched off; whitened RMS of the readings.
+    """Over machines, points and coordinates: root mean squares of the true deviation, of the error of the prediction
+    and of its u, um; share of the errors within 1.96 u; true deviation and error relative to the tool point at home,
+    where work offsets are touched off; whitened RMS of the readings.
     """
 
     true_um: float
@@ -223,5 +223,5 @@ def figures(fits: Sequence[Fit], truths: Sequence[Truth], positions: Mapping[str
 
 
 def _rms_um(values: Sequence[Array]) -> float:
-    """Of vectors (..., 3), mm."""
-    return 1e3 * float(np.sqrt(np.mean(np.sum(np.array(values) ** 2, axis=-1))))
+    """Of a coordinate of vectors (..., 3), mm."""
+    return 1e3 * float(np.sqrt(np.mean(np.array(values) ** 2)))
