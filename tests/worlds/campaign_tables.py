@@ -108,7 +108,8 @@ def _summary(lines: Sequence[Line], each: Iterable[Figures]) -> Iterator[str]:
     )
     yield (
         f"- coverage: {np.mean(coverage):.3f} ± {together.u_coverage:.3f}; "
-        f"of draws of a prior {_mean(np.array(of_draws)):.3f}, of curves that are none {_mean(np.array(others)):.3f}; oracle {together.oracle_coverage:.3f}"
+        f"of draws of a prior {_mean(np.array(of_draws)):.3f}, "
+        f"of curves that are none {_mean(np.array(others)):.3f}; oracle {together.oracle_coverage:.3f}"
     )
     yield f"- worse than doing nothing: {together.worse:.1%} of the machines, at worst by {together.worst:.2f} times"
     yield f"- not converged: {np.mean([not line['converged'] for line in lines]):.1%}"
