@@ -4,6 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from tests.plan.data import folder, model
 from tests.plan.promise import NOISE, TOOL, outcomes, prior_sizes, ratio, shop
@@ -16,6 +18,8 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.tool_point import moved_by, tool_point, volume
 from trueaxis.measure.machine import FloatArray
+from trueaxis.plan.candidates import Kit, candidates
+from trueaxis.plan.runs import no_runs
 from trueaxis.runtime.errors import ErrorValues
 
 GIVEN = ErrorValues("dmu60p")
@@ -117,6 +121,35 @@ def test_a_turn_of_the_whole_volume_counts_from_home_alone(found: Estimate) -> N
     ]
     assert min(signs) < 1e-9 * max(signs)  # the one is a turn, the other a squareness
     assert np.linalg.norm(home @ turn) > 0.1
+
+
+def test_a_probed_plate_does_not_tell_how_the_volume_is_turned() -> None:
+    """Plates in all planes: their form tells the errors, how each is aligned is not known to microradians."""
+    every = candidates(model(), Kit(instruments=("probe",)))
+    plan = no_runs("plates", model().axes).with_added(every)
+    seen = expected(model(), plan.observed, GIVEN, noise(plan.observed))
+    home, placed = (tool_point(seen, volume(model()), TOOL, datum).u for datum in ("home", "best-fit"))
+    lines = no_runs("lines", model().axes).with_added(candidates(model(), Kit(instruments=("laser",))))
+    by_lines = expected(model(), lines.observed, GIVEN, noise(lines.observed))
+    assert home.mean() > 3.0 * placed.mean()
+    # the squareness is told, the turn is not: together with lines as little as by lines alone
+    both = no_runs("both", model().axes).with_added([*every, *candidates(model(), Kit(instruments=("laser",)))])
+    u_both = tool_point(expected(model(), both.observed, GIVEN, noise(both.observed)), volume(model()), TOOL).u
+    assert u_both.mean() > 0.7 * tool_point(by_lines, volume(model()), TOOL).u.mean()
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.permutations(range(18)), st.integers(1, 18))
+def test_order_does_not_matter_and_more_runs_tell_more(order: list[int], count: int) -> None:
+    runs = folder("dmu60p_runs")
+    ids = [runs.runs[index].id for index in order]
+    few, whole = runs.of(ids[:count]).observed, runs.observed
+    points = volume(model())[:, :20]
+    one, other = (tool_point(expected(model(), of, GIVEN, noise(of)), points, TOOL).u for of in (few, whole))
+    assert (other <= one * (1.0 + 1e-9)).all()
+    shuffled = replace(whole, runs=tuple(whole.runs[index] for index in order), run=np.argsort(order)[whole.run])
+    again = tool_point(expected(model(), shuffled, GIVEN, noise(whole)), points, TOOL).u
+    np.testing.assert_allclose(again, other, rtol=1e-7)
 
 
 @pytest.mark.slow

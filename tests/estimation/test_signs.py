@@ -7,8 +7,8 @@ import pytest
 
 from tests.estimation.test_effects import KNOWN
 from tests.generator.dmu60p import cubic_errors
+from tests.identify.data import mixed_data
 from tests.identify.effect_data import model_with
-from tests.identify.test_global import mixed_data
 from trueaxis.estimation.observations import Observations
 from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 

@@ -1,14 +1,22 @@
 """Measuring plans of the paper in a few lines, and readings of them from the independent generator."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 
+from tests.generator.dmu60p import PARAMETERS
+from tests.generator.dmu60p import dmu60p as generator
 from tests.generator.instruments import ball_bar, laser
-from tests.generator.machine import Generator
+from tests.generator.machine import Function, Generator
 from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn, Run, Vector
+from trueaxis.runtime.model import MachineModel, load_model
+
+ROOT = Path(__file__).parents[2]
 
 AXES = ("X", "Y", "Z")
 TRAVEL = {"X": 540.0, "Y": 700.0, "Z": 600.0}
@@ -85,3 +93,53 @@ def observed(machine: Generator, runs: Sequence[Run], positions: Sequence[FloatA
 def paper_data(machine: Generator, count: int = 10, p9: Vector = P9_REGULAR) -> Observations:
     runs = paper_runs(p9)
     return observed(machine, runs, [line(moving(run), count) for run in runs])
+
+
+@cache
+def dmu60p_model() -> MachineModel:
+    """The checked-in kernels of the paper's machine."""
+    return load_model(ROOT / "machines" / "dmu60p.toml", None, ROOT / "generated", backend="numpy")
+
+
+def bar(run_id: str, height: float, length: float = 150.0) -> Run:
+    tool_ball, table_ball = PointOn("tool", (0.0, 0.0, -height)), PointOn("workpiece", (20.0, 30.0, 10.0))
+    return Run(run_id, "ballbar", tool_ball, table_ball, "bed", HOME, length=length)
+
+
+def circle(run: Run, plane: tuple[int, int], count: int) -> FloatArray:
+    """Positions that take the tool ball round the workpiece ball at the nominal length, the third axis still."""
+    tool_frame, table_frame = (np.array([PARAMETERS[f"q_{body}{letter}"] for letter in "xyz"]) for body in "Tw")
+    at_home = tool_frame + run.target.point - table_frame
+    angle = 2.0 * np.pi * np.arange(count) / count
+    moved = np.repeat((np.array(run.reference.point) - at_home)[:, np.newaxis], count, axis=1)
+    assert run.length is not None
+    moved[plane[0]] += run.length * np.cos(angle)
+    moved[plane[1]] += run.length * np.sin(angle)
+    moved[1] *= -1.0  # Y carries the workpiece
+    return moved
+
+
+def mixed_data(truth: dict[str, Function], count: int = 10, seed: int | None = None) -> Observations:
+    """The paper's runs and two ball-bar circles, with 0.3 um of noise where a seed is given."""
+    lasers = paper_runs()
+    bars = (bar("xy", 600.0), bar("xz", 680.0, 120.0))  # the tool frame is 400 mm above the table
+    positions = [line(moving(run), count) for run in lasers]
+    positions += [circle(bars[0], (0, 1), 36), circle(bars[1], (0, 2), 36)]
+    data = observed(generator(truth), (*lasers, *bars), positions)
+    return data if seed is None else noisy(data, seed)
+
+
+def noisy(data: Observations, seed: int, sigma: float = 3e-4) -> Observations:
+    noise = np.random.default_rng(seed).normal(0.0, sigma, data.reading.size)
+    return replace(data, reading=data.reading + noise)
+
+
+def joined(*parts: Observations) -> Observations:
+    starts = np.cumsum([0, *(len(part.runs) for part in parts)])
+    return Observations(
+        "readings.csv",
+        tuple(run for part in parts for run in part.runs),
+        np.concatenate([part.run + start for part, start in zip(parts, starts, strict=False)]),
+        np.hstack([part.positions for part in parts]),
+        np.concatenate([part.reading for part in parts]),
+    )

@@ -10,9 +10,7 @@ from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
 from tests.generator.instruments import ball_bar, laser
 from tests.generator.machine import Function
-from tests.identify.data import AXES, TRAVEL, line, moving, paper_runs
-from tests.identify.machines import dmu60p
-from tests.identify.test_global import bar, circle
+from tests.identify.data import AXES, TRAVEL, bar, circle, line, moving, paper_runs
 from tests.identify.test_paper import DIMENSIONS
 from tests.kernels import kernels_at
 from tests.machines import DMU60P, FIVE_AXIS, machine_at
@@ -74,7 +72,7 @@ def plan(count: int = 7, samples: int = 24, even: bool = False) -> tuple[list[Ru
         paths.append(np.hstack([away, away[:, ::-1] * (1.0 if even else 0.995)]))
         feeds.append(np.nan)
     for ball, plane in ((bar("xy", 600.0), (0, 1)), (bar("xz", 680.0), (0, 2))):
-        around = circle(dmu60p(), ball, plane, samples)
+        around = circle(ball, plane, samples)
         for sign in (1, -1):
             for feed in FEEDS:
                 runs.append(replace(ball, id=f"{ball.id}{sign:+d}F{feed:g}"))

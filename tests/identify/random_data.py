@@ -47,18 +47,17 @@ PAPER_OPTIONS = (
 )
 GLOBAL_OPTIONS = (
     (),
-    ("--degree", "auto"),
-    ("--degree", "30"),
+    ("--degree", "18"),
     ("--degree", "1"),
-    ("--robust", "huber"),
-    ("--robust", "tukey", "--degree", "auto"),
+    ("--prior", "none"),
+    ("--prior", "none", "--degree", "18"),
+    ("--prior", "none", "--instruments", "ideal", "--noise-um", "0.3"),
+    ("--squareness", "convention", "--prior", "none", "--noise-um", "1e-6"),
     ("--noise-um", "repeats"),
     ("--noise-um", "repeats-by-run"),
     ("--noise-um", "laser=0.3,ballbar=1,probe=2"),
     ("--noise-um", "1e4"),
     ("--instruments", "ideal"),
-    ("--instruments", "offset,centre"),
-    ("--noise-um", "0.3", "--robust", "huber"),
 )
 
 

@@ -1,6 +1,6 @@
 """Measuring plans drawn at random, with readings of errors drawn at random: lines and circles with offsets.
 
-`python -m tests.identify.random_plans 10` prints how the global method ended on so many of them.
+`python -m tests.identify.random_plans 10` prints how the estimate ended on so many of them.
 """
 
 import sys
@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.estimation.observations import Observations
+from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 from trueaxis.identify.fit_quality import NotConvergedError
-from trueaxis.identify.global_fit.method import identify_global
-from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.measure.setup import Carrier, Instrument, PointOn, Run, Vector
@@ -149,11 +149,11 @@ class Outcome:
     off_in_u: float = np.nan
 
 
-def outcome(one: Drawn, options: GlobalOptions, points: int = 500) -> Outcome:
+def outcome(one: Drawn, options: EstimateOptions, points: int = 500) -> Outcome:
     """Identify, and compare with the truth."""
     known = ErrorValues(one.model.name, dimensions(one.model, one.truth))
     try:
-        found = identify_global(one.model, one.observed, replace(options, known=known))
+        found = identify_estimated(one.model, one.observed, replace(options, known=known))
     except NotConvergedError as failure:
         return Outcome("not converged", failure.runs[0].rms_um / one.noise_um)
     fit = found.values.fit
@@ -186,7 +186,7 @@ def main(count: int) -> None:
         name = MACHINES[seed % len(MACHINES)]
         lines, circles, readings = (int(rng.integers(*ends)) for ends in ((5, 40), (0, 8), (20, 250)))
         one = drawn(rng, name, lines, circles, readings, 0.3)
-        end = outcome(one, GlobalOptions(noise_um=one.noise_um))
+        end = outcome(one, EstimateOptions(noise=NoiseModel(um=one.noise_um)))
         print(
             f"{seed:3d} {name:14s} {lines:3d} lines {circles:2d} circles {one.observed.reading.size:6d} readings: "
             f"{end.state:13s} residual/noise {end.ratio:8.3f}; anywhere off by {end.off_um:8.2f} of "

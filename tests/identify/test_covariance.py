@@ -10,27 +10,24 @@ from typing import Any
 import numpy as np
 import polars as pl
 import pytest
-from scipy import stats
 
 from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
-from tests.identify.data import line, observed, paper_data, tool
+from tests.identify.data import mixed_data, noisy, paper_data
 from tests.identify.test_command import KERNELS, MACHINE, identify, known, simulated
-from tests.identify.test_global import CONVENTION, KNOWN, mixed_data
-from tests.identify.test_instruments import joined
-from tests.identify.test_paper import level
+from tests.identify.test_estimated import CONVENTION, KNOWN
 from trueaxis.cli import main
 from trueaxis.estimation.observations import Observations
 from trueaxis.faults import InputError
 from trueaxis.identify.curve_fit import in_polynomials
-from trueaxis.identify.global_fit.design import Design
-from trueaxis.identify.global_fit.method import fit_global, identify_global
-from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.estimated import Choice, identify_estimated
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
-from trueaxis.measure.columns import BoolArray
+from trueaxis.identify.report import Identification
+from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.points import PRIOR_COLUMNS, UNCERTAINTY_COLUMNS
+from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.bases import Basis, HatBasis, LegendreBasis, PowerBasis
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.covariance_file import dump_covariance, read_covariance
@@ -50,7 +47,8 @@ def legendre(found: Covariance) -> list[tuple[str, LegendreBasis]]:
     return [(name, basis) for name, basis in pairs if isinstance(basis, LegendreBasis)]
 
 
-LEAST_SQUARES = ["--method", "global", "--prior", "none", "--degree", "3", "--squareness", "known"]
+LEAST_SQUARES = ["--prior", "none", "--degree", "3", "--squareness", "known", "--instruments", "ideal"]
+QUIET_UM = 0.01  # with more noise some combinations are open
 TOOL = np.array([[12.0], [-35.0], [60.0]])
 AT = np.array([[0.0, 540.0, 200.0, 33.0], [0.0, 700.0, 100.0, 650.0], [0.0, 600.0, 333.0, 10.0]])
 SIGMA = 3e-4
@@ -72,16 +70,24 @@ def values_of(found: Covariance, values: FloatArray, others: dict[str, float]) -
     return ErrorValues("dmu60p", {**others, **located}, curves)
 
 
-def identified(options: GlobalOptions) -> tuple[MachineModel, Covariance]:
-    found = identify_global(machine(), mixed_data(cubic_errors(), 8), options)
-    assert found.covariance is not None
-    return machine().with_values(ErrorValues("dmu60p", PARAMETERS)), found.covariance
+@cache
+def identified(squareness: Choice, count: int = 6) -> Identification:
+    options = replace(KNOWN if squareness == "known" else CONVENTION, degree=3)
+    found = identify_estimated(
+        machine(), mixed_data(cubic_errors(), count), replace(options, noise=NoiseModel(um=QUIET_UM))
+    )
+    assert found.covariance.open.shape[1] == 0
+    return found
+
+
+def model_and_covariance(squareness: Choice) -> tuple[MachineModel, Covariance]:
+    return machine().with_values(ErrorValues("dmu60p", PARAMETERS)), identified(squareness).covariance
 
 
 def test_derivative_is_that_of_finite_differences() -> None:
-    model, found = identified(replace(CONVENTION, degree=4, noise_um=0.3))
+    model, found = model_and_covariance("convention")
     analytic = derivative(model, found, AT, TOOL)
-    scale = np.sqrt(np.diag(found.matrix))
+    scale = 1e-3 + np.sqrt(np.diag(found.matrix))
     for index in range(found.count):
         step = np.zeros(found.count)
         step[index] = scale[index]
@@ -96,8 +102,10 @@ def test_derivative_is_that_of_finite_differences() -> None:
 
 def test_predicted_uncertainty_is_the_scatter_of_drawn_error_values() -> None:
     """JCGM 101: 4000 draws of all values through the exact model; standard error of a standard deviation 1.1 %."""
-    model, found = identified(replace(CONVENTION, degree=3, noise_um=0.3))
-    factor = np.linalg.cholesky(found.matrix + 1e-14 * np.diag(np.diag(found.matrix)))
+    model, found = model_and_covariance("convention")
+    scale = np.sqrt(np.diag(found.matrix)) + 1e-30
+    squares, directions = np.linalg.eigh(found.matrix / np.outer(scale, scale))
+    factor = scale[:, np.newaxis] * directions * np.sqrt(np.maximum(squares, 0.0))
     draws = np.random.default_rng(4).normal(size=(4000, found.count)) @ factor.T
     deviations = np.array(
         [
@@ -108,25 +116,6 @@ def test_predicted_uncertainty_is_the_scatter_of_drawn_error_values() -> None:
     u = predicted_u(model, found, AT, TOOL)
     from_home = deviations - deviations[:, :, :1]
     assert np.allclose(from_home.std(axis=0)[:, 1:], u[:, 1:], rtol=0.05)
-
-
-@pytest.mark.slow
-def test_predicted_uncertainty_is_the_scatter_of_repeated_identification() -> None:
-    """The whole way: noise on the readings, identification, prediction. 120 draws: standard error 6.5 %."""
-    options = replace(KNOWN, degree=3, noise_um=0.3)
-    clean = mixed_data(cubic_errors(), 6)
-    base = identify_global(machine(), clean, options)
-    assert base.covariance is not None
-    u = predicted_u(machine().with_values(base.values), base.covariance, AT[:, 1:], TOOL)
-    source, found = np.random.default_rng(9), []
-    for _ in range(120):
-        noisy = replace(clean, reading=clean.reading + source.normal(0.0, SIGMA, clean.reading.size))
-        values = identify_global(machine(), noisy, options).values
-        deviation = machine().with_values(values).view_deviation("tool_in_workpiece", AT, TOOL)
-        found.append(deviation[:, 1:] - deviation[:, :1])  # from home
-    spread = np.std(np.array(found), axis=0) / u
-    assert np.all((spread > 0.75) & (spread < 1.25)), spread
-    assert spread.mean() == pytest.approx(1.0, abs=0.1)
 
 
 @pytest.mark.parametrize("fitted", [False, True], ids=["tables", "polynomials"])
@@ -164,106 +153,64 @@ def cubic(curve: Curve) -> PolynomialCurve:
     return PolynomialCurve((1, 2, 3), tuple((found / 700.0 ** np.array([1, 2, 3])).tolist()))
 
 
-@cache
-def coverage_case() -> tuple[Observations, GlobalOptions]:
-    """The paper's runs and a straightness run whose line is unknown; the truth is level over their positions."""
-    truth = level(cubic_errors(), 6)
-    run = tool("S", "y", (167.0, 30.0, -195.0))
-    line_of_its_own = observed(generator(truth), [run], [line("X", 6)])
-    slanted = line_of_its_own.reading + 0.004 + 1e-5 * line_of_its_own.positions[0]
-    return joined(paper_data(generator(truth), 6), replace(line_of_its_own, reading=slanted)), replace(
-        CONVENTION, degree=3
-    )
+def operator(data: Observations, found: Identification) -> FloatArray:
+    """(n_values, n_readings): least squares by NumPy, from central differences of the expected readings."""
+    columns = []
+    covariance = found.covariance
+    size = np.sqrt(np.diag(covariance.matrix))
+    for index in range(covariance.count):
+        step = np.zeros(covariance.count)
+        step[index] = size[index]
+        ends = [
+            expected_readings(
+                machine().with_values(values_of(covariance, sign * step, PARAMETERS)),
+                data.runs,
+                data.run,
+                data.positions,
+            )
+            for sign in (1.0, -1.0)
+        ]
+        columns.append((ends[0] - ends[1]) / 2.0)
+    return np.asarray(size[:, np.newaxis] * np.linalg.pinv(np.array(columns).T))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("noise_um", [0.3, None], ids=["given", "estimated"])
-def test_intervals_of_95_percent_cover_95_percent(noise_um: float | None) -> None:
+def coefficients(found: Identification) -> FloatArray:
+    return np.concatenate([found.values.motion_errors[name].coefficients for name in found.covariance.components])  # type: ignore[union-attr]
+
+
+def test_intervals_of_95_percent_cover_95_percent() -> None:
     """2000 draws of all readings' noise: every value and deviations anywhere, against the truth of the generator.
 
-    An estimate is linear in the readings within the size of the errors (1e-4): of each draw the identification is the
-    one without noise plus a matrix times the noise, which is held against whole identifications below.
+    Least squares are linear in the readings within the size of the errors (1e-4): of each draw the identification is
+    the one without noise, which gives the truth, plus a matrix times the noise. Whole identifications agree with that.
     """
-    clean, options = coverage_case()
-    options = replace(options, noise_um=noise_um)
-    fit = fit_global(machine(), replace(clean, reading=clean.reading + _noise(0, clean)), options)
-    base = identify_global(machine(), clean, replace(options, noise_um=0.3))
-    assert base.covariance is not None
-    operator, design, held = _operator(clean, options)
-    noise = np.random.default_rng(12).normal(0.0, SIGMA, (clean.reading.size, 2000))
-    moved = operator @ noise
-    n, freedom = fit.layout.of_machine, int(held.sum()) - fit.factors.rank
-    u = np.sqrt(np.diag(base.covariance.matrix))[:, np.newaxis]
-    quantile = float(stats.norm.ppf(0.975))
-    if noise_um is None:
-        left = noise - design @ (operator @ noise / fit.layout.scale[:, np.newaxis])
-        u = u * np.sqrt((left[held] ** 2).sum(axis=0) / freedom) / SIGMA
-        quantile = float(stats.t.ppf(0.975, freedom))
-    start = _values(base.covariance, base.values) - _true_values(base.covariance)
-    inside = np.abs(start[:, np.newaxis] + moved[:n]) <= quantile * u
-    each = inside.mean(axis=1)
+    clean = mixed_data(cubic_errors(), 6)
+    options = replace(KNOWN, degree=3)
+    base = identified("known")
+    sigma = QUIET_UM * 1e-3
+    gain = operator(clean, base)
+    u = np.sqrt(np.diag(base.covariance.matrix))
+    for seed in range(3):
+        spoilt = noisy(clean, seed, sigma)
+        whole = identify_estimated(machine(), spoilt, replace(options, noise=NoiseModel(um=QUIET_UM)))
+        off = coefficients(whole) - coefficients(base) - gain @ (spoilt.reading - clean.reading)
+        assert np.abs(off / u).max() < 1e-2
+    wrong = gain @ np.random.default_rng(12).normal(0.0, sigma, (clean.reading.size, 2000))
+    quantile = 1.959964
+    each = (np.abs(wrong) <= quantile * u[:, np.newaxis]).mean(axis=1)
     assert 0.94 < each.mean() < 0.96
     assert np.abs(each - 0.95).max() < 0.02  # 4 standard errors of 0.5 %
     model = machine().with_values(base.values)
     by_value = derivative(model, base.covariance, AT[:, 1:], TOOL) - derivative(model, base.covariance, AT[:, :1], TOOL)
-    wrong = np.einsum("ikn,kd->ind", by_value, start[:, np.newaxis] + moved[:n])
+    at_tool = np.einsum("ikn,kd->ind", by_value, wrong)
     of_point = predicted_u(model, base.covariance, AT[:, 1:], TOOL)[..., np.newaxis]
-    share = (np.abs(wrong) <= quantile * of_point * _ratio(u, base.covariance)).mean(axis=2)
+    share = (np.abs(at_tool) <= quantile * of_point).mean(axis=2)
     assert np.abs(share - 0.95).max() < 0.02
     assert 0.94 < share.mean() < 0.96
 
 
-def _ratio(u: FloatArray, found: Covariance) -> FloatArray:
-    """(n_draws,) or (1,): the noise estimated in each draw over the true one."""
-    return np.asarray(u[0] / np.sqrt(found.matrix[0, 0]))
-
-
-def _noise(seed: int, data: Observations) -> FloatArray:
-    return np.random.default_rng(seed).normal(0.0, SIGMA, data.reading.size)
-
-
-def _operator(data: Observations, options: GlobalOptions) -> tuple[FloatArray, FloatArray, BoolArray]:
-    """(n_unknowns, n_readings) from readings to unknowns in mm and rad; the scaled design; which rows are held."""
-    fit = fit_global(machine(), data, options)
-    design = np.zeros((data.reading.size, fit.layout.count))
-    for rows, piece in Design(fit.layout, data).pieces():
-        design[rows] = piece
-    scaled = fit.gauge.projector @ np.linalg.pinv(design, rcond=1e-6)
-    return scaled * fit.layout.scale[:, np.newaxis], design, np.asarray(design.any(axis=1))
-
-
-@pytest.mark.slow
-def test_the_linear_path_is_that_of_whole_identifications() -> None:
-    clean, options = coverage_case()
-    operator, _, _ = _operator(clean, options)
-    base = fit_global(machine(), clean, options)
-    for seed in range(3):
-        noise = _noise(seed, clean)
-        fit = fit_global(machine(), replace(clean, reading=clean.reading + noise), options)
-        assert fit.covariance is not None
-        off = fit.unknowns - base.unknowns - operator @ noise
-        assert np.abs(off / np.sqrt(np.diag(fit.covariance))).max() < 1e-2
-
-
-def _values(found: Covariance, values: ErrorValues) -> FloatArray:
-    """Coefficients of the bases, from curves at as many positions."""
-    total = []
-    for name, basis in legendre(found):
-        at = np.linspace(basis.low, basis.high, basis.degree + 1)[1:]
-        total += np.linalg.solve(basis(at).T, values.motion_errors[name](at)).tolist()
-    return np.array([*total, *(values.parameters[name] for name in found.locations)])
-
-
-def _true_values(found: Covariance) -> FloatArray:
-    truth, total = level(cubic_errors(), 6), []
-    for name, basis in legendre(found):
-        at = np.linspace(basis.low, basis.high, basis.degree + 1)[1:]
-        total += np.linalg.solve(basis(at).T, np.array([float(truth[name](s)) for s in at])).tolist()
-    return np.array([*total, *(PARAMETERS[name] for name in found.locations)])
-
-
 def test_commands_write_and_read_it(tmp_path: Path) -> None:
-    data = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.3")
+    data = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.05")
     out, file = tmp_path / "e.json", tmp_path / "c.npz"
     options = [*LEAST_SQUARES, "--known", str(known(tmp_path))]
     assert identify(data, out, *options, "--covariance", str(file)) == 0
@@ -283,7 +230,7 @@ def test_commands_write_and_read_it(tmp_path: Path) -> None:
 
 def test_what_is_open_has_no_uncertainty(tmp_path: Path) -> None:
     """The published points: what Z is rests on what they leave open; what X does along itself does not."""
-    data = simulated(tmp_path, "dmu60p_runs", "--noise-um", "0.3")
+    data = simulated(tmp_path, "dmu60p_runs", "--noise-um", "0.01")
     out, file = tmp_path / "e.json", tmp_path / "c.npz"
     options = [*LEAST_SQUARES, "--known", str(known(tmp_path))]
     assert identify(data, out, *options, "--covariance", str(file)) == 0
@@ -296,7 +243,7 @@ def test_what_is_open_has_no_uncertainty(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("damage", ["text", "cut", "machine", "shape"])
 def test_damaged_files_are_told(tmp_path: Path, damage: str) -> None:
-    _, found = identified(replace(KNOWN, degree=1, noise_um=0.3))
+    found = identified("known").covariance
     file = tmp_path / "c.npz"
     data = dump_covariance(replace(found, open=found.open[:3]) if damage == "shape" else found)
     file.write_bytes({"text": b"no archive", "cut": data[:-40]}.get(damage, data))
@@ -364,13 +311,49 @@ def test_bases_that_no_identification_writes_are_told(tmp_path: Path, basis: Bas
         read_covariance(file, machine().machine)
 
 
-def test_every_fault_of_the_options_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    data = simulated(tmp_path, "dmu60p_regular_runs")
-    capsys.readouterr()
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (
+            ["--robust", "huber", "--covariance", "c.txt", "--curves", "table"],
+            ["--robust", "--curves", "not a .npz file"],
+        ),
+        (
+            [
+                "--method",
+                "stepwise",
+                "--prior",
+                "none",
+                "--degree",
+                "3",
+                "--instruments",
+                "ideal",
+                "--noise-um",
+                "laser=1",
+            ],
+            ["--prior", "--degree", "--instruments", "--noise-um"],
+        ),
+    ],
+)
+def test_every_fault_of_the_options_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], told: list[str]
+) -> None:
     out = tmp_path / "e.json"
-    wrong = ["--robust", "huber", "--covariance", str(tmp_path / "c.txt"), "--degree", "auto"]
-    assert identify(data, out, *wrong, "--instruments", "ideal", "--noise-um", "laser=1") == 2
-    told = capsys.readouterr().err
-    for words in ("--robust", "--degree auto", "--instruments", "--noise-um", "not a .npz file"):
-        assert words in told
+    assert identify(MACHINE.parent / "dmu60p_regular_runs", out, *options) == 2
+    said = capsys.readouterr().err
+    for words in told:
+        assert words in said
     assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "remedy"),
+    [(["--degree", "auto"], "--prior spec"), (["--instruments", "offset,centre"], "'real', 'ideal'")],
+)
+def test_options_that_are_no_more_name_what_takes_their_place(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], remedy: str
+) -> None:
+    with pytest.raises(SystemExit) as caught:
+        identify(MACHINE.parent / "dmu60p_regular_runs", tmp_path / "e.json", *options)
+    assert caught.value.code == 2
+    assert remedy in capsys.readouterr().err

@@ -9,40 +9,51 @@ from tests.generator.dmu60p import cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
 from tests.generator.instruments import laser
 from tests.generator.machine import Body, Generator, polynomial
-from tests.identify.data import HOME, line, moving, observed, paper_data, paper_runs, tool
+from tests.identify.data import (
+    HOME,
+    bar,
+    circle,
+    dmu60p_model,
+    joined,
+    line,
+    mixed_data,
+    moving,
+    noisy,
+    observed,
+    paper_data,
+    paper_runs,
+    tool,
+)
 from tests.identify.machines import PlainMachine, dmu60p
-from tests.identify.test_global import CONVENTION, KNOWN, bar, circle, mixed_data, off
+from tests.identify.test_estimated import CONVENTION, KNOWN, LEVER, known_of, off
+from trueaxis.estimation.instruments import own_columns, own_kinds, shared_column, shared_unknowns, straight_runs
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.set_up import is_straightness
-from trueaxis.identify.global_fit.instruments import KINDS, instruments
-from trueaxis.identify.global_fit.method import identify_global
-from trueaxis.identify.report import Identification
+from trueaxis.identify.estimated import identify_estimated
+from trueaxis.identify.report import Identification, InstrumentReport
+from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.setup import PointOn, Run
 
 OFF_CENTRE, TOO_LONG = (0.21, -0.13, 0.07), 0.004
+REAL = replace(KNOWN, ideal=False, degree=3)
 
 
-def joined(*parts: Observations) -> Observations:
-    starts = np.cumsum([0, *(len(part.runs) for part in parts)])
-    return Observations(
-        "readings.csv",
-        tuple(run for part in parts for run in part.runs),
-        np.concatenate([part.run + start for part, start in zip(parts, starts, strict=False)]),
-        np.hstack([part.positions for part in parts]),
-        np.concatenate([part.reading for part in parts]),
-    )
-
-
-def value(found: Identification, name: str) -> float:
+def instrument(found: Identification, name: str) -> InstrumentReport:
     (one,) = [entry for entry in found.report.instruments if entry.name.startswith(name)]
-    assert one.origin == "from the readings"
-    return one.value
+    return one
+
+
+def within(found: Identification, times: float) -> bool:
+    """Whether no curve is off by more than so many of its standard uncertainties."""
+    truth = cubic_errors()
+    u = {one.name: (one.u or np.nan) * (LEVER if one.name[1] in "ABC" else 1.0) for one in found.report.components}
+    return all(off(found, truth, name) < times * u[name] for name in truth)
 
 
 def bars_set_up_wrong() -> Observations:
     """Two circles about a ball that does not stand where the set-up says, with a bar that is too long."""
     named = (bar("xy", 600.0), bar("xz", 680.0))
-    at = [circle(dmu60p(), named[0], (0, 1), 36), circle(dmu60p(), named[1], (0, 2), 36)]
+    at = [circle(named[0], (0, 1), 36), circle(named[1], (0, 2), 36)]
     real = []
     for run in named:
         point = np.array(run.reference.point) + OFF_CENTRE
@@ -53,25 +64,33 @@ def bars_set_up_wrong() -> Observations:
 
 def test_centre_and_length_of_ball_bars_are_found_on_the_exact_model() -> None:
     truth = cubic_errors()
-    data = joined(paper_data(generator(truth)), bars_set_up_wrong())
-    found = identify_global(dmu60p(), data, KNOWN)
-    assert max(off(found, truth, name) for name in truth) < 1e-10
-    for coordinate, expected in zip("xyz", OFF_CENTRE, strict=True):
-        assert value(found, f"centre {coordinate}") == pytest.approx(expected, abs=1e-10)
-    assert value(found, "length") == pytest.approx(TOO_LONG, abs=1e-10)
-    assert found.report.residual_rms_um < 1e-8
-    ideal = identify_global(dmu60p(), data, replace(KNOWN, instruments=()))
+    data = joined(paper_data(generator(truth), 6), bars_set_up_wrong())
+    options = replace(REAL, noise=NoiseModel(um=0.1))
+    found = identify_estimated(dmu60p_model(), data, options)
+    assert max(off(found, truth, name) for name in truth) < 1e-4  # u is some um: lasers have zeros and scales, too
+    expected = {f"ballbar centre {k}": value for k, value in zip("xyz", OFF_CENTRE, strict=True)}
+    for name, value in {**expected, "ballbar length": TOO_LONG}.items():
+        one = instrument(found, name)
+        assert one.value == pytest.approx(value, abs=1e-4)
+        assert one.u is not None
+        assert abs(one.value - value) < one.u < 2e-3
+    assert found.report.residual_rms_um < 1e-3
+    ideal = identify_estimated(dmu60p_model(), data, replace(options, ideal=True))
+    assert ideal.values.fit is not None
+    assert ideal.values.fit.state == "misfit"
     assert ideal.report.residual_rms_um > 1.0
     assert max(off(ideal, truth, name) for name in truth) > 1e-3
 
 
 def test_a_bar_alone_cannot_tell_its_length_from_the_scales() -> None:
-    found = identify_global(dmu60p(), bars_set_up_wrong(), replace(KNOWN, degree=1, noise_um=0.3))
-    told = [item for item in found.values.undetermined if "length of the bar" in item.combination]
-    assert told
-    assert any({"EXX", "EYY", "EZZ"} <= set(item.parameters) for item in told)
+    """A length beside scales that are open, hence zero, came with an uncertainty: 4 um were 11.0 um +/- 0.1 um."""
+    options = replace(REAL, degree=1, noise=NoiseModel(um=0.3))
+    found = identify_estimated(dmu60p_model(), bars_set_up_wrong(), options)
+    known = known_of(found)
+    assert {known[name] for name in ("EXX", "EYY", "EZZ")} == {"partly"}
+    assert {"EXX", "EYY", "EZZ"} <= set(found.values.undetermined[0].parameters)
     assert all(not np.isfinite(found.values.motion_errors[name].u).any() for name in ("EXX", "EYY", "EZZ"))  # type: ignore[arg-type]
-    assert any(one.origin == "undetermined: the instruments are taken for perfect" for one in found.report.instruments)
+    assert not [one for one in found.report.instruments if "length" in one.name]
 
 
 def straightness(offset: float, slope: float) -> Observations:
@@ -81,50 +100,64 @@ def straightness(offset: float, slope: float) -> Observations:
     return replace(data, reading=data.reading + offset + slope * data.positions[0])
 
 
-def test_offset_and_slope_of_a_straightness_run_are_found() -> None:
-    truth = cubic_errors()
-    data = joined(paper_data(generator(truth)), straightness(0.005, 2e-5))
-    found = identify_global(dmu60p(), data, KNOWN)
-    assert [one.name for one in found.report.instruments] == ["offset of run S", "slope of run S"]
-    assert value(found, "offset") == pytest.approx(0.005, abs=1e-11)
-    assert value(found, "slope") == pytest.approx(2e-5, abs=1e-13)
-    assert max(off(found, truth, name) for name in truth) < 1e-11
+def test_offset_and_slope_of_a_straightness_run_are_none_of_the_machine() -> None:
+    data = noisy(joined(paper_data(generator(cubic_errors()), 6), straightness(0.005, 2e-5)), 1, 1e-5)
+    options = replace(REAL, noise=NoiseModel(um=0.01))
+    found = identify_estimated(dmu60p_model(), data, options)
+    assert set(known_of(found).values()) == {"determined"}
+    assert within(found, 3.0)
+    assert found.values.fit is not None
+    assert found.values.fit.state == "converged"
+    ideal = identify_estimated(dmu60p_model(), data, replace(options, ideal=True))
+    assert not within(ideal, 30.0)
+    assert ideal.values.fit is not None
+    assert ideal.values.fit.state == "misfit"
 
 
 def test_a_straightness_run_alone_tells_no_squareness() -> None:
-    """Without a line known, squareness is open; the value given is that of a perfect instrument, without u."""
+    """Without a line known, squareness is open and has no u; a perfect instrument tells it."""
     runs = [run for run in paper_runs() if moving(run) in "XYZ"]
     lasers = observed(generator(cubic_errors()), runs, [line(moving(run), 8) for run in runs])
     data = joined(lasers, straightness(0.0, 0.0))
-    real = identify_global(dmu60p(), data, replace(CONVENTION, degree=3, noise_um=0.3))
-    ideal = identify_global(dmu60p(), data, replace(CONVENTION, degree=3, noise_um=0.3, instruments=()))
-    assert np.isnan(real.values.u["eps_xy"])
-    assert np.isfinite(ideal.values.u["eps_xy"])
-    assert real.values.parameters["eps_xy"] == pytest.approx(ideal.values.parameters["eps_xy"], abs=1e-11)
-    assert any("eps_xy" in i.parameters and "slope of run S" in i.combination for i in real.values.undetermined)
+    options = replace(CONVENTION, degree=3, noise=NoiseModel(um=0.01))
+    real = identify_estimated(dmu60p_model(), data, replace(options, ideal=False))
+    ideal = identify_estimated(dmu60p_model(), data, options)
+    assert "eps_xy" not in real.values.u
+    assert real.values.determined["eps_xy"] == "partly"
+    assert "eps_xy" in real.values.undetermined[0].parameters
+    assert ideal.values.u["eps_xy"] < 1e-5
+    assert ideal.values.determined["eps_xy"] == "data"
 
 
 def test_displacement_and_linkage_runs_are_no_straightness() -> None:
     data = paper_data(generator({}), 4)
     machine = dmu60p()
-    assert not instruments(machine, data, KINDS).unknowns
+    assert not any(straight_runs(machine, data.runs, data.run, data.positions))
     run = straightness(0.0, 0.0).runs[0]
     assert is_straightness(machine, run, line("X", 4))
+    assert own_kinds(run, True) == ("straightness zero", "straightness drift", "straightness slope")
+    assert own_kinds(run, False) == ("laser zero", "laser drift")
     assert not is_straightness(machine, run, line("Y", 4)[:, :1])  # at rest
     assert not is_straightness(machine, run, line("XY", 4) + np.array([[0], [0], [0.1]]))
 
 
-def test_unknowns_that_no_reading_holds_are_left_out() -> None:
-    """A circle in the plane of its ball says nothing of the height of the ball."""
+def test_unknowns_that_no_reading_holds_are_not_reported() -> None:
+    """A circle in the plane of its ball says nothing of the height of the ball, but of its centre in the plane."""
     run = bar("xy", 612.5 - 10.0 - 12.5 - 190.0)
-    data = mixed_data(cubic_errors())
-    at = circle(dmu60p(), run, (0, 1), 12)
-    flat = Observations("", (run,), np.zeros(12, dtype=np.int64), at, np.zeros(12))
-    names = [unknown.name for unknown in instruments(dmu60p(), flat, KINDS).unknowns]
-    heights = [name for name in names if name.startswith("centre z")]
-    assert len(names) - len(heights) == 3
-    kinds = [unknown.kind for unknown in instruments(dmu60p(), data, ("length",)).unknowns]
-    assert kinds == ["length", "length"]
+    at = circle(run, (0, 1), 24)
+    flat = Observations("", (run,), np.zeros(24, dtype=np.int64), at, 0.02 * np.cos(np.arange(24) * np.pi / 12.0))
+    found = identify_estimated(dmu60p_model(), flat, replace(REAL, prior=True, noise=NoiseModel(um=0.3)))
+    told = {one.name.split(" (")[0] for one in found.report.instruments}
+    assert {"ballbar centre x", "ballbar centre y"} <= told
+    assert "ballbar centre z" not in told
+
+
+def test_a_length_for_each_bar_and_a_centre_for_each_ball() -> None:
+    runs = mixed_data(cubic_errors(), 2).runs
+    bars = [index for index, run in enumerate(runs) if run.instrument == "ballbar"]
+    unknowns = shared_unknowns(runs, bars, [False] * len(runs))
+    assert sorted(unknown.kind for unknown in unknowns) == ["ballbar centre"] * 3 + ["ballbar length"] * 2
+    assert {unknown.runs for unknown in unknowns if unknown.kind == "ballbar centre"} == {tuple(bars)}
 
 
 BODIES = (
@@ -170,14 +203,14 @@ def test_sphere_on_a_turning_table_and_zero_of_the_probe(frame: str) -> None:
                 moved.append(target - rest)
             readings.append(float(direction @ (moved[0] - moved[1] + zero)))
     data = Observations("", tuple(runs), np.repeat(np.arange(3), turns.size), np.hstack([at] * 3), np.array(readings))
-    found = instruments(machine, data, KINDS)
-    names = [unknown.name.split(" of ")[0] for unknown in found.unknowns]
-    expected = {
-        "bed": ["zero x", "zero y", "zero z", "centre x", "centre y"],
-        "workpiece": ["zero x", "zero y", "zero z"],
-    }
-    assert names == expected[frame]
-    values = np.array([*zero, *shifted[:2]][: len(names)])
+    found = shared_unknowns(runs, range(3), [False] * 3)
+    of_sphere = [1.0] * 3 if frame == "bed" else []  # the frame of the workpiece carries the sphere: there it is a zero
+    assert [unknown.kind for unknown in found] == ["probe origin"] * 3 + ["probe sphere"] * len(of_sphere)
+    values = [*zero, *shifted][: len(found)]
+    added = [
+        sum(value * shared_column(machine, run, unknown, at) for unknown, value in zip(found, values, strict=True))
+        for run in runs
+    ]
     without = np.concatenate(
         [
             [
@@ -197,14 +230,14 @@ def test_sphere_on_a_turning_table_and_zero_of_the_probe(frame: str) -> None:
             for direction in np.eye(3)
         ]
     )
-    assert np.allclose(data.reading - found.added(machine, data, values), without, rtol=0, atol=1e-6)  # c times errors
+    assert np.allclose(data.reading - np.concatenate(added), without, rtol=0, atol=1e-6)  # c times errors
 
 
 def test_home_is_where_it_is_said_to_be() -> None:
     """The way of a slope is counted from home, wherever that is."""
-    home = {**HOME, "X": 100.0}
-    run = tool("S", "y", (0.0, 0.0, 0.0), home=home)
-    data = observed(generator({}), [run], [line("X", 5)])
-    offset, slope = instruments(dmu60p(), data, KINDS).columns(dmu60p(), data.runs, 0, data.positions).T
-    assert np.allclose(offset, 1.0)
-    assert np.allclose(slope * 700.0, data.positions[0] - 100.0)
+    run = tool("S", "y", (0.0, 0.0, 0.0), home={**HOME, "X": 100.0})
+    positions = line("X", 5)
+    zero, drift, slope = own_columns(dmu60p(), run, True, positions, np.linspace(0.0, 1.0, 5)).T
+    assert np.allclose(zero, 1.0)
+    assert np.allclose(drift, np.linspace(-0.5, 0.5, 5))
+    assert np.allclose(slope, positions[0] - 100.0)

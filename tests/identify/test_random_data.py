@@ -2,15 +2,14 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from tests.generator.dmu60p import cubic_errors
+from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
-from tests.identify.data import line, observed, tool
-from tests.identify.machines import dmu60p
+from tests.identify.data import dmu60p_model, line, observed, tool
 from tests.identify.random_data import ended
-from trueaxis.identify.global_fit.method import identify_global
-from trueaxis.identify.global_fit.result import GlobalOptions
+from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 from trueaxis.measure.setup import PointOn
 from trueaxis.runtime.errors import ErrorValues
 
@@ -23,10 +22,14 @@ def test_tiny_data_end_as_they_should(seed: int, tmp_path: Path) -> None:
     assert bool(said) >= (code == 2)
 
 
-@pytest.mark.parametrize("count", [1, 3])
-def test_degrees_are_chosen_on_one_line_and_on_three(count: int) -> None:
-    """The normal equations without the readings held out were singular: LinAlgError."""
-    runs = [tool(f"X-{k}", "x", (10.0 * k, 0.0, 0.0), PointOn("bed")) for k in range(count)]
-    data = observed(generator(cubic_errors()), runs, [line("X", 9)] * count)
-    found = identify_global(dmu60p(), data, GlobalOptions(known=ErrorValues("dmu60p"), degree="auto"))
-    assert found.report.orders is not None
+@pytest.mark.parametrize("prior", [True, False])
+def test_one_line_is_enough_to_end_well(prior: bool) -> None:
+    """Far fewer readings than unknowns, without noise: nothing is singular, and what is not read stays zero."""
+    data = observed(generator(cubic_errors()), [tool("X-1", "x", (0.0, 0.0, 0.0), PointOn("bed"))], [line("X", 9)])
+    options = EstimateOptions(known=ErrorValues("dmu60p", PARAMETERS), prior=prior)
+    found = identify_estimated(dmu60p_model(), data, options)
+    assert found.values.fit is not None
+    assert found.values.fit.state == "converged"
+    determined = {name for name, by in found.values.determined.items() if by != "prior"}
+    assert determined <= {"EXX", "EBX"}  # the target is 400 mm below the carriage
+    assert np.abs(found.values.motion_errors["EYY"](np.linspace(0.0, 700.0, 5))).max() < 1e-12

@@ -107,8 +107,8 @@ def _summary(lines: Sequence[Line], each: Iterable[Figures]) -> Iterator[str]:
         f"{sum(ratio <= 1.15 for ratio in ratios)} of {len(ratios)} at most 1.15"
     )
     yield (
-        f"- coverage: {np.mean(coverage):.3f} ± {together.u_coverage:.3f}; "
-        f"of draws of a prior {_mean(np.array(of_draws)):.3f}, "
+        f"- coverage: {np.mean(coverage):.3f} ± {together.u_coverage:.3f}; of draws of a prior "
+        f"{_mean(np.array(of_draws)):.3f}, "
         f"of curves that are none {_mean(np.array(others)):.3f}; oracle {together.oracle_coverage:.3f}"
     )
     yield f"- worse than doing nothing: {together.worse:.1%} of the machines, at worst by {together.worst:.2f} times"

@@ -71,7 +71,8 @@ def _named(found: Estimate) -> tuple[list[tuple[What, str, float, str]], FloatAr
         unit = f"{'mm' if name[1] in LINEAR else 'rad'}/{'mm' if name[2] in LINEAR else 'deg'}"
         names.append(("slope", name, basis.per_position, unit))
     for unknown in layout.shared:
-        names.append(("instrument", _label(unknown), 1.0, "mm/mm" if unknown.kind in SCALES else "mm"))
+        unit = "mm/mm" if unknown.kind in SCALES else "rad" if "alignment" in unknown.kind else "mm"
+        names.append(("instrument", _label(unknown), 1.0, unit))
     first = int(offsets[-1])
     located = np.arange(first, first + len(layout.locations))
     return names, np.concatenate([located, offsets[:-1], np.arange(layout.count)[layout.of_shared]])
@@ -82,7 +83,7 @@ def _label(unknown: SharedUnknown) -> str:
     points = [part.point for part in unknown.of if isinstance(part, PointOn)] if isinstance(unknown.of, tuple) else []
     if "length" in unknown.kind or unknown.kind in SCALES or not points:
         return unknown.kind
-    return f"{'xyz'[unknown.coordinate]} of the {unknown.kind} at ({', '.join(f'{part:g}' for part in points[0])})"
+    return f"{'xyz'[unknown.coordinate]} of the {unknown.kind} at ({', '.join(f'{part:g}' for part in points[-1])})"
 
 
 def _partners(spread: FloatArray, index: int) -> list[int]:

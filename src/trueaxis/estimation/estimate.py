@@ -51,9 +51,10 @@ class Estimate:
     """What readings say of a machine and of the instruments.
 
     values: of the machine; unknowns: (n,), mm, rad or 1; spread: (n, r), a root of their covariance, the last
-    `of_prior` columns of which are the prior's part, the others that of the readings; open: (n, d), combinations that
-    are zero since, without a prior, no reading determines them; scale: (n,), their prior standard deviations, at their
-    estimated sizes; factors: class of sizes -> the estimated size over the expected one. noise: of
+    `of_prior` columns of which are the prior's part, the others that of the readings; open: (n, d), combinations of
+    errors, as large as expected, that are zero since, without a prior, no reading determines them, with what
+    instruments and effects would then be; scale: (n,), their prior standard deviations, at their estimated sizes;
+    factors: class of sizes -> the estimated size over the expected one. noise: of
     each instrument; scales: of each run with readings, by index, its noise over that of its instrument; stated:
     instruments whose noise was given: their scales are mm; zeroed: effects that are zero, since the readings make their
     square negative; reversed: runs, by index, that read as if their sign were reversed, and how much likelier that is,
@@ -91,7 +92,8 @@ class Estimate:
         prior = np.linalg.norm(change * self.scale, axis=1)
         unknowns = change @ self.unknowns
         left_open = change @ self.open
-        left_open = left_open[:, np.linalg.norm(left_open / prior[:, np.newaxis], axis=0) > SETTLED_BY_CONVENTION]
+        of_machine = (left_open / self.scale[:, np.newaxis])[: self.layout.of_machine]
+        left_open = left_open[:, np.linalg.norm(of_machine, axis=0) > SETTLED_BY_CONVENTION]
         given = replace(self.values, parameters=_others(self.values.parameters, self.layout.locations))
         given = replace(given, motion_errors=_others(self.values.motion_errors, self.layout.components))
         own = {identity(one.effect) for one in self.layout.effects.members}

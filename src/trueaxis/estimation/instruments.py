@@ -10,6 +10,7 @@ Of several runs (shared):
   length   of a ball bar of one nominal length
   scale    of a laser: wavelength, air
   cosine   of one alignment of a laser: it reads short by half the square of its angle
+  turn     of what a probe probes over a way: a plate or a straightedge is aligned by eye or by the machine itself
 Every unknown belongs to a class, whose size is estimated about the one given here: where runs were set up anew, or a
 scale was calibrated, is then found out.
 """
@@ -53,6 +54,7 @@ SHARED_SIZES: Mapping[str, float] = {
     "laser cosine": 0.5e-6,
     "probe sphere": 50e-3,
     "probe origin": 50e-3,
+    "probe alignment": 1e-3,
     "stated length": 1.0,
     "stated scale": 1.0,
 }
@@ -108,7 +110,8 @@ def shared_unknowns(runs: Sequence[Run], present: Sequence[int], straightness: S
             length = "ballbar length" if run.device is None or run.device.length_u is None else "stated length"
             keys.append((length, (run.session, run.device, run.length), 0))
         elif run.instrument == "probe":
-            keys = [("probe origin", (run.session, run.target, run.reference, run.frame), k) for k in range(3)]
+            plate = (run.session, run.target, run.reference, run.frame)
+            keys = [(kind, plate, k) for kind in ("probe origin", "probe alignment") for k in range(3)]
             sphere = ball_of(run)[1]
             if sphere.on not in (run.frame, "bed"):
                 keys += [("probe sphere", (run.session, sphere), k) for k in range(3)]
@@ -144,6 +147,9 @@ def shared_column(machine: IdentifiedMachine, run: Run, unknown: SharedUnknown, 
     direction = sensed_directions(machine, run, positions)
     if unknown.kind == "probe origin":
         return np.asarray(direction[unknown.coordinate])
+    if unknown.kind == "probe alignment":
+        turned = np.cross(np.eye(3)[unknown.coordinate], relative_motion(machine, run, positions).T)
+        return np.asarray(np.einsum("in,ni->n", direction, turned))
     sign, ball = ball_of(run)
     turned = carried(machine, run, ball, unknown.coordinate, positions)
     home = home_positions(run, machine.axes)

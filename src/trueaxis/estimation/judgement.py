@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.estimation.estimate import Estimate
+from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import Determined
 
@@ -16,9 +17,9 @@ TENTH, NINE_TENTHS = 0.1, 0.9  # of the prior: below the one the prior hardly ma
 class Judged:
     """A curve over the travel, or one value, mm or rad.
 
-    largest: largest absolute value; u: largest standard uncertainty, NaN where it is a part of an open combination, and
-    its two parts there, by the noise of the readings and by the prior; u_rms, prior_rms: root mean squares of u and of
-    what the prior lets expect; determined: by what.
+    largest: largest absolute value; u: largest standard uncertainty, NaN where open combinations take part in the
+    value, and its two parts there, by the noise of the readings and by the prior; u_rms, prior_rms: root mean squares
+    of u and of what the prior lets expect; determined: by what.
     """
 
     largest: float
@@ -58,21 +59,30 @@ def _judged(found: Estimate, change: FloatArray) -> Judged:
     prior = np.linalg.norm(change * found.scale, axis=1)
     rms = [float(np.sqrt(np.mean(one**2))) for one in (u, u_readings, u_prior, prior)]
     at = int(np.argmax(u))
-    share = float(np.linalg.norm(change @ found.open)) / float(np.linalg.norm(prior) or 1.0)
+    opened = np.linalg.norm(change @ found.open, axis=1)
+    hidden = bool(open_counts(opened, u).any())
     return Judged(
         largest=float(values.max()),
-        u=float(u[at]) if share < TENTH else np.nan,
+        u=np.nan if hidden else float(u[at]),
         u_rms=rms[0],
         prior_rms=rms[3],
         u_readings=float(u_readings[at]),
         u_prior=float(u_prior[at]),
-        determined=determined_by(*rms) if found.open.shape[1] == 0 else _left_open(share),
+        determined=_left_open(float(np.sqrt(np.mean(opened**2))), rms[-1]) if hidden else determined_by(*rms),
     )
 
 
-def _left_open(share: float) -> Determined:
-    """By what a value is determined of whose prior the share lies in combinations that are open."""
-    return "data" if share < TENTH else "prior" if share > NINE_TENTHS else "partly"
+def open_counts(opened: FloatArray, u: FloatArray) -> BoolArray:
+    """Whether u, which holds nothing of open combinations, is too small; opened: what they let the value be.
+
+    Below a tenth of u they would add less than half a percent to it.
+    """
+    return np.asarray(opened > TENTH * u)
+
+
+def _left_open(opened: float, prior: float) -> Determined:
+    """By what a value is determined that open combinations let be so large."""
+    return "prior" if opened > NINE_TENTHS * prior else "partly"
 
 
 def determined_by(u: float, u_readings: float, u_prior: float, prior: float) -> Determined:

@@ -17,7 +17,8 @@ OPEN = 1.0  # uncertainty of a combination, in sizes of [prior], from which on i
 
 
 def least_norm(flat: Posterior, of_machine: int) -> tuple[Posterior, FloatArray]:
-    """The posterior given that the open combinations are zero, and those combinations, (n, d), in scaled unknowns.
+    """The posterior given that the open combinations are zero, and those combinations, (n, d), in scaled unknowns: the
+    errors in them and, as the readings then ask, instruments and effects.
 
     flat: of sizes without a prior to speak of; of_machine: how many unknowns, the first ones, are the machine's.
     """
@@ -30,8 +31,7 @@ def least_norm(flat: Posterior, of_machine: int) -> tuple[Posterior, FloatArray]
     # in the coordinates of the root's columns the open combinations are `at`: conditioning takes these out
     at = (directions[:, kept].T @ (flat.mean[:of_machine] / size[:of_machine])) / u[kept]
     columns = combined[kept].T
-    opened = np.zeros((flat.mean.size, at.size))
-    opened[:of_machine] = size[:of_machine, np.newaxis] * directions[:, kept]
+    opened = flat.spread @ (columns / u[kept])  # each as large as expected, with what instruments and effects then are
     own = tuple(
         OwnPosterior(one.mean - one.by_others @ columns @ at, _without(one.by_others, columns), one.alone)
         for one in flat.own

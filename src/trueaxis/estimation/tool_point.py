@@ -31,6 +31,24 @@ class ToolPoint:
     prior: FloatArray
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ToolSummary:
+    """The tool point over the volume, seen from home, mm. u_rms, u_prior_rms, prior_rms: root mean squares of the
+    standard uncertainty, of its part that rests on the prior, and of what is expected without readings; u_placed_rms,
+    prior_placed_rms: the first and the last of a workpiece placed where it fits best; u_worst: the largest u of the
+    positions looked at, at `worst` (axis -> mm or deg).
+    """
+
+    tools: tuple[Vector, ...]
+    u_rms: float
+    u_prior_rms: float
+    prior_rms: float
+    u_placed_rms: float
+    prior_placed_rms: float
+    u_worst: float
+    worst: dict[str, float]
+
+
 def volume(model: MachineModel) -> FloatArray:
     """(n_axes, POINTS): positions drawn evenly from the travels, always the same."""
     draw = np.random.default_rng(SEED)
@@ -71,3 +89,25 @@ def moved_by(layout: Layout, positions: FloatArray, tools: Sequence[Vector], dat
 def _length(rows: FloatArray, count: int) -> FloatArray:
     """(count,): of vectors whose coordinates are rows, in the order of `moved_by`."""
     return np.asarray(np.sqrt(np.sum((rows**2).sum(axis=1).reshape(-1, count), axis=0)))
+
+
+def tool_summary(found: Estimate, tools: Sequence[Vector]) -> ToolSummary:
+    """Over the volume. found: before the convention for straightness and squareness, which moves no tool point."""
+    positions = volume(found.layout.model)
+    seen, placed = tool_point(found, positions, tools), tool_point(found, positions, tools, "best-fit")
+    worst = int(np.argmax(seen.u))
+    at = dict(zip(found.layout.model.axes, np.round(seen.positions[:, worst], 1).tolist(), strict=True))
+    return ToolSummary(
+        tools=tuple(tools),
+        u_rms=_rms(seen.u),
+        u_prior_rms=_rms(seen.u_prior),
+        prior_rms=_rms(seen.prior),
+        u_placed_rms=_rms(placed.u),
+        prior_placed_rms=_rms(placed.prior),
+        u_worst=float(seen.u[worst]),
+        worst=at,
+    )
+
+
+def _rms(values: FloatArray) -> float:
+    return float(np.sqrt(np.mean(values**2)))

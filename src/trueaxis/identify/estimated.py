@@ -5,13 +5,15 @@ from typing import Literal
 
 import numpy as np
 
+from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
-from trueaxis.estimation.judgement import NINE_TENTHS, TENTH, Judged, judged_component, judged_location
+from trueaxis.estimation.judgement import NINE_TENTHS, Judged, judged_component, judged_location, open_counts
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
+from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.estimated_effects import covariance_with_effects, effect_reports, with_uncertainty
 from trueaxis.identify.fit_quality import (
@@ -52,6 +54,7 @@ SILENT = {
     True: "the readings do not determine them; values and u are those of [prior]",
     False: "the readings leave combinations of them open, which are zero here",
 }
+ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that the report is about
 RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
 
 
@@ -100,6 +103,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
     surest = sorted(found.reversed, key=lambda index: -found.reversed[index])
     judged = with_reversed(quality(residuals, observed.runs), [observed.runs[index].id for index in surest])
+    together, tool = combinations(found), tool_summary(found, [ORIGIN]) if options.prior else None
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}
@@ -122,6 +126,8 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         report,
         effects=effect_reports(values, found),
         undetermined=left_open,
+        combinations=together,
+        tool=tool,
         notes=(*dimension_notes(model, given), *estimate_notes(model, found, given)),
     )
     return Identification(values, report, covariance_with_effects(found))
@@ -166,7 +172,7 @@ def _curves(model: MachineModel, observed: Observations, found: Estimate) -> dic
     curves: dict[str, Curve] = {}
     readings, by_prior = np.split(found.spread, [found.spread.shape[1] - found.of_prior], axis=1)
     parts = [np.linalg.norm(part, axis=1) for part in (found.spread, readings, by_prior)]
-    parts[0][np.linalg.norm(found.open, axis=1) > TENTH * found.scale] = np.nan
+    parts[0][open_counts(np.linalg.norm(found.open, axis=1), parts[0])] = np.nan
     for place, name in enumerate(found.layout.components):
         first = int(found.layout.offsets[place])
         curve = found.values.motion_errors[name]
@@ -264,13 +270,15 @@ def _component(name: str, judged: Judged | None) -> ComponentReport:
 def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentReport, ...]:
     layout = found.layout
     u = np.linalg.norm(found.spread, axis=1)
+    silent = (u > NINE_TENTHS * found.scale) | open_counts(np.linalg.norm(found.open, axis=1), u)
     reports = []
     for place, unknown in enumerate(layout.shared, layout.of_machine):
-        if u[place] > NINE_TENTHS * found.scale[place]:
-            continue  # the readings say nothing of it
+        if silent[place]:
+            continue
         letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
         runs = ", ".join(observed.runs[index].id for index in unknown.runs)
         unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
+        unit = "rad" if unknown.kind == "probe alignment" else unit
         value = float(found.unknowns[place])
         reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
     return tuple(reports)

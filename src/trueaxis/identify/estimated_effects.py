@@ -7,7 +7,7 @@ import numpy as np
 from trueaxis.estimation.effects.unknowns import unit_in
 from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.gauge import covariance_of
-from trueaxis.estimation.judgement import NINE_TENTHS
+from trueaxis.estimation.judgement import NINE_TENTHS, open_counts
 from trueaxis.identify.report import FROM_READINGS, EffectParameterReport, EffectReport
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.covariance import Covariance
@@ -93,9 +93,10 @@ def _at(found: Estimate, place: int) -> tuple[slice, FloatArray]:
 
 
 def _silent(found: Estimate, place: int) -> np.ndarray:
-    """(count,): unknowns of a member of which the readings say nothing."""
+    """(count,): unknowns of a member of which the readings say nothing, or only together with what is open."""
     rows, _ = _at(found, place)
-    return np.asarray(np.linalg.norm(found.spread[rows], axis=1) > NINE_TENTHS * found.scale[rows])
+    u, opened = (np.linalg.norm(root[rows], axis=1) for root in (found.spread, found.open))
+    return np.asarray((u > NINE_TENTHS * found.scale[rows]) | open_counts(opened, u))
 
 
 def _undefined(found: Estimate, place: int) -> np.ndarray:

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from trueaxis.effects.kind import Role
+from trueaxis.estimation.combinations import Combination
+from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.identify.fit_quality import FitQuality
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Undetermined
@@ -155,7 +157,9 @@ class IdentificationReport:
     left, 1 where model and noise agree (None where the residuals gave the noise); robust: how readings were weighed
     down, empty if not; doubted: which; orders: how degrees were chosen, None if given;
     curve_orders: of tables that were made polynomials; effects: those of the machine; quality: how the fit ended, and
-    the residuals of each run; measurement: free text of setup.toml about the measurement.
+    the residuals of each run; combinations: errors of which the readings tell a sum much better than its parts; tool:
+    how well the tool point is known over the volume, None without a prior; measurement: free text of setup.toml about
+    the measurement.
     """
 
     machine: str
@@ -185,6 +189,8 @@ class IdentificationReport:
     orders: OrderReport | None = None
     curve_orders: tuple[CurveOrderReport, ...] = ()
     effects: tuple[EffectReport, ...] = ()
+    combinations: tuple[Combination, ...] = ()
+    tool: ToolSummary | None = None
     measurement: Mapping[str, str] = field(default_factory=dict)
 
     @property

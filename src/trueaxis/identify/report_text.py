@@ -18,6 +18,7 @@ from trueaxis.identify.report import (
     LocationReport,
     OrderReport,
 )
+from trueaxis.identify.words import combination_text, tool_sentence
 
 WIDTH = 100
 MICRO = 1e6
@@ -61,14 +62,30 @@ def report_text(report: IdentificationReport) -> str:
     lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing at all is left open"]
     for item in report.undetermined:
         lines += _wrapped(item.combination, "- ")
+    lines += _known_of_tool(report)
     for note in report.notes:
         lines += _wrapped(note, "note: ")
     return "\n".join(lines) + "\n"
 
 
+def _known_of_tool(report: IdentificationReport) -> list[str]:
+    """The uncertainty of the tool point, and which errors are known as a sum alone."""
+    lines: list[str] = []
+    if report.tool is not None:
+        lines += ["", *_wrapped(tool_sentence(report.tool), "tool point:")]
+    if report.combinations:
+        lines += ["", "known only in combination (before straightness and squareness are parted by convention):"]
+        for combination in report.combinations:
+            lines += _wrapped(combination_text(combination), "- ")
+    return lines
+
+
 def report_json(report: IdentificationReport) -> str:
-    """The same as JSON; NaN is null."""
-    return json.dumps(_plain({"schema": 1, **asdict(report)}), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    """The same as JSON; NaN is null; combinations carry their text."""
+    tree = _plain({"schema": 1, **asdict(report)})
+    for one, combination in zip(tree["combinations"], report.combinations, strict=True):
+        one["text"] = combination_text(combination)
+    return json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def fit_text(judged: FitQuality) -> str:

@@ -7,6 +7,7 @@ import numpy as np
 
 from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.machine import LINEAR
+from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.measure.machine import FloatArray
 
 NEARLY = 0.01  # of 1: what a factor may be off by and count as 1
@@ -96,3 +97,15 @@ def only_slope(positions: FloatArray, values: FloatArray, origin: float) -> floa
     slope = float(away @ values) / total
     fits = np.abs(values - slope * away).max() <= 1e-9 * np.abs(values).max()
     return slope if fits else None
+
+
+def tool_sentence(tool: ToolSummary) -> str:
+    """Seen from home and on a workpiece placed where it fits best; beside what is known without readings."""
+    at = " ".join(f"{axis}{position:g}" for axis, position in tool.worst.items())
+    points = enumerated([f"({', '.join(f'{part:g}' for part in point)})" for point in tool.tools])
+    return (
+        f"u of {points} over the volume, seen from home: {small(tool.u_rms, 'mm')} RMS, "
+        f"{small(tool.u_worst, 'mm')} at worst ({at}); {small(tool.u_prior_rms, 'mm')} of the RMS rest on [prior]; "
+        f"without readings {small(tool.prior_rms, 'mm')}. On a workpiece placed where it fits best: "
+        f"{small(tool.u_placed_rms, 'mm')} RMS, without readings {small(tool.prior_placed_rms, 'mm')}"
+    )

@@ -9,12 +9,11 @@ from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.judgement import Judged, judged_component, judged_location
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
-from trueaxis.estimation.tool_point import tool_point, volume
+from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.identify.words import unit_of
-from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Vector
 from trueaxis.plan.measuring_time import minutes
-from trueaxis.plan.report import ErrorReport, Expectations, NoiseReport, ToolReport
+from trueaxis.plan.report import ErrorReport, Expectations, NoiseReport
 from trueaxis.plan.runs import PlannedRuns
 
 
@@ -24,7 +23,7 @@ def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], too
     """
     observed = planned.observed
     return Expectations(
-        tool=_tool(found, tools),
+        tool=tool_summary(found, tools),
         components=_components(found),
         locations=_locations(found),
         combinations=combinations(found),
@@ -35,28 +34,6 @@ def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], too
         freedom=found.freedom,
         minutes=minutes(planned.paths),
     )
-
-
-def _tool(found: Estimate, tools: Sequence[Vector]) -> ToolReport:
-    """Over the volume, before the convention for straightness and squareness, which moves no tool point."""
-    positions = volume(found.layout.model)
-    seen, placed = tool_point(found, positions, tools), tool_point(found, positions, tools, "best-fit")
-    worst = int(np.argmax(seen.u))
-    at = dict(zip(found.layout.model.axes, np.round(seen.positions[:, worst], 1).tolist(), strict=True))
-    return ToolReport(
-        tools=tuple(tools),
-        u_rms=_rms(seen.u),
-        u_prior_rms=_rms(seen.u_prior),
-        prior_rms=_rms(seen.prior),
-        u_placed_rms=_rms(placed.u),
-        prior_placed_rms=_rms(placed.prior),
-        u_worst=float(seen.u[worst]),
-        worst=at,
-    )
-
-
-def _rms(values: FloatArray) -> float:
-    return float(np.sqrt(np.mean(values**2)))
 
 
 def _components(found: Estimate) -> tuple[ErrorReport, ...]:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from trueaxis.estimation.combinations import Combination
-from trueaxis.measure.setup import Vector
+from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.runtime.errors import Determined
 
 State = Determined | Literal["given"]
@@ -56,24 +56,6 @@ class NoiseReport:
     freedom: int
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ToolReport:
-    """The tool point over the volume, seen from home, mm. u_rms, u_prior_rms, prior_rms: root mean squares of the
-    standard uncertainty, of its part that rests on the prior, and of what is expected without readings; u_placed_rms,
-    prior_placed_rms: the first and the last of a workpiece placed where it fits best; u_worst: the largest u of the
-    positions looked at, at `worst` (axis -> mm or deg).
-    """
-
-    tools: tuple[Vector, ...]
-    u_rms: float
-    u_prior_rms: float
-    prior_rms: float
-    u_placed_rms: float
-    prior_placed_rms: float
-    u_worst: float
-    worst: dict[str, float]
-
-
 @dataclass(frozen=True, slots=True)
 class Redundant:
     """A location error that others can stand for, in words."""
@@ -105,7 +87,7 @@ class Expectations:
     beside what the readings tell of the unknowns.
     """
 
-    tool: ToolReport
+    tool: ToolSummary
     components: tuple[ErrorReport, ...]
     locations: tuple[ErrorReport, ...]
     combinations: tuple[Combination, ...]

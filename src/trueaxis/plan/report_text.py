@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from trueaxis.identify.words import combination_text, enumerated, small
+from trueaxis.identify.words import combination_text, enumerated, small, tool_sentence
 from trueaxis.plan.propose import LEAST_FREEDOM
 from trueaxis.plan.report import (
     BlockReport,
@@ -16,7 +16,6 @@ from trueaxis.plan.report import (
     NoiseReport,
     PlanReport,
     ProposalReport,
-    ToolReport,
 )
 
 WIDTH = 110
@@ -65,7 +64,7 @@ def _size(report: PlanReport) -> str:
 
 
 def _expectations(found: Expectations) -> list[str]:
-    lines = [*_wrapped(_tool(found.tool), ""), "", "noise:"]
+    lines = [*_wrapped(tool_sentence(found.tool), "tool point:"), "", "noise:"]
     for one in found.noise:
         lines += _wrapped(_noise(one), "  ")
     lines += ["", "motion errors: standard uncertainty over the travel, RMS and largest; what [prior] lets expect, RMS"]
@@ -78,17 +77,6 @@ def _expectations(found: Expectations) -> list[str]:
     for combination in found.combinations:
         lines += _wrapped(combination_text(combination), "- ")
     return lines
-
-
-def _tool(tool: ToolReport) -> str:
-    at = " ".join(f"{axis}{position:g}" for axis, position in tool.worst.items())
-    points = enumerated([f"({', '.join(f'{part:g}' for part in point)})" for point in tool.tools])
-    return (
-        f"tool point {points} over the volume, seen from home: u {small(tool.u_rms, 'mm')} RMS, "
-        f"{small(tool.u_worst, 'mm')} at worst ({at}); {small(tool.prior_rms, 'mm')} without readings; "
-        f"{small(tool.u_prior_rms, 'mm')} of it rest on [prior]; on a workpiece placed where it fits best: u "
-        f"{small(tool.u_placed_rms, 'mm')} RMS, {small(tool.prior_placed_rms, 'mm')} without readings"
-    )
 
 
 def _noise(one: NoiseReport) -> str:
@@ -182,7 +170,7 @@ def _proposal(proposal: ProposalReport, before: Expectations | None) -> list[str
     lines += ["", "with these runs:" if before is None else "with them, and those of the plan:"]
     if before is None:
         return [*lines, *_expectations(proposal.after)]
-    lines += _wrapped(_tool(proposal.after.tool), "  ")
+    lines += _wrapped(tool_sentence(proposal.after.tool), "  tool point:")
     pairs = [
         *zip(before.components, proposal.after.components, strict=True),
         *zip(before.locations, proposal.after.locations, strict=True),

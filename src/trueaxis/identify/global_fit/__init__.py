@@ -1,1 +1,0 @@
-"""Identification from all readings at once: weighted least squares on polynomial coefficients."""
