@@ -130,7 +130,7 @@ class IdentificationReport:
     noise_groups: of each instrument; curve_orders: of tables that were made polynomials; effects: those of the
     machine; quality: how the fit ended, and the residuals of each run; combinations: errors of which the readings tell
     a sum much better than its parts; tool: how well the tool point is known over the volume, None without a prior;
-    measurement: free text of setup.toml about the measurement.
+    measurement: free text of setup.toml about it.
     """
 
     machine: str
