@@ -92,7 +92,9 @@ def fit_text(judged: FitQuality) -> str:
     if judged.fit.state == "misfit":
         return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
     if not chi2:
-        return "converged; the residuals could not be judged: no noise is stated (--noise-um), and no run repeats its readings"
+        return (
+            "converged; the residuals could not be judged: no noise is stated (--noise-um), no run repeats its readings"
+        )
     return f"converged, {chi2}"
 
 
