@@ -7,7 +7,7 @@ from typing import Any
 import polars as pl
 import pytest
 
-from tests.identify.test_command import ERRORS, KERNELS, MACHINE, identify, simulated
+from tests.identify.test_command import ERRORS, KERNELS, MACHINE, STEPWISE, identify, simulated
 from trueaxis.cli import main
 
 PROGRAM = "G21 G90 G17\nG0 X0. Y0. Z0.\nG1 X270. Y350. Z150. F1000\nX530.\nM2\n"
@@ -33,7 +33,8 @@ def line(slope: float, **keys: Any) -> dict[str, Any]:
 def published(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The published points leave what Z does open, and all that rests on it."""
     folder = tmp_path_factory.mktemp("published")
-    assert identify(simulated(folder, "dmu60p_runs", "--noise-um", "0.3"), folder / "e.json", "--noise-um", "0.3") == 0
+    data = simulated(folder, "dmu60p_runs", "--noise-um", "0.3")
+    assert identify(data, folder / "e.json", *STEPWISE) == 0
     return folder / "e.json"
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import polars as pl
 import pytest
 
-from tests.identify.test_command import ERRORS, KERNELS, MACHINE, identify, simulated
+from tests.identify.test_command import ERRORS, KERNELS, MACHINE, STEPWISE, identify, simulated
 from trueaxis.cli import main
 
 POINTS = "X,Y,Z,tool_z\n0,0,0,0\n300,0,0,0\n0,0,400,0\n540,700,600,0\n"
@@ -29,7 +29,7 @@ def published(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """What the stepwise method makes of the published points, which leave EZZ, EAZ and EBZ open."""
     folder = tmp_path_factory.mktemp("published")
     data = simulated(folder, "dmu60p_runs", "--noise-um", "0.3")
-    assert identify(data, folder / "e.json", "--noise-um", "0.3") == 0
+    assert identify(data, folder / "e.json", *STEPWISE) == 0
     return folder / "e.json"
 
 
@@ -37,7 +37,7 @@ def published(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def regular(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("regular")
     data = simulated(folder, "dmu60p_regular_runs", "--noise-um", "0.3")
-    assert identify(data, folder / "e.json", "--noise-um", "0.3") == 0
+    assert identify(data, folder / "e.json", *STEPWISE) == 0
     return folder / "e.json"
 
 
@@ -92,7 +92,7 @@ def test_polynomials_keep_the_uncertainty_of_their_tables(
 @pytest.mark.parametrize("curves", ["polynomial", "held-out"])
 def test_identified_polynomials_have_the_same_u_as_fitted_ones(tmp_path: Path, curves: str) -> None:
     data = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.3")
-    assert identify(data, tmp_path / "e.json", "--noise-um", "0.3", "--curves", curves) == 0
+    assert identify(data, tmp_path / "e.json", *STEPWISE, "--curves", curves) == 0
     tree = json.loads((tmp_path / "e.json").read_text())
     assert tree["motion_errors"]["EXX"]["measured"] == [0.0, 540.0]
     assert predict(tmp_path, tmp_path / "e.json") == 0

@@ -156,6 +156,6 @@ def test_order_does_not_matter_and_more_runs_tell_more(order: list[int], count: 
 def test_predictions_are_as_good_as_promised() -> None:
     """First plan of four hours, machines and instruments drawn, the exact model, noise and sizes estimated."""
     one = shop(model(), 4.0, ("laser", "ballbar"))
-    each = [outcomes(one, seed) for seed in range(5)]
+    each = [outcomes(one, seed) for seed in range(4)]
     assert ratio([found["best-fit"] for found in each]) == pytest.approx(1.0, abs=0.15)
     assert ratio([found["home"] for found in each]) == pytest.approx(1.0, abs=0.4)  # mostly one turn for each machine

@@ -14,6 +14,7 @@ ROOT = Path(__file__).parents[2]
 MACHINE = ROOT / "machines" / "dmu60p.toml"
 ERRORS = ROOT / "machines" / "dmu60p_errors.json"
 KERNELS = ["--kernels", str(ROOT / "generated")]
+STEPWISE = ("--method", "stepwise", "--noise-um", "0.3")
 LEAST_SQUARES = ["--method", "global", "--prior", "none", "--instruments", "ideal", "--noise-um", "0.001"]
 
 

@@ -192,7 +192,7 @@ def test_a_silent_curve_stays_and_is_drawn_as_such(tmp_path: Path, capsys: pytes
     assert after["motion_errors"]["EYY"]["basis"] == "legendre"
     assert after["motion_errors"]["EXX"]["basis"] == "polynomial"
     said = capsys.readouterr().out
-    assert "the readings do not determine these errors, which rest on [prior] of the spec" in said
+    assert "the readings do not determine these errors; their Legendre curves are kept" in said
     assert "EYY: " not in said.split("note:")[0]  # no statistics of what no reading tells
     assert (tmp_path / "p.png").read_bytes().startswith(b"\x89PNG")
 

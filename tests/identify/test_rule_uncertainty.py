@@ -21,7 +21,7 @@ def test_squareness_and_straightness(tmp_path: Path, rule: str, known: str, stat
     plan = str(MACHINES / "dmu60p_regular_runs")
     noise = ["--noise-um", "0.01"]
     assert main(["simulate", machine, "--errors", truth, "--data", plan, "--out", str(data), *noise, *KERNELS]) == 0
-    options = ["--squareness", rule, "--report", str(report), *noise, *KERNELS]
+    options = ["--method", "stepwise", "--squareness", rule, "--report", str(report), *noise, *KERNELS]
     assert main(["identify", machine, "--data", str(data), "--out", str(out), *options]) == 0
     u = json.loads(out.read_text()).get("u", {})
     assert {name for name in ("eps_xy", "eps_xz", "eps_yz") if u.get(name) is not None} == (

@@ -45,7 +45,16 @@ def test_readings_under_a_compensation_give_the_whole_errors_back(tmp_path: Path
     left, whole = (np.abs(read_data(folder, machine).readings.reading).max() for folder in (data, bare))
     assert left < 0.2 * whole  # what the compensation leaves
     out, report = tmp_path / "e.json", tmp_path / "r.json"
-    options = ["--squareness", "known", "--known", str(known(tmp_path)), "--report", str(report)]
+    options = [
+        "--method",
+        "stepwise",
+        "--squareness",
+        "known",
+        "--known",
+        str(known(tmp_path)),
+        "--report",
+        str(report),
+    ]
     assert identify(data, out, *options) == 0
     true, found = values(ERRORS), values(out)
     for name, curve in true.motion_errors.items():
@@ -86,7 +95,7 @@ def test_values_of_another_machine_are_a_fault_at_the_key(tmp_path: Path, capsys
 def test_a_setup_that_says_nothing_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     data = tmp_path / "data"
     assert simulated(PLAN, data) == 0
-    assert identify(data, tmp_path / "e.json") == 0
+    assert identify(data, tmp_path / "e.json", "--method", "stepwise") == 0
     said = " ".join(capsys.readouterr().out.split())
     assert "setup.toml does not say whether a compensation of the control was active; none is assumed" in said
 

@@ -57,7 +57,7 @@ def test_all_are_within_the_travels_and_as_they_say(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [3, 4])
+@pytest.mark.parametrize("seed", [4])
 def test_on_random_machines(seed: int, tmp_path: Path) -> None:
     machine = world(seed, tmp_path).model
     check(machine, candidates(machine, ALL))

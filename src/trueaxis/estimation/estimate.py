@@ -220,7 +220,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    flipped = reversed_runs(state, sizes, x, whole)
+    flipped = reversed_runs(state, sizes, x, posterior)
     if setting.prior:
         posterior = averaged(sizes, found, x)
         state = at_share(state, posterior)

@@ -9,15 +9,14 @@ from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
-from trueaxis.estimation.judgement import NINE_TENTHS, Judged, judged_component, judged_location, open_counts
-from trueaxis.estimation.machine import lever
+from trueaxis.estimation.judgement import judged_component, judged_location, open_counts
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
 from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.faults import Fault, InputError
-from trueaxis.identify.estimated_effects import covariance_with_effects, effect_reports, with_uncertainty
+from trueaxis.identify.estimated_effects import covariance_with_effects, with_uncertainty
+from trueaxis.identify.estimated_report import estimated_report
 from trueaxis.identify.fit_quality import (
-    FitQuality,
     NotConvergedError,
     Residuals,
     expected_sizes,
@@ -26,36 +25,20 @@ from trueaxis.identify.fit_quality import (
     run_residuals,
     with_reversed,
 )
-from trueaxis.identify.notes import dimension_notes, estimate_notes
-from trueaxis.identify.report import (
-    ComponentReport,
-    Identification,
-    IdentificationReport,
-    InstrumentReport,
-    Known,
-    LocationReport,
-    NoiseGroupReport,
-)
+from trueaxis.identify.report import Identification
 from trueaxis.identify.weighting import NoiseModel, weighting
-from trueaxis.identify.words import enumerated, unit_of
+from trueaxis.identify.words import enumerated
 from trueaxis.runtime.curves import Curve, LegendreCurve
 from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.runtime.errors import Determined, ErrorValues, Undetermined
+from trueaxis.runtime.errors import ErrorValues, Undetermined
 from trueaxis.runtime.model import MachineModel
 
 Choice = Literal["convention", "known"]
-KNOWN: dict[Determined, Known] = {"data": "determined", "partly": "partly", "prior": "undetermined"}
-ORIGINS: dict[Determined, str] = {
-    "data": "from the readings",
-    "partly": "from the readings and the prior",
-    "prior": "undetermined: from the prior alone",
-}
 SILENT = {
     True: "the readings do not determine them; values and u are those of [prior]",
     False: "the readings leave combinations of them open, which are zero here",
 }
 ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that the report is about
-RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,15 +104,19 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         undetermined=left_open,
         fit=judged.fit,
     )
-    report = _report(model, observed, found, components, locations, judged, options)
-    report = replace(
-        report,
-        effects=effect_reports(values, found),
-        undetermined=left_open,
-        combinations=together,
-        tool=tool,
-        notes=(*dimension_notes(model, given), *estimate_notes(model, found, given)),
+    report = estimated_report(
+        model,
+        observed,
+        found,
+        values,
+        given,
+        components=components,
+        locations=locations,
+        judged=judged,
+        squareness=options.squareness,
+        prior=options.prior,
     )
+    report = replace(report, combinations=together, tool=tool)
     return Identification(values, report, covariance_with_effects(found))
 
 
@@ -194,110 +181,3 @@ def _measured(model: MachineModel, observed: Observations) -> dict[str, tuple[fl
                 low, high = found.get(name, (np.inf, -np.inf))
                 found[name] = (min(low, float(at.min())), max(high, float(at.max())))
     return found
-
-
-def _report(
-    model: MachineModel,
-    observed: Observations,
-    found: Estimate,
-    components: dict[str, Judged],
-    locations: dict[str, Judged],
-    judged: FitQuality,
-    options: EstimateOptions,
-) -> IdentificationReport:
-    _layout, good = found.layout, ~found.outliers
-    unit = {name: model.machine.parameter_unit(name) for name in model.location_errors}
-    scale = np.array([found.scales.get(index, np.nan) for index in range(len(observed.runs))])
-    sigma = {name: one.sigma for name, one in found.noise.items()}
-    each = np.array([sigma.get(run.instrument, np.nan) for run in observed.runs]) * scale
-    return IdentificationReport(
-        machine=model.name,
-        method="global",
-        squareness=RULES[options.squareness],
-        readings=observed.reading.size,
-        left_out=(),
-        lever=lever(model),
-        rank_tolerance=0.0,
-        blocks=(),
-        iterations=found.rounds + found.steps,
-        last_change=found.last_change,
-        residual_rms_um=float(np.sqrt(np.mean(found.residual[good] ** 2))) * 1e3,
-        freedom=int(found.freedom),
-        noise_um=float(np.sqrt(np.mean(each[observed.run] ** 2))) * 1e3,
-        noise_origin=_noise_origin(found),
-        locations=tuple(_location(found, name, locations.get(name), unit[name]) for name in model.location_errors),
-        components=tuple(_component(name, components.get(name)) for name in model.components),
-        undetermined=(),
-        quality=judged,
-        instruments=_instruments(observed, found),
-        noise_groups=_noise_groups(observed, found),
-    )
-
-
-def _location(found: Estimate, name: str, judged: Judged | None, unit: str) -> LocationReport:
-    value = found.values.parameters.get(name, 0.0)
-    if judged is None:
-        return LocationReport(name, value, None, unit, "given")
-    return LocationReport(
-        name,
-        value,
-        _known_u(judged),
-        unit,
-        ORIGINS[judged.determined],
-        u_readings=judged.u_readings,
-        u_prior=judged.u_prior,
-    )
-
-
-def _known_u(judged: Judged) -> float | None:
-    return judged.u if np.isfinite(judged.u) else None
-
-
-def _component(name: str, judged: Judged | None) -> ComponentReport:
-    if judged is None:
-        return ComponentReport(name, "given", 0.0, None, unit_of(name))
-    return ComponentReport(
-        name,
-        KNOWN[judged.determined],
-        judged.largest,
-        _known_u(judged),
-        unit_of(name),
-        u_readings=judged.u_readings,
-        u_prior=judged.u_prior,
-    )
-
-
-def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentReport, ...]:
-    layout = found.layout
-    u = np.linalg.norm(found.spread, axis=1)
-    silent = (u > NINE_TENTHS * found.scale) | open_counts(np.linalg.norm(found.open, axis=1), u)
-    reports = []
-    for place, unknown in enumerate(layout.shared, layout.of_machine):
-        if silent[place]:
-            continue
-        letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
-        runs = ", ".join(observed.runs[index].id for index in unknown.runs)
-        unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
-        unit = "rad" if unknown.kind == "probe alignment" else unit
-        value = float(found.unknowns[place])
-        reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
-    return tuple(reports)
-
-
-def _noise_origin(found: Estimate) -> str:
-    estimated = sorted(found.noise.keys() - found.stated)
-    if not estimated:
-        return "stated"
-    which = f" of {enumerated(estimated)}" if found.stated else ""
-    return f"estimated with the errors{which}, by restricted maximum likelihood"
-
-
-def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupReport, ...]:
-    """Of every instrument, over its runs; what of it is slow."""
-    groups = []
-    for name, one in found.noise.items():
-        scales = [scale for index, scale in found.scales.items() if observed.runs[index].instrument == name]
-        size = one.sigma * float(np.sqrt(np.mean(np.square(scales)))) * 1e3
-        told = " (stated)" if name in found.stated else f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
-        groups.append(NoiseGroupReport(name + told, size, None))
-    return tuple(groups)

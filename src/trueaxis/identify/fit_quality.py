@@ -28,7 +28,6 @@ MISFIT_OF_RUN = 5.0  # a run may have one reading: beyond five standard deviatio
 DISCREPANCY = 0.01  # of the prior size of a reading: what any model of a machine leaves, however small the stated noise
 FAR_FROM_NOISE = "the residuals are far from the noise that is known"
 MOST_RUNS = 10  # named
-MOST_DOUBTED = 0.25  # of the readings: a robust fit follows the outliers before they are half, whose pull adds up
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,12 +110,9 @@ def expected_sizes(
     return found
 
 
-def quality(residuals: Residuals, runs: Sequence[Run], doubted: float = 0.0) -> FitQuality:
-    """Judge the residuals of a fit that stands still; doubted: share of the readings that robustness weighs down."""
+def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
+    """Judge the residuals of a fit that stands still."""
     each = run_residuals(residuals, runs)
-    if doubted > MOST_DOUBTED:
-        reason = f"{doubted:.0%} of the readings are weighed down as outliers"
-        return FitQuality(Fit("misfit", None, tuple(one.run for one in each[:MOST_RUNS])), each, reason)
     left = residuals.freedom > 0
     if residuals.noise is not None and left:
         chi2 = float((residuals.squares / np.maximum(residuals.noise, RESOLUTION) ** 2).sum()) / residuals.freedom

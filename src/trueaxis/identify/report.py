@@ -99,36 +99,10 @@ class EffectReport:
 
 @dataclass(frozen=True, slots=True)
 class NoiseGroupReport:
-    """Noise of the readings of an instrument or run; freedom: degrees of freedom it is from, None: given."""
+    """Noise of the readings of an instrument, and what is said of it."""
 
     group: str
     noise_um: float
-    freedom: int | None
-
-
-@dataclass(frozen=True, slots=True)
-class DoubtedReading:
-    """A reading that a robust fit weighs down: where it is, its weight, its residual and how many sigma that is."""
-
-    run: str
-    seq: int
-    weight: float
-    residual_um: float
-    z: float
-
-
-@dataclass(frozen=True, slots=True)
-class OrderReport:
-    """Degrees of the components, chosen by readings held out in `parts`, and the rms of these: with every component
-    at the `highest` degree, as chosen, and without motion errors.
-    """
-
-    degrees: Mapping[str, int]
-    highest: int
-    parts: int
-    held_out_highest_um: float
-    held_out_um: float
-    held_out_none_um: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,13 +127,10 @@ class IdentificationReport:
     change (mm); residual_rms_um: of all readings used; freedom: degrees of freedom left; noise_um: standard
     deviation of a reading, None where neither given nor to be had from the data; noise_origin says which;
     undetermined as in the error values; notes: everything else a reader must know; instruments: their unknowns;
-    noise_groups: where the noise differs; noise_ratio: rms of the residuals over the noise, for the degrees of freedom
-    left, 1 where model and noise agree (None where the residuals gave the noise); robust: how readings were weighed
-    down, empty if not; doubted: which; orders: how degrees were chosen, None if given;
-    curve_orders: of tables that were made polynomials; effects: those of the machine; quality: how the fit ended, and
-    the residuals of each run; combinations: errors of which the readings tell a sum much better than its parts; tool:
-    how well the tool point is known over the volume, None without a prior; measurement: free text of setup.toml about
-    the measurement.
+    noise_groups: of each instrument; curve_orders: of tables that were made polynomials; effects: those of the
+    machine; quality: how the fit ended, and the residuals of each run; combinations: errors of which the readings tell
+    a sum much better than its parts; tool: how well the tool point is known over the volume, None without a prior;
+    measurement: free text of setup.toml about it.
     """
 
     machine: str
@@ -183,10 +154,6 @@ class IdentificationReport:
     notes: tuple[str, ...] = ()
     instruments: tuple[InstrumentReport, ...] = ()
     noise_groups: tuple[NoiseGroupReport, ...] = ()
-    noise_ratio: float | None = None
-    robust: str = ""
-    doubted: tuple[DoubtedReading, ...] = ()
-    orders: OrderReport | None = None
     curve_orders: tuple[CurveOrderReport, ...] = ()
     effects: tuple[EffectReport, ...] = ()
     combinations: tuple[Combination, ...] = ()

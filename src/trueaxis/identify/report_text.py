@@ -16,13 +16,11 @@ from trueaxis.identify.report import (
     IdentificationReport,
     InstrumentReport,
     LocationReport,
-    OrderReport,
 )
 from trueaxis.identify.words import combination_text, tool_sentence
 
 WIDTH = 100
 MICRO = 1e6
-MOST_DOUBTED = 20
 
 
 def report_text(report: IdentificationReport) -> str:
@@ -35,7 +33,9 @@ def report_text(report: IdentificationReport) -> str:
         f"squareness: {report.squareness}",
         f"fit: {fit_text(report.quality)}",
     ]
-    lines += _noise_lines(report)
+    if report.noise_groups:
+        said = (f"{group.group} {group.noise_um:.4g} um" for group in report.noise_groups)
+        lines += _wrapped(", ".join(said), "noise by group:")
     if report.left_out:
         lines.append(f"left out (this method cannot use ball-bar runs): {', '.join(report.left_out)}")
     if report.noise_um is None:
@@ -54,8 +54,6 @@ def report_text(report: IdentificationReport) -> str:
     if report.instruments:
         lines += ["", "unknowns of the instruments:"]
         lines += [line for one in report.instruments for line in _instrument(one)]
-    if report.orders is not None:
-        lines += ["", *_orders(report.orders)]
     if report.curve_orders:
         lines += ["", "powers of the polynomials, and rms at positions held out:"]
         lines += [_curve_order(one) for one in report.curve_orders]
@@ -95,8 +93,7 @@ def fit_text(judged: FitQuality) -> str:
         return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
     if not chi2:
         return (
-            "converged; the residuals could not be judged: no reading is repeated, and nothing else says how large the "
-            "noise is"
+            "converged; the residuals could not be judged: no noise is stated (--noise-um), no run repeats its readings"
         )
     return f"converged, {chi2}"
 
@@ -108,37 +105,6 @@ def runs_text(runs: Sequence[RunResidual]) -> str:
         for one in runs[:MOST_RUNS]
     ]
     return ", ".join([*said, f"and {len(runs) - MOST_RUNS} more"] if len(runs) > MOST_RUNS else said)
-
-
-def _noise_lines(report: IdentificationReport) -> list[str]:
-    lines = []
-    if report.noise_groups:
-        said = [
-            f"{group.group} {group.noise_um:.4g} um" + ("" if group.freedom is None else f" ({group.freedom} d.o.f.)")
-            for group in report.noise_groups
-        ]
-        lines += _wrapped(", ".join(said), "noise by group:")
-    if report.noise_ratio is not None:
-        lines.append(f"residuals over noise: {report.noise_ratio:.3f} (1 where model and noise agree)")
-    if report.robust:
-        lines.append(f"robust: {report.robust}; {len(report.doubted)} readings count for less than half")
-        for one in report.doubted[:MOST_DOUBTED]:
-            lines.append(
-                f"  run {one.run}, seq {one.seq}: residual {one.residual_um:+.4g} um, {abs(one.z):.1f} sigma, "
-                f"weight {one.weight:.2g}"
-            )
-        if len(report.doubted) > MOST_DOUBTED:
-            lines.append(f"  and {len(report.doubted) - MOST_DOUBTED} more (--report lists all)")
-    return lines
-
-
-def _orders(orders: OrderReport) -> list[str]:
-    degrees = ", ".join(f"{name} {degree}" for name, degree in orders.degrees.items())
-    return [
-        *_wrapped(f"{degrees}", "degrees chosen by readings held out:"),
-        f"held-out rms ({orders.parts} parts): {orders.held_out_um:.4g} um; all of degree {orders.highest}: "
-        f"{orders.held_out_highest_um:.4g} um; no motion error: {orders.held_out_none_um:.4g} um",
-    ]
 
 
 def _curve_order(one: CurveOrderReport) -> str:

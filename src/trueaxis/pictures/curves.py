@@ -105,9 +105,9 @@ def _draw_prior(panel: Axes, component: str, curve: PriorCurve) -> None:
     )
     panel.plot(
         curve.positions, values, "--", color=UNDETERMINED_COLOUR, linewidth=1.4, zorder=2,
-        label="by the prior \N{PLUS-MINUS SIGN} 2u, not measured",
+        label="not determined \N{PLUS-MINUS SIGN} 2u",
     )  # fmt: skip
-    _frame(panel, component, "rests on the prior", unit)
+    _frame(panel, component, "not determined by the readings", unit)
 
 
 def _unit(component: str) -> tuple[str, float]:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 
 def curve_sentences(without_polynomial: Sequence[str], by_prior: Sequence[str]) -> tuple[str, ...]:
-    """without_polynomial: curves of which no polynomial is significant; by_prior: curves that rest on the prior."""
+    """without_polynomial: curves of which no polynomial is significant; by_prior: curves that no reading determines."""
     found = []
     if without_polynomial:
         found.append(
@@ -13,7 +13,7 @@ def curve_sentences(without_polynomial: Sequence[str], by_prior: Sequence[str]) 
         )
     if by_prior:
         found.append(
-            f"{', '.join(by_prior)}: the readings do not determine these errors, which rest on [prior] of the spec; "
-            "their Legendre curves are kept, and the picture shows them dashed, with a band of 2 u"
+            f"{', '.join(by_prior)}: the readings do not determine these errors; their Legendre curves are kept, "
+            "and the picture shows them dashed, with a band of 2 u"
         )
     return tuple(found)

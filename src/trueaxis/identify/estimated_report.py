@@ -1,0 +1,159 @@
+"""The report on an estimate: what determines its values, instruments, noise, and what to know besides."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.judgement import NINE_TENTHS, Judged, open_counts
+from trueaxis.estimation.machine import lever
+from trueaxis.estimation.observations import Observations
+from trueaxis.identify.estimated_effects import effect_reports
+from trueaxis.identify.fit_quality import FitQuality
+from trueaxis.identify.notes import dimension_notes, estimate_notes
+from trueaxis.identify.report import (
+    ComponentReport,
+    IdentificationReport,
+    InstrumentReport,
+    Known,
+    LocationReport,
+    NoiseGroupReport,
+)
+from trueaxis.identify.words import enumerated, unit_of
+from trueaxis.runtime.errors import Determined, ErrorValues
+from trueaxis.runtime.model import MachineModel
+
+KNOWN: dict[Determined, Known] = {"data": "determined", "partly": "partly", "prior": "undetermined"}
+ORIGINS: dict[bool, dict[Determined, str]] = {
+    True: {
+        "data": "from the readings",
+        "partly": "from the readings and the prior",
+        "prior": "undetermined: from the prior alone",
+    },
+    False: {
+        "data": "from the readings",
+        "partly": "from the readings, partly open",
+        "prior": "undetermined: zero",
+    },
+}
+RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
+
+
+def estimated_report(
+    model: MachineModel,
+    observed: Observations,
+    found: Estimate,
+    values: ErrorValues,
+    given: ErrorValues,
+    *,
+    components: Mapping[str, Judged],
+    locations: Mapping[str, Judged],
+    judged: FitQuality,
+    squareness: str,
+    prior: bool,
+) -> IdentificationReport:
+    """values: as they are written; given: those that were taken as they are; components, locations: by what those that
+    were estimated are determined; squareness: what parts it from straightness; prior: whether anything was expected.
+    """
+    good = ~found.outliers
+    unit = {name: model.machine.parameter_unit(name) for name in model.location_errors}
+    scale = np.array([found.scales.get(index, np.nan) for index in range(len(observed.runs))])
+    sigma = {name: one.sigma for name, one in found.noise.items()}
+    each = np.array([sigma.get(run.instrument, np.nan) for run in observed.runs]) * scale
+    return IdentificationReport(
+        machine=model.name,
+        method="global",
+        squareness=RULES[squareness],
+        readings=observed.reading.size,
+        left_out=(),
+        lever=lever(model),
+        rank_tolerance=0.0,
+        blocks=(),
+        iterations=found.rounds + found.steps,
+        last_change=found.last_change,
+        residual_rms_um=float(np.sqrt(np.mean(found.residual[good] ** 2))) * 1e3,
+        freedom=int(found.freedom),
+        noise_um=float(np.sqrt(np.mean(each[observed.run] ** 2))) * 1e3,
+        noise_origin=_noise_origin(found),
+        locations=tuple(
+            _location(found, name, locations.get(name), unit[name], ORIGINS[prior]) for name in model.location_errors
+        ),
+        components=tuple(_component(name, components.get(name)) for name in model.components),
+        undetermined=values.undetermined,
+        quality=judged,
+        instruments=_instruments(observed, found),
+        noise_groups=_noise_groups(observed, found),
+        effects=effect_reports(values, found),
+        notes=(*dimension_notes(model, given), *estimate_notes(model, found, given)),
+    )
+
+
+def _location(
+    found: Estimate, name: str, judged: Judged | None, unit: str, origins: Mapping[Determined, str]
+) -> LocationReport:
+    value = found.values.parameters.get(name, 0.0)
+    if judged is None:
+        return LocationReport(name, value, None, unit, "given")
+    return LocationReport(
+        name,
+        value,
+        _known_u(judged),
+        unit,
+        origins[judged.determined],
+        u_readings=judged.u_readings,
+        u_prior=judged.u_prior,
+    )
+
+
+def _known_u(judged: Judged) -> float | None:
+    return judged.u if np.isfinite(judged.u) else None
+
+
+def _component(name: str, judged: Judged | None) -> ComponentReport:
+    if judged is None:
+        return ComponentReport(name, "given", 0.0, None, unit_of(name))
+    return ComponentReport(
+        name,
+        KNOWN[judged.determined],
+        judged.largest,
+        _known_u(judged),
+        unit_of(name),
+        u_readings=judged.u_readings,
+        u_prior=judged.u_prior,
+    )
+
+
+def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentReport, ...]:
+    layout = found.layout
+    u = np.linalg.norm(found.spread, axis=1)
+    silent = (u > NINE_TENTHS * found.scale) | open_counts(np.linalg.norm(found.open, axis=1), u)
+    reports = []
+    for place, unknown in enumerate(layout.shared, layout.of_machine):
+        if silent[place]:
+            continue
+        letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
+        runs = ", ".join(observed.runs[index].id for index in unknown.runs)
+        unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
+        unit = "rad" if unknown.kind == "probe alignment" else unit
+        value = float(found.unknowns[place])
+        reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
+    return tuple(reports)
+
+
+def _noise_origin(found: Estimate) -> str:
+    estimated = sorted(found.noise.keys() - found.stated)
+    if not estimated:
+        return "stated"
+    which = f" of {enumerated(estimated)}" if found.stated else ""
+    return f"estimated with the errors{which}, by restricted maximum likelihood"
+
+
+def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupReport, ...]:
+    """Of every instrument, over its runs; what of it is slow."""
+    groups = []
+    for name, one in found.noise.items():
+        scales = [scale for index, scale in found.scales.items() if observed.runs[index].instrument == name]
+        size = one.sigma * float(np.sqrt(np.mean(np.square(scales)))) * 1e3
+        told = " (stated)" if name in found.stated else f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
+        groups.append(NoiseGroupReport(name + told, size))
+    return tuple(groups)
