@@ -21,7 +21,7 @@ FloatArray = NDArray[np.float64]
 NOISE_UM = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0)
 STEPWISE = "the paper's plan, its stepwise method, polynomials"
 ESTIMATE = "the paper's plan, the estimate"
-PROPOSED = "a plan of `plan`, the estimate"
+PROPOSED = "a proposed plan, the estimate"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
