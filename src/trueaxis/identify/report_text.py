@@ -93,8 +93,7 @@ def fit_text(judged: FitQuality) -> str:
         return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
     if not chi2:
         return (
-            "converged; the residuals could not be judged: no reading is repeated, and nothing else says how large the "
-            "noise is"
+            "converged; the residuals could not be judged: no noise is stated (--noise-um), no run repeats its readings"
         )
     return f"converged, {chi2}"
 
