@@ -203,7 +203,7 @@ def test_sphere_on_a_turning_table_and_zero_of_the_probe(frame: str) -> None:
                 moved.append(target - rest)
             readings.append(float(direction @ (moved[0] - moved[1] + zero)))
     data = Observations("", tuple(runs), np.repeat(np.arange(3), turns.size), np.hstack([at] * 3), np.array(readings))
-    found = shared_unknowns(runs, range(3), [False] * 3)
+    found = [one for one in shared_unknowns(runs, range(3), [False] * 3) if one.kind != "probe alignment"]
     of_sphere = [1.0] * 3 if frame == "bed" else []  # the frame of the workpiece carries the sphere: there it is a zero
     assert [unknown.kind for unknown in found] == ["probe origin"] * 3 + ["probe sphere"] * len(of_sphere)
     values = [*zero, *shifted][: len(found)]

@@ -122,7 +122,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         "straightness lines, centre and length of ball bars, zero and centre of probes, scale and alignment of lasers; "
         "ideal: nothing",
     )
-    parser.add_argument("--robust", help=argparse.SUPPRESS)
+    parser.add_argument("--robust", help="gone: outliers are left out without it")
     parser.add_argument(
         "--covariance",
         type=file_to_write,
