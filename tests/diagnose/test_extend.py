@@ -129,7 +129,8 @@ class TestReidentified:
         assert "EZX" in {name for left in found.undetermined for name in left.parameters}
         spread = found.motion_errors["EXX"].u
         assert spread is not None
-        assert np.isfinite(spread).all()
+        # beside the stated noise the other rotations of X are open, as large as expected: then nothing is said of EXX
+        assert np.isfinite(spread).all() != bool(noise)
 
     def test_values_that_are_right_stay(self) -> None:
         data = observed(dmu60p(cubic_errors()), paper_runs(), [line(moving(run), 9) for run in paper_runs()])
