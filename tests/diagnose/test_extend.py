@@ -103,7 +103,7 @@ class TestChanged:
 
 
 class TestReidentified:
-    # combinations whose uncertainty by the stated noise exceeds what is expected of them do not change: a sixth of the noise
+    # what is open at the stated noise does not change: 50 nm of what did, a sixth of the noise
     @pytest.mark.parametrize(("noise", "close"), [(NOISE, 5e-5), ((), 2e-8)])
     def test_only_what_the_readings_hold_changes(self, noise: tuple[NoiseOf, ...], close: float) -> None:
         # lines of X that sense X at three levers: EXX, EBX and ECX, nothing else
