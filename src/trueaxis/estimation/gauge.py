@@ -14,6 +14,9 @@ from trueaxis.runtime.uncertainty import derivative, home_of
 from trueaxis.spec.machine import LINEAR
 
 POSITIONS, SEED = 40, 3
+# mm: what moves none of these points of the tool frame moves no other. Where a rotary axis turns the tool behind the
+# axes that are not square, the two errors move its tip and its origin apart, and are told from one another.
+TOOLS = ((0.0, 0.0, 0.0), (100.0, 0.0, 0.0), (0.0, 100.0, 0.0), (0.0, 0.0, 100.0))
 NOTHING = 1e-9  # of the largest singular value: combinations that move no tool point
 
 
@@ -54,9 +57,13 @@ def levelling(layout: Layout) -> FloatArray:
         return np.eye(n)
     model, draw = layout.model, np.random.default_rng(SEED)
     positions = np.array([draw.uniform(*model.travel[axis], POSITIONS) for axis in model.axes])
-    known, tool = covariance_of(layout, np.zeros((n, 0))), np.zeros((3, 1))
-    moved = derivative(model, known, positions, tool) - derivative(model, known, home_of(model), tool)
-    columns = moved[:, chosen].transpose(0, 2, 1).reshape(-1, len(chosen)) * layout.sizes[chosen]
+    known = covariance_of(layout, np.zeros((n, 0)))
+    rows = []
+    for tool in TOOLS:
+        end = np.array(tool)[:, np.newaxis]
+        moved = derivative(model, known, positions, end) - derivative(model, known, home_of(model), end)
+        rows.append(moved[:, chosen].transpose(0, 2, 1).reshape(-1, len(chosen)))
+    columns = np.vstack(rows) * layout.sizes[chosen]
     _, singular, right = np.linalg.svd(columns, full_matrices=True)
     null = np.zeros((n, 0))
     rank = int(np.count_nonzero(singular > NOTHING * singular.max(initial=0.0)))
