@@ -2,7 +2,8 @@
 
 Machines of three and five axes read at random positions by lasers of three directions at four points; cost by readings
 and unknowns, of the whole (noise, sizes and outliers estimated) and of one pass at a noise that is known.
-`python benchmarks/estimate.py dmu60p 1000000` is one more case. Memory is the largest size of the process less that before (each case in a process of its own).
+`python benchmarks/estimate.py dmu60p 1000000` is one more case.
+Memory is the largest size of the process less that before (each case in a process of its own).
 """
 
 import resource
