@@ -112,7 +112,10 @@ def test_with_outliers_the_fit_is_that_of_the_other_readings() -> None:
         cov_type="fixed scale", cov_kwds={"scale": 1.0}
     )
     assert agrees(found, expected)
-    assert any("4 of 234 readings are left out as outliers" in note for note in found.report.notes)
+    assert any(
+        "4 of 234 readings are left out as outliers, too far from the others of their run: " in note
+        for note in found.report.notes
+    )
     assert found.values.fit is not None
     assert found.values.fit.state == "converged"
 

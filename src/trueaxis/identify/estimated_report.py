@@ -84,7 +84,7 @@ def estimated_report(
         instruments=_instruments(observed, found),
         noise_groups=_noise_groups(observed, found),
         effects=effect_reports(values, found),
-        notes=(*dimension_notes(model, given), *estimate_notes(model, found, given)),
+        notes=(*dimension_notes(model, given), *estimate_notes(model, observed, found, given)),
     )
 
 

@@ -1,6 +1,6 @@
 """How a fit ended: whether it stands still, and whether its residuals are of the size of the noise that is known."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from trueaxis.estimation.machine import IdentifiedMachine, IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
+from trueaxis.estimation.signs import REVERSED
 from trueaxis.identify.expected_size import expected_size
 from trueaxis.identify.weighting import INSTRUMENTS, LEAST_FREEDOM
 from trueaxis.identify.words import enumerated
@@ -122,7 +123,10 @@ def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
         worst = sorted(np.flatnonzero(of_runs > MISFIT), key=lambda index: -of_runs[index])
         if ratio > MISFIT or of_runs.max(initial=0.0) > MISFIT_OF_RUN:
             named = tuple(runs[int(index)].id for index in worst) or (runs[int(of_runs.argmax())].id,)
-            return FitQuality(Fit("misfit", chi2, named), each, FAR_FROM_NOISE + _copies(residuals, runs))
+            reason = FAR_FROM_NOISE + _copies(residuals, runs)
+            if float(np.median(of_runs[of_runs > 0.0])) > MISFIT:
+                reason += "; most runs are: a noise that is stated too small looks like that"
+            return FitQuality(Fit("misfit", chi2, named), each, reason)
         return FitQuality(Fit("converged", chi2), each)
     if residuals.size is not None and left:
         rms = float(np.sqrt(residuals.squares.sum() / residuals.count.sum()))
@@ -133,8 +137,15 @@ def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
     return FitQuality(Fit("converged"), each)
 
 
-def with_reversed(judged: FitQuality, runs: Sequence[str]) -> FitQuality:
-    """A misfit where runs read as if their sign were reversed, surest first: the values follow them, too."""
+def with_reversed(judged: FitQuality, log_ratios: Mapping[str, float]) -> FitQuality:
+    """A misfit where runs read as if their sign were reversed, surest first: the values follow them, too.
+
+    log_ratios: of those that do by the noise that is stated or found, by id. Residuals that are larger say that the
+    noise is larger, which makes the logarithm smaller by as much as chi-square is above 1.
+    """
+    excess = max(judged.fit.chi2 or 1.0, 1.0)
+    sure = {run: ratio for run, ratio in log_ratios.items() if ratio / excess > REVERSED}
+    runs = sorted(sure, key=lambda run: -sure[run])
     if not runs:
         return judged
     named = f"run {runs[0]} reads" if len(runs) == 1 else f"runs {', '.join(runs)}: one of them at least reads"

@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
@@ -12,6 +14,7 @@ from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 
 SLOW = 3.0  # slow over white noise: instruments drift by about as much as they scatter
+MOST_OUTLIERS = 20  # named
 FAR = 3.0  # times the size of [prior], from where on a size is reported
 
 
@@ -45,7 +48,7 @@ def alignment_notes(machine: IdentifiedMachine, observed: Observations) -> tuple
     )
 
 
-def estimate_notes(model: MachineModel, found: Estimate, given: ErrorValues) -> tuple[str, ...]:
+def estimate_notes(model: MachineModel, observed: Observations, found: Estimate, given: ErrorValues) -> tuple[str, ...]:
     """On an estimate: what was taken as known, and where readings and expectations are far apart."""
     notes = []
     fixed = [name for name in model.location_errors if name in given.parameters]
@@ -77,8 +80,16 @@ def estimate_notes(model: MachineModel, found: Estimate, given: ErrorValues) -> 
                 f"factor of {FAR:g} apart; the estimate takes the size that the readings show"
             )
     if found.outliers.any():
+        rows = np.flatnonzero(found.outliers)
+        seq = rows if observed.seq is None else observed.seq[rows]
+        named = [
+            f"{observed.runs[index].id} seq {number}"
+            for index, number in zip(observed.run[rows].tolist(), seq.tolist(), strict=True)
+        ]
+        rest = f" and {len(named) - MOST_OUTLIERS} more" if len(named) > MOST_OUTLIERS else ""
         notes.append(
-            f"{int(found.outliers.sum())} of {found.outliers.size} readings are left out as outliers: they lie too far "
-            "from the other readings of their run"
+            f"{rows.size} of {found.outliers.size} readings {'is' if rows.size == 1 else 'are'} left out as "
+            f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
+            f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )
     return tuple(notes)

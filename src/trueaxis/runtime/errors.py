@@ -272,7 +272,8 @@ def _covariance(entry: Any, faults: Faults) -> CovarianceLink | None:
 
 
 def _suggest(name: str, known: Sequence[str]) -> str:
-    close = get_close_matches(name, known, n=1)
+    same = [one for one in known if one.lower() == name.lower()]
+    close = same or get_close_matches(name, known, n=1)
     if close:
         return f"did you mean {close[0]}?"
     return f"known: {', '.join(known)}" if known else "it has none"

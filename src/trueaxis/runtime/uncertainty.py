@@ -65,7 +65,9 @@ def load_uncertainty(path: Path, errors: ErrorValues, machine: Machine, file: Pa
     covariance = read_covariance(found, machine)
     if covariance.sha256_of_values != digest_of_values(errors):
         problem = f"{found} is the covariance of other values: these were edited, or it was written again since"
-        raise InputError([Fault(str(path), "covariance", problem, "identify again, or remove the key covariance")])
+        raise InputError(
+            [Fault(str(path), "covariance", problem, "identify again: edited values have no uncertainty of their own")]
+        )
     return covariance
 
 
