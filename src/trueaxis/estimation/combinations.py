@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.estimation.estimate import Estimate
-from trueaxis.estimation.instruments import SharedUnknown
+from trueaxis.estimation.instruments import SCALES, SharedUnknown
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn
 from trueaxis.spec.machine import LINEAR
@@ -19,8 +19,6 @@ from trueaxis.spec.machine import LINEAR
 TENTH = 0.1  # of the standard uncertainty, as what rests on the prior is judged
 MOST_PARTNERS = 4  # more parts tell a reader nothing
 INDEPENDENT = 1e-10  # of its square: what is left of a number that others make up
-
-SCALES = ("laser scale", "stated scale", "laser cosine")  # unknowns of instruments that are shares of a length
 
 What = Literal["location", "slope", "instrument"]
 

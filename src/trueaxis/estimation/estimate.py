@@ -54,14 +54,13 @@ class Estimate:
     `of_prior` columns of which are the prior's part, the others that of the readings; open: (n, d), combinations of
     errors, as large as expected, that are zero since, without a prior, no reading determines them, with what
     instruments and effects would then be; scale: (n,), their prior standard deviations, at their estimated sizes;
-    factors: class of sizes -> the estimated size over the expected one. noise: of
-    each instrument; scales: of each run with readings, by index, its noise over that of its instrument; stated:
-    instruments whose noise was given: their scales are mm; zeroed: effects that are zero, since the readings make their
-    square negative; reversed: runs, by index, that read as if their sign were reversed, and how much likelier that is,
-    as a logarithm; outliers: (n_readings,), left out;
-    residual: (n_readings,), mm; freedom: degrees of freedom that are left; rounds, steps: how often noise and sizes,
-    then the unknowns alone were estimated; last_step, last_change: the largest last step in standard uncertainties, and
-    by how much it changed a residual, mm; converged: whether it was none.
+    factors: class of sizes -> the estimated size over the expected one; noise: of each instrument; scales: of each run
+    with readings, by index, its noise over that of its instrument; stated: instruments whose noise was given: their
+    scales are mm; zeroed: effects that are zero, since the readings make their square negative; reversed: runs, by
+    index, that read as if their sign were reversed, and the logarithm of how much likelier that is; outliers:
+    (n_readings,), left out; residual: (n_readings,), mm; freedom: degrees of freedom that are left; rounds, steps: how
+    often noise and sizes, then the unknowns alone were estimated; last_step, last_change: the largest last step in
+    standard uncertainties, and by how much it changed a residual, mm; converged: whether it was none.
     """
 
     layout: Layout

@@ -62,6 +62,7 @@ SHARED_SIZES: Mapping[str, float] = {
 # tell; a laser is calibrated and aligned as its makers say, and one value tells nothing of a size.
 SET_UP_FACTOR, CALIBRATED_FACTOR, STATED_FACTOR = 10.0, 2.0, 1.1
 CALIBRATED = ("laser scale", "laser cosine")
+SCALES = ("laser scale", "stated scale", "laser cosine")  # shares of the length that is read
 STATED = ("stated length", "stated scale")  # with an uncertainty that is known: in no need of correction
 
 
@@ -138,7 +139,7 @@ def _shared_size(kind: str, run: Run) -> float:
 
 def shared_column(machine: IdentifiedMachine, run: Run, unknown: SharedUnknown, positions: FloatArray) -> FloatArray:
     """(n,): derivative of the readings of a run by a shared unknown, per mm or per 1."""
-    if unknown.kind in ("laser scale", "stated scale", "laser cosine"):
+    if unknown.kind in SCALES:
         return along(machine, run, positions)
     if unknown.kind in ("ballbar length", "stated length"):
         return np.ones(positions.shape[1])

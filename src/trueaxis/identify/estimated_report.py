@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.instruments import SCALES
 from trueaxis.estimation.judgement import NINE_TENTHS, Judged, open_counts
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
@@ -133,7 +134,7 @@ def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentRep
             continue
         letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
         runs = ", ".join(observed.runs[index].id for index in unknown.runs)
-        unit = "1" if unknown.kind in ("laser scale", "stated scale", "laser cosine") else "mm"
+        unit = "1" if unknown.kind in SCALES else "mm"
         unit = "rad" if unknown.kind == "probe alignment" else unit
         value = float(found.unknowns[place])
         reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
