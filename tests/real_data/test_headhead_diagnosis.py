@@ -42,7 +42,7 @@ def test_readings_before_an_axis_has_moved_are_left_out() -> None:
     assert set(rows.seq.tolist()) == set(range(6, 33))
 
 
-@pytest.mark.parametrize(("degree", "rank", "left"), [(12, 75, 0.506), (3, 67, 0.120), (2, 55, 0.142), (1, 33, 0.125)])
+@pytest.mark.parametrize(("degree", "rank", "left"), [(12, 75, 0.344), (3, 67, 0.120), (2, 55, 0.142), (1, 33, 0.125)])
 def test_the_saturated_base_fits_all_and_predicts_nothing(degree: int, rank: int, left: float) -> None:
     found = base_left_out(degree)
     assert found[0] == rank
@@ -77,7 +77,7 @@ def test_the_held_out_poses_are_repeats_that_say_nothing_of_other_poses() -> Non
     held = diagnosis().gain.held_out
     assert 1e3 * held.given == pytest.approx(115.0, abs=1.0)
     assert 1e3 * held.refitted == pytest.approx(12.0, abs=0.1)
-    assert base_left_out(12)[1] > 0.45  # mm, 3-D: the sphere's centre alone predicts as well (test_headhead)
+    assert base_left_out(12)[1] > 2.5 * base_left_out(3)[1]  # least norm among fits without residuals
 
 
 def test_the_command_says_the_same(capsys: pytest.CaptureFixture[str]) -> None:
