@@ -58,7 +58,7 @@ def audit(ground: Ground) -> Audit:
 
     A candidate with searched parameters is looked for in the middle of its grid; as a rival it may be anywhere on it.
     """
-    plain = Projection(ground.base.basis)  # what a cause may do besides its form is known when it is found, not before
+    plain = ground.plain  # what a cause may do besides its form is known when it is found, not before
     seen: list[_Seen] = []
     limits: dict[Effect, Limit] = {}
     for effect, signature, whole, rest in _left(ground, plain):

@@ -35,27 +35,23 @@ def run_checks(
 ) -> tuple[Check, ...]:
     """All checks. residual: (n,), whitened, model projected out; p values multiplied by the number of checks.
 
-    rms of a check: about what the structure comes to, mm, its share of the noise taken away. Slopes of runs are left
-    out: how large they are by chance few repeats tell, and one slope in a class of many columns would pass for
-    structure.
+    rms of a check: about what the structure comes to, mm, its share of the noise taken away.
     """
-    sigma = np.repeat([one.sigma for one in whitening.noise], np.diff(whitening.starts))
-    projection = projection.extended(_slopes(rows, whitening))
-    residual = residual - projection.causes @ (projection.causes.T @ residual) if projection.causes.size else residual
+    sigma = whitening.sigma
     classes, explaining, counts = [], [], []
     for one in structures(rows, theta):
         there = np.flatnonzero(np.isin(rows.run, rows.run[one.columns.any(axis=1)]))  # whole runs
         combination, k = projection.explaining(there, whitening.part(there, one.columns[there]), residual)
         classes.append((one.name, one.meaning))
         explaining.append(combination)
-        counts.append(k)
+        counts.append((k, freedom.of(there, one.columns[there])))
     found = []
     every = projection.rest(np.stack(explaining, axis=1)).T if classes else ()
-    for (name, meaning), fitted, k in zip(classes, every, counts, strict=True):
+    for (name, meaning), fitted, (k, of_noise) in zip(classes, every, counts, strict=True):
         if k == 0:
             continue
         statistic = float(fitted @ fitted)
-        log_p = log_f_tail(statistic / k, k, freedom.of_readings) + np.log(len(classes))
+        log_p = log_f_tail(statistic / k, k, of_noise) + np.log(len(classes))
         beyond = max(statistic - k, 0.0) / statistic if statistic > 0.0 else 0.0
         rms = float(np.sqrt(beyond * np.mean((sigma * fitted) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
@@ -63,16 +59,6 @@ def run_checks(
     found += [noisy_run(rows, projection, residual, sigma), humming_run(rows, projection, residual, sigma)]
     found.append(lack_of_fit(rows, projection, residual, sigma, freedom))
     return tuple(found)
-
-
-def _slopes(rows: Rows, whitening: Whitening) -> FloatArray:
-    """(n, runs): the slope of each run that has one by chance, whitened."""
-    sloping = [index for index, noise in zip(rows.present, whitening.noise, strict=True) if noise.slope > 0.0]
-    found, ramps = np.zeros((rows.size, len(sloping))), whitening.ramps()
-    for place, index in enumerate(sloping):
-        part = rows.of_run(index)
-        found[part, place] = ramps[part]
-    return found
 
 
 def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:

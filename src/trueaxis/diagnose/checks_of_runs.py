@@ -88,7 +88,7 @@ def lack_of_fit(rows: Rows, projection: Projection, residual: FloatArray, sigma:
         k, total = float(left[mine].sum()), float(residual[mine] @ residual[mine])
         if k < FEWEST:
             continue
-        p = min(1.0, float(np.exp(log_f_tail(total / k, k, freedom.of_readings))) * names.size)
+        p = min(1.0, float(np.exp(log_f_tail(total / k, k, float(freedom.of_rows[mine][0])))) * names.size)
         if p <= p_value and total > MORE * k:
             worst, p_value, excess = str(name), p, total - k
             rms = float(np.sqrt(excess / k)) * float(np.mean(sigma[mine]))

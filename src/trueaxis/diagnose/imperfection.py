@@ -54,20 +54,6 @@ def imperfection(
     return Imperfection(np.hstack(columns), np.hstack(beside))
 
 
-def taken_up(
-    readings: Readings, causes: Sequence[Fitted], seen: Callable[[FloatArray], FloatArray], left: FloatArray
-) -> FloatArray:
-    """(n,), mm: the likeliest of what the causes may do besides, where they leave (n,), mm, of the readings."""
-    besides = [column for one in causes for column in imperfections(readings, one)]
-    if not besides:
-        return np.zeros_like(left)
-    columns = np.stack(besides, axis=1)
-    white, rest = seen(columns), seen(left[:, np.newaxis])[:, 0]
-    one_each = np.eye(columns.shape[1])
-    share = np.linalg.lstsq(np.vstack([white, one_each]), np.append(rest, np.zeros(one_each.shape[0])), rcond=None)[0]
-    return np.asarray(columns @ share)
-
-
 def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     """(n,), mm, each: what a cause may do besides, one standard deviation."""
     rows, signal = readings.rows, cause.signal

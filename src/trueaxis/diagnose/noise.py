@@ -1,256 +1,302 @@
-"""The noise of the readings, from replicates: what differs between readings of the same target.
+"""The noise of the readings, from repeats: what differs between readings of the same target.
 
-Differences of repeats hold no model misfit. What a cause could put into them (an offset, a drift of a run) is
-projected out before; from circles at two feeds what servo lag makes of them, too. The rest is fitted by restricted
-maximum likelihood as white plus first-order autocorrelated noise; of all that the repeats allow, the noise that is
-strongest at low frequencies is taken, since a cause that is none costs more than one not found.
+Readings of one target, from one side, with one set-up have one mean, whatever the model: this and the unknowns of each
+run's instrument are taken as free, and what is left is fitted as white and slow noise by restricted maximum likelihood
+(REML; Patterson and Thompson, Biometrika 58, 1971). Repeats may come in any order: passes, cycles, poses, further runs.
+Without repeats the course of each run, smooth by direction, takes the place of the means.
+
+Of all noise that the readings allow the slowest is taken: a cause that is none costs more than one not found.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
-from functools import cache
+from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
-from scipy.special import betaln, chdtri
+from numpy.polynomial import legendre
 
-from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
-from trueaxis.diagnose.rows import Rows, place_of
-from trueaxis.diagnose.whiten import differenced, ramp, solved, tridiagonal, whitened
-from trueaxis.estimation.set_up import STRAIGHT
-from trueaxis.spec.machine import LINEAR
+from trueaxis.diagnose.base import Base
+from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray, NoiseOf
+from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.whiten import SETTLED, RunNoise
+from trueaxis.estimation.noise import Noise, Whitening
+from trueaxis.estimation.noise_of_residuals import AS_MANY, LASTING, SHARES, SMALLEST
+from trueaxis.estimation.runs import MeasuredRun
 
-LAG = 2  # harmonic of a circle by which servo lag makes two feeds differ
-FEWEST = 12  # targets that two passes must share to be compared
-ALLOWED = 1.35  # of log-likelihood: 90 % confidence; of all that repeats allow, the slowest noise is taken
-_SHARES = (0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.98)
-_CORRELATIONS = (0.3, 0.5, 0.65, 0.8, 0.9, 0.95, 0.98)
-_SHAPES = ((0.0, 0.0), *((share, correlation) for correlation in _CORRELATIONS for share in _SHARES))
-FEWEST_RUNS = 4  # for a slope's variance
-KEPT = 2.0 / 3.0  # of the slopes, the smallest: what warms or creeps may tilt the runs of one axis, all the more
-REPEATS = "repeats"  # where noise comes from
-TOLD = 0.4  # of the degrees of freedom, that are left by it
+FEWEST = 4  # degrees of freedom, for a noise to be told
+TARGETS = 40  # of a block: neighbours in the order of reading; the cost grows with their cube
+ENOUGH = 1500.0  # degrees of freedom: they tell the noise to 2 %
+ALLOWED = 1.35  # of log-likelihood: 90 % confidence
+COURSE = 12  # degree of a run's own course, where nothing is repeated
+PER_DEGREE = 6  # readings of a run for each of them
+FAR = 5.0  # robust standard deviations: such readings tell nothing of the noise
+NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal variable
+GIVEN = 1e6  # degrees of freedom of a noise that is given
+REPEATS, COURSES, STATED, UNKNOWN = "repeats", "courses", "given", "unknown"  # where a noise comes from
+DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
+STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5.0, 2.0, 1.0))  # of displays, mm
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Contrast:
-    """A difference of passes over the same targets, of the variance of one reading.
-
-    values: (n,) mm, in the order of reading; nuisance: (n, k), what is projected out, the slope in time second.
-    across_runs: whether the passes are of different runs; place: where they were taken, see `place_of`. warming: (2,),
-    the same difference of the slopes that the temperature and its square have in them, where it was read.
+class _Block:
+    """Readings that tell of the noise. parts: of each run its place among the runs, its rows in the block and the time
+    steps between these; free: (n, k), columns that may be anything; values: (n,), mm.
     """
 
-    instrument: str
+    parts: tuple[tuple[int, slice, FloatArray], ...]
+    free: FloatArray
     values: FloatArray
-    nuisance: FloatArray
-    across_runs: bool
-    place: str = ""
-    warming: FloatArray | None = None
 
-    def slope(self, noise: NoiseOf) -> tuple[float, float]:
-        """Slope in time, mm over a run, and the variance that noise without slopes of runs makes of it."""
-        white = whitened(replace(noise, slope=0.0), np.hstack([self.nuisance, self.values[:, np.newaxis]]))
-        inverse = np.linalg.pinv(white[:, :-1].T @ white[:, :-1])
-        coefficient = inverse @ (white[:, :-1].T @ white[:, -1])
-        return float(coefficient[1]), float(inverse[1, 1])
+    @property
+    def freedom(self) -> int:
+        """At least so many degrees of freedom."""
+        return int(self.values.size - self.free.shape[1])
 
 
-def contrasts(rows: Rows, values: FloatArray, theta: FloatArray) -> tuple[Contrast, ...]:
-    """All contrasts. values: (n,) mm, readings less what is expected; theta: (n,) rad, polar angles of circles.
+def noise_of_runs(
+    rows: Rows, base: Base, values: FloatArray, noise_um: float | None
+) -> tuple[tuple[RunNoise, ...], tuple[NoiseOf, ...]]:
+    """Of every run of the base, in its order, and of every instrument. values: (n,) mm, readings less what is expected.
 
-    Circles without an exact repeat are compared with those at another feed.
+    noise_um: of every reading, where it is known: white noise, and nothing is estimated.
     """
-    found = []
-    without_repeat = []
-    for mine in _by(rows.setup):
-        instrument = rows.runs[rows.run[mine[0]]].instrument
-        blocks = list(_by(rows.run[mine] * 10**6 + rows.passing[mine]))
-        members = [mine[block] for block in blocks]
-        sets = _sets(members, rows.target)
-        if instrument == "ballbar" and all(len(one) < 2 for one in sets):
-            without_repeat.append(members)
-            continue
-        for one in sets:
-            found += _of_set(rows, one, rows.target, values, theta)
-    if without_repeat:
-        place = _places(rows)
-        for members in without_repeat:
-            for one in _sets(members, place):
-                found += _of_set(rows, one, place, values, theta)
-    return tuple(found)
-
-
-def estimate_noise(found: Sequence[Contrast], instrument: str) -> NoiseOf | None:
-    """Noise of one instrument; None where nothing was repeated."""
-    mine = [one for one in found if one.instrument == instrument]
-    freedom = sum(one.values.size - one.nuisance.shape[1] for one in mine)
-    if freedom < FEWEST:
-        return None
-    scale = float(np.sqrt(sum(_rss(one) for one in mine) / freedom))
-    if scale == 0.0:
-        return NoiseOf(instrument, 1e-9, 0.0, 0.0, 0.0, freedom, "repeats agree to the last digit")
-    shapes: dict[tuple[int, bytes], list[Contrast]] = {}
-    for one in mine:
-        shapes.setdefault((one.values.size, one.nuisance.tobytes()), []).append(one)
-    stacks = [(np.stack([one.values for one in each], axis=1), each[0].nuisance) for each in shapes.values()]
-
-    tried = [_profiled(instrument, share, correlation, freedom, stacks) for share, correlation in _SHAPES]
-    most = max(likelihood for _, likelihood in tried)
-    allowed = [noise for noise, likelihood in tried if likelihood >= most - ALLOWED]
-    best = max(allowed, key=_slow)
-    slope, told_by = _slope(mine, best)
-    return replace(best, slope=slope, slope_freedom=told_by)
-
-
-def _rss(one: Contrast) -> float:
-    fitted = np.linalg.lstsq(one.nuisance, one.values, rcond=None)[0]
-    rest = one.values - one.nuisance @ fitted
-    return float(rest @ rest)
-
-
-def _profiled(
-    instrument: str, share: float, correlation: float, freedom: float, stacks: list[tuple[FloatArray, FloatArray]]
-) -> tuple[NoiseOf, float]:
-    """The noise of this shape that the contrasts make likeliest, and its restricted log-likelihood."""
-    unit = NoiseOf(instrument, float(np.sqrt(1.0 - share)), float(np.sqrt(share)), correlation, 0.0, freedom, REPEATS)
-    squares = determinant = 0.0
-    for values, nuisance in stacks:
-        count = values.shape[1]
-        factor = tridiagonal(unit, values.shape[0])
-        white = solved(factor, differenced(unit, np.hstack([nuisance, values])))
-        q, r = np.linalg.qr(white[:, : nuisance.shape[1]])
-        rest = white[:, nuisance.shape[1] :]
-        rest = rest - q @ (q.T @ rest)
-        squares += float(np.sum(rest**2))
-        determinant += count * float(np.sum(np.log(factor[0])) + np.sum(np.log(np.abs(np.diag(r)))))
-    sigma = float(np.sqrt(squares / freedom))
-    likelihood = -freedom * float(np.log(sigma)) - determinant
-    return replace(unit, white=sigma * unit.white, correlated=sigma * unit.correlated), likelihood
-
-
-def _slow(noise: NoiseOf) -> float:
-    """Power of the noise at the lowest frequencies, where effects are."""
-    f = noise.correlation
-    return noise.white**2 + noise.correlated**2 * (1.0 + f) / (1.0 - f)
-
-
-def _slope(mine: Sequence[Contrast], noise: NoiseOf) -> tuple[float, float]:
-    """Standard deviation of the slopes of runs, mm over a run, beyond what the other noise makes of them; freedom."""
-    of_runs = [one.slope(noise) for one in mine if one.across_runs]
-    if len(of_runs) < FEWEST_RUNS:
-        return 0.0, 0.0
-    slopes, variances = np.array(of_runs).T
-    kept = max(int(KEPT * slopes.size), 1)
-    order = np.argsort(slopes**2 / variances)[:kept]
-    excess = float(np.mean(slopes[order] ** 2)) / _smallest(kept, slopes.size) - float(np.mean(variances))
-    return float(np.sqrt(max(excess, 0.0))), TOLD * slopes.size
-
-
-@cache
-def _smallest(kept: int, count: int) -> float:
-    """Expected mean of the smallest `kept` of `count` squares of standard normal variables (order statistics)."""
-    share = np.linspace(0.0, 1.0, 4001)[1:-1]
-    order = np.arange(1, kept + 1)[:, np.newaxis]
-    above = count + 1 - order
-    density = np.exp((order - 1) * np.log(share) + (above - 1) * np.log1p(-share) - betaln(order, above))
-    return float(np.mean(np.trapezoid(chdtri(1, 1.0 - share) * density, share)))
-
-
-def _by(number: IntArray) -> Iterator[IntArray]:
-    """Rows of each number, in order."""
-    order = np.argsort(number, kind="stable")
-    edges = np.flatnonzero(np.diff(number[order])) + 1
-    yield from np.split(order, edges)
-
-
-def _sets(members: list[IntArray], target: IntArray) -> list[list[IntArray]]:
-    """Passes that share nearly all of their targets, together."""
-    found: list[tuple[set[int], list[IntArray]]] = []
-    for member in members:
-        mine = set(target[member].tolist())
-        for place, (theirs, passes) in enumerate(found):
-            shared = theirs & mine
-            if len(shared) >= max(FEWEST, 0.8 * max(len(mine), len(theirs))):
-                found[place] = (shared, [*passes, member])
-                break
+    noises: dict[str, Noise] = {}
+    told: list[NoiseOf] = []
+    scales = np.ones(len(base.runs))
+    for name in dict.fromkeys(one.instrument for one in base.runs):
+        members = [place for place, one in enumerate(base.runs) if one.instrument == name]
+        origin, freedom = STATED, GIVEN
+        if noise_um is not None:
+            noises[name] = Noise(1e-3 * noise_um)
         else:
-            found.append((mine, [member]))
-    return [passes for _, passes in found]
+            noises[name], of_runs, origin, freedom = _of_instrument(rows, base, values, members)
+            scales[members] = of_runs
+        typical = noises[name]
+        lasting = float(np.exp(-1.0 / typical.lasts)) if typical.slow else 0.0
+        told.append(NoiseOf(name, typical.white, typical.slow, lasting, 0.0, freedom, origin))
+    found = tuple(
+        RunNoise(
+            noise=noises[one.instrument],
+            scale=float(scale),
+            steps=one.rows.steps,
+            settles=0.0,
+            settling=np.exp(-one.rows.passed / SETTLED),
+        )
+        for one, scale in zip(base.runs, scales, strict=True)
+    )
+    return found, tuple(told)
 
 
-def _of_set(
-    rows: Rows, passes: list[IntArray], target: IntArray, values: FloatArray, theta: FloatArray
-) -> list[Contrast]:
-    if len(passes) < 2:
-        return []
-    shared = set.intersection(*(set(target[one].tolist()) for one in passes))
-    first = passes[0][np.isin(target[passes[0]], list(shared))]
-    order = target[first]
-    if np.unique(order).size != order.size or order.size < FEWEST:
-        return []
-    at = np.empty((len(passes), order.size), dtype=np.int64)
-    for index, one in enumerate(passes):
-        where = {int(number): int(row) for number, row in zip(target[one], one, strict=True)}
-        at[index] = [where[int(number)] for number in order]
-    instrument = rows.runs[rows.run[first[0]]].instrument
-    nuisance = [np.ones(order.size), ramp(order.size)]
-    if instrument == "ballbar" and np.unique(rows.target[np.concatenate(passes)]).size > order.size:
-        angle = theta[first]
-        if np.ptp(angle) == 0.0:  # the table turns, and the bar stands still on it
-            angle = 2.0 * np.pi * (ramp(order.size) + 0.5)
-        nuisance += [np.cos(LAG * angle), np.sin(LAG * angle)]
-    if instrument != "ballbar" and _across(rows, first):
-        nuisance.append(rows.positions[int(np.argmax(np.ptp(rows.positions[:, first], axis=1))), first])
-    columns = _independent(np.stack(nuisance, axis=1))
-    across = len({int(rows.run[one[0]]) for one in passes}) == len(passes)
-    place = place_of(rows, np.concatenate(passes))
-    difference = _helmert(len(passes))
-    warming = _warming(rows, at)
-    return [
-        Contrast(instrument, row @ values[at], columns, across, place, None if warming is None else row @ warming)
-        for row in difference
-    ]
+def _of_instrument(
+    rows: Rows, base: Base, values: FloatArray, members: Sequence[int]
+) -> tuple[Noise, FloatArray, str, float]:
+    """Noise, scale of every member, origin and degrees of freedom."""
+    step = display_step(rows.reading[np.concatenate([base.runs[place].rows.at for place in members])])
+    resolved = [base.runs[place].rows.run.device for place in members]
+    step = max([step, *(one.resolution or 0.0 for one in resolved if one is not None)])
+    for origin, blocks in ((REPEATS, _repeated), (COURSES, _courses)):
+        chosen = list(_enough(blocks(rows, base, values, members)))
+        freedom = float(sum(one.freedom for one in chosen))
+        if freedom >= FEWEST:
+            noise, scales = _restricted(chosen, members)
+            return _shown(noise, step, _readings_of_a_target(rows, base, members)), scales, origin, freedom
+    mine = np.concatenate([base.runs[place].rows.at for place in members])
+    size = max(float(np.sqrt(np.mean(values[mine] ** 2))), SMALLEST)
+    return Noise(size), np.ones(len(members)), UNKNOWN, 1.0
 
 
-def _across(rows: Rows, mine: IntArray) -> bool:
-    """Whether readings are of a straightness, whose reference line has a slope that nobody knows, in every run anew."""
-    direction = rows.runs[rows.run[mine[0]]].direction
-    moving = np.ptp(rows.positions[:, mine], axis=1) > 0.0
-    along = [LINEAR.index(axis) for axis, moves in zip(rows.axes, moving, strict=True) if moves and axis in LINEAR]
-    return direction is not None and bool(along) and not np.any(np.abs(np.array(direction)[along]) > STRAIGHT)
+def _readings_of_a_target(rows: Rows, base: Base, members: Sequence[int]) -> float:
+    """How often a run reads the same target, on average."""
+    readings = sum(base.runs[place].rows.at.size for place in members)
+    targets = sum(np.unique(rows.target[base.runs[place].rows.at]).size for place in members)
+    return readings / max(targets, 1)
 
 
-def _warming(rows: Rows, at: IntArray) -> FloatArray | None:
-    """(n_passes, 2): slopes of the temperature and of its square over each pass, degC and degC^2; at: its rows."""
-    if rows.temperature is None or not np.isfinite(rows.temperature[at]).all():
-        return None
-    warm = rows.temperature[at] - np.nanmean(rows.temperature)
-    along = ramp(at.shape[1])
-    return np.stack([warm @ along, warm**2 @ along], axis=1) / float(along @ along)
+def _shown(noise: Noise, step: float, times: float) -> Noise:
+    """With the rounding of the display. times: readings of a target in a run.
+
+    Where the noise is finer than the step, repeats are rounded alike, and no number of them tells more than one: each
+    then has the rounding of all in its variance. Of two readings of normal noise the correlation of the rounding
+    is exp(-(2 pi noise/step)^2) (first term of the series of Widrow and Kollar, Quantization Noise, 2008).
+    """
+    if step == 0.0:
+        return noise
+    alike = float(np.exp(-((2.0 * np.pi * noise.sigma / step) ** 2)))
+    least = step * DISPLAY * float(np.sqrt(1.0 + (times - 1.0) * alike))
+    return Noise(max(noise.white, least), noise.slow, noise.lasts)
+
+
+def display_step(readings: FloatArray) -> float:
+    """mm: the step of which all readings are multiples, 0 if they have none of those that displays have."""
+    for step in STEPS:
+        share = readings / step
+        if np.abs(share - np.round(share)).max(initial=0.0) < 1e-6 and np.unique(readings).size > 1:
+            return step
+    return 0.0
+
+
+def _enough(blocks: Iterator[_Block]) -> Iterator[_Block]:
+    total = 0
+    for one in blocks:
+        if one.freedom > 0 and total < ENOUGH:
+            total += one.freedom
+            yield one
+
+
+def _repeated(rows: Rows, base: Base, values: FloatArray, members: Sequence[int]) -> Iterator[_Block]:
+    """Blocks of neighbouring targets that were read more than once with one set-up; first ones of every set-up first."""
+    of_setup: dict[int, list[int]] = {}
+    for place in members:
+        of_setup.setdefault(int(rows.setup[base.runs[place].rows.at[0]]), []).append(place)
+    waiting = [_targets(rows, base, places) for places in of_setup.values()]
+    for turn in range(max(map(len, waiting), default=0)):
+        for places, targets in zip(of_setup.values(), waiting, strict=True):
+            if turn < len(targets):
+                yield _of_targets(rows, base, values, places, targets[turn])
+
+
+def _targets(rows: Rows, base: Base, places: Sequence[int]) -> list[IntArray]:
+    """Targets that are read more than once, in the order of the first reading, TARGETS at a time."""
+    numbers = np.concatenate([rows.target[base.runs[place].rows.at] for place in places])
+    unique, first, count = np.unique(numbers, return_index=True, return_counts=True)
+    repeated = count > 1
+    order = unique[repeated][np.argsort(first[repeated])]
+    return [order[start : start + TARGETS] for start in range(0, order.size, TARGETS)]
+
+
+def _of_targets(rows: Rows, base: Base, values: FloatArray, places: Sequence[int], targets: IntArray) -> _Block:
+    parts, at, own = [], [], []
+    start = 0
+    for place in places:
+        chosen = np.isin(rows.target[base.runs[place].rows.at], targets)
+        if chosen.any():
+            part = slice(start, start + int(chosen.sum()))
+            parts.append((place, part, _steps(base.runs[place], chosen)))
+            at.append(base.runs[place].rows.at[chosen])
+            own.append((part, base.own[place][chosen]))
+            start = part.stop
+    mine = np.concatenate(at)
+    means = (rows.target[mine][:, np.newaxis] == targets).astype(np.float64)
+    columns = [means[:, means.any(axis=0)]]
+    for part, one in own:
+        block = np.zeros((mine.size, one.shape[1]))
+        block[part] = one
+        columns.append(block)
+    return _Block(tuple(parts), _independent(np.hstack(columns)), values[mine])
+
+
+def _steps(run: MeasuredRun, chosen: BoolArray) -> FloatArray:
+    return np.diff(np.cumsum(run.rows.steps)[chosen], prepend=0.0)
+
+
+def _courses(rows: Rows, base: Base, values: FloatArray, members: Sequence[int]) -> Iterator[_Block]:
+    """Each run by itself, less a smooth course by direction."""
+    for place in members:
+        run = base.runs[place]
+        count = run.rows.at.size
+        degree = min(COURSE, count // PER_DEGREE)
+        if degree < 1:
+            continue
+        leading = int(np.argmax(np.ptp(run.rows.positions, axis=1)))
+        at, way = run.rows.positions[leading], rows.directions[leading, run.rows.at]
+        turning = np.ptp(np.sign(np.gradient(at))) > 1.0 and run.instrument == "ballbar"
+        along = run.rows.passed if turning or np.ptp(at) == 0.0 else (at - at.min()) / np.ptp(at)
+        curve = legendre.legvander(2.0 * along - 1.0, (2 if turning else 1) * degree)
+        sides = curve * way[:, np.newaxis] if np.unique(way).size > 1 and not turning else curve[:, :0]
+        free = _independent(np.hstack([curve, sides, base.own[place]]))
+        yield _Block(((place, slice(0, count), run.rows.steps),), free, values[run.rows.at])
 
 
 def _independent(columns: FloatArray) -> FloatArray:
-    size = np.maximum(np.ptp(columns, axis=0), np.abs(columns).max(axis=0) * 1e-3)
-    scaled = columns / np.where(size > 0.0, size, 1.0)
-    keep: list[int] = []
-    for index in np.flatnonzero(columns.any(axis=0)).tolist():
-        if np.linalg.matrix_rank(scaled[:, [*keep, index]], tol=1e-6) > len(keep):
-            keep.append(index)
-    return np.asarray(scaled[:, keep])
+    """(n, rank): an orthonormal basis of columns."""
+    sized = columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+    left, singular, _ = np.linalg.svd(sized, full_matrices=False)
+    return np.asarray(left[:, singular > 1e-9 * singular.max(initial=0.0)])
 
 
-def _helmert(count: int) -> FloatArray:
-    """(count - 1, count): orthonormal rows that sum to zero."""
-    found = np.zeros((count - 1, count))
-    for k in range(1, count):
-        found[k - 1, :k] = 1.0
-        found[k - 1, k] = -k
-        found[k - 1] /= np.sqrt(k * (k + 1.0))
-    return found
+def _restricted(blocks: Sequence[_Block], members: Sequence[int]) -> tuple[Noise, FloatArray]:
+    """The noise of one instrument by REML, and the scale of each of its runs."""
+    good = [_near(one) for one in blocks]
+    scale = dict.fromkeys(members, 1.0)
+    for _ in range(2):
+        tried = [_likelihood(blocks, good, scale, share, lasts) for share, lasts in _shapes(blocks)]
+        most = max(likelihood for likelihood, _ in tried)
+        best = max((noise for likelihood, noise in tried if likelihood >= most - ALLOWED), key=_slowness)
+        scale = _scales(blocks, good, best, members)
+    return best, np.array([scale[place] for place in members])
 
 
-def _places(rows: Rows) -> IntArray:
-    """Targets whatever the feed."""
-    parts = np.vstack([rows.setup[np.newaxis], np.round(rows.positions, 3) + 0.0, rows.directions])
-    _, found = np.unique(parts, axis=1, return_inverse=True)
-    return found.reshape(-1).astype(np.int64)
+def _slowness(noise: Noise) -> float:
+    """The strength of the noise at low frequencies."""
+    return noise.white**2 + noise.slow**2 * (1.0 + 2.0 * noise.lasts)
+
+
+def _shapes(blocks: Sequence[_Block]) -> list[tuple[float, float]]:
+    """Share and duration of the slow part; no longer than a run."""
+    longest = max((float(np.sum(steps)) for one in blocks for _, _, steps in one.parts), default=1.0)
+    lasting = [one for one in LASTING if one <= max(longest, 1.0)]
+    return [(0.0, 1.0), *product(SHARES[1:], lasting)]
+
+
+def _near(block: _Block) -> BoolArray:
+    """(n,): readings that are not far off, by what the free columns leave of them."""
+    left = block.values - block.free @ (block.free.T @ block.values)
+    spread = float(np.median(np.abs(left))) / NORMAL_MEDIAN
+    # of a block with few degrees of freedom for its readings less is left than the noise
+    spread /= max(np.sqrt(max(block.freedom, 1) / block.values.size), 1e-3)
+    near = np.abs(left) <= FAR * spread if spread > 0.0 else np.ones(left.size, dtype=bool)
+    return near if near.sum() > block.free.shape[1] else np.ones(left.size, dtype=bool)
+
+
+def _whitened(block: _Block, good: BoolArray, unit: Noise, scale: dict[int, float]) -> tuple[FloatArray, float]:
+    """(n, k + 1): free columns and values of the good readings, whitened, and half the log determinant of the noise."""
+    both = np.column_stack([block.free, block.values])
+    found, root = [], 0.0
+    for place, part, steps in block.parts:
+        kept = good[part]
+        if kept.any():
+            between = np.diff(np.cumsum(steps)[kept], prepend=0.0)
+            whiten = Whitening(unit, between, scale[place])
+            found.append(whiten(both[part][kept]))
+            root += whiten.log_root
+    return np.vstack(found), root
+
+
+def _likelihood(
+    blocks: Sequence[_Block], good: Sequence[BoolArray], scale: dict[int, float], share: float, lasts: float
+) -> tuple[float, Noise]:
+    """Restricted, maximal over the size, and the noise of that size."""
+    unit = Noise(float(np.sqrt(1.0 - share)), float(np.sqrt(share)), lasts)
+    squares, roots, freedom = 0.0, 0.0, 0
+    for block, kept in zip(blocks, good, strict=True):
+        white, root = _whitened(block, kept, unit, scale)
+        k = white.shape[1] - 1
+        r = np.asarray(np.linalg.qr(white, mode="r"))
+        diagonal = np.abs(np.diag(r))[:k]
+        held = diagonal > 1e-9 * diagonal.max(initial=0.0)
+        squares += float(r[k, k] ** 2) if r.shape[0] > k else 0.0
+        roots += root + float(np.log(diagonal[held]).sum())
+        freedom += white.shape[0] - int(held.sum())
+    variance = max(squares / max(freedom, 1), SMALLEST**2)
+    sigma = float(np.sqrt(variance))
+    return -0.5 * freedom * np.log(variance) - roots, Noise(sigma * unit.white, sigma * unit.slow, lasts)
+
+
+def _scales(
+    blocks: Sequence[_Block], good: Sequence[BoolArray], noise: Noise, members: Sequence[int]
+) -> dict[int, float]:
+    """Of every run: its readings as far as they tell that it has another noise than its instrument."""
+    squares, freedom = dict.fromkeys(members, 0.0), dict.fromkeys(members, 0.0)
+    every = dict.fromkeys(members, 1.0)
+    for block, kept in zip(blocks, good, strict=True):
+        white, _ = _whitened(block, kept, noise, every)
+        q = np.linalg.qr(white[:, :-1])[0]
+        left = white[:, -1] - q @ (q.T @ white[:, -1])
+        share = 1.0 - np.sum(q**2, axis=1)
+        start = 0
+        for place, part, _ in block.parts:
+            mine = slice(start, start + int(kept[part].sum()))
+            squares[place] += float(left[mine] @ left[mine])
+            freedom[place] += float(share[mine].sum())
+            start = mine.stop
+    return {place: float(np.sqrt((AS_MANY + squares[place]) / (AS_MANY + freedom[place]))) for place in members}

@@ -21,23 +21,22 @@ LACK_OF_FIT = "all readings, lack of fit"  # name of the check that sees any str
 
 @dataclass(frozen=True, slots=True)
 class NoiseOf:
-    """Noise of the readings of one instrument, mm: white, autocorrelated (first order, from one reading to the next)
-    and the slope of a run (over the whole run). freedom: degrees of freedom of the estimate; origin: where it is from;
-    slope_freedom: those of the slope alone, which few runs tell.
+    """Noise of the readings of one instrument, mm: white, and slow (correlation: from one reading to the next).
+
+    settles: by which its runs change after their start; freedom: degrees of freedom of the estimate; origin: where it is from.
     """
 
     instrument: str
     white: float
     correlated: float
     correlation: float
-    slope: float
+    settles: float
     freedom: float
     origin: str
-    slope_freedom: float = 0.0
 
     @property
     def sigma(self) -> float:
-        """Standard deviation of a reading, mm, slopes of runs left out."""
+        """Standard deviation of a reading, mm."""
         return float(np.hypot(self.white, self.correlated))
 
 
@@ -158,13 +157,30 @@ class Stage:
 
 
 @dataclass(frozen=True, slots=True)
+class Stale:
+    """Values given that are no longer true: the component or location error, from where to where (mm or deg; None of a
+    location error), its largest change, mm or rad, and the standard uncertainty of that.
+    """
+
+    component: str
+    first: float | None
+    last: float | None
+    value: float
+    u: float
+    p_value: float
+
+
+@dataclass(frozen=True, slots=True)
 class Gain:
-    """What was gained. split: how the held-out readings were chosen; floor: RMS of the pure error, mm."""
+    """What was gained. split: how the held-out readings were chosen; floor: RMS of the pure error, mm; standardised:
+    root mean square of held-out residuals over their predictive standard deviations, 1 where the model is right.
+    """
 
     rms: Stage
     held_out: Stage
     split: str
     floor: float
+    standardised: float = float("nan")
 
 
 @dataclass(frozen=True, slots=True)
@@ -236,6 +252,7 @@ class Diagnosis:
     threshold: float
     checks: tuple[Check, ...]
     outliers: tuple[Outlier, ...]
+    stale: tuple[Stale, ...]
     gain: Gain
     circles: tuple[Circle, ...]
     recalibration_p: float

@@ -2,21 +2,18 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.result import FloatArray
-from trueaxis.diagnose.rows import as_slice
 from trueaxis.diagnose.signatures import Signature
 from trueaxis.diagnose.tails import log_chi2_tail, log_f_tail
 from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE, explained
 
-WORTH_A_LOOK = 14.0  # of a statistic, below which nobody asks how sure the noise is
 ENTRIES = 1 << 20  # of a signature's columns at a time
 FAR = 100.0  # a statistic from which the number of tries does not matter
 LN10 = float(np.log(10.0))
@@ -35,7 +32,7 @@ class Prepared:
     length: float
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class Residual:
     """What is left to be explained. base: with the causes found.
 
@@ -48,18 +45,9 @@ class Residual:
     freedom: Freedom
     back: FloatArray
 
-    @cached_property
-    def slopes_back(self) -> FloatArray:
-        """(n, n_runs): the same for what the slope of each run has in common with what the base leaves."""
-        return self.whitening.back(self.base.rest_transposed(self.freedom.slopes))
-
-    def freedom_of(self, signature: Signature, point: int, gram: FloatArray) -> float:
-        """Of the noise, for a test of the signature at this point; gram: (k, k), of what the base leaves of it."""
-        if not self.freedom.ramps.any():
-            return self.freedom.of_readings
-        here = as_slice(signature.support)
-        through = self.slopes_back[here].T @ signature.columns(slice(point, point + 1))[:, 0]
-        return self.freedom.of(through, np.asarray(np.linalg.pinv(gram, rcond=UNOBSERVABLE, hermitian=True)))
+    def freedom_of(self, signature: Signature, point: int) -> float:
+        """Of the noise, for a test of the signature at this point."""
+        return self.freedom.of(signature.support, signature.columns(slice(point, point + 1))[:, 0])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -132,9 +120,7 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
     most = float(statistic[best])
     # Hotelling's tube to first order: a largest statistic u is so many times as likely as one at a given place
     tries = 1.0 + known.length * float(np.sqrt(min(most, FAR) / (2.0 * np.pi)))
-    worth = most > WORTH_A_LOOK
-    within = residual.freedom_of(signature, best, gram[best]) if worth else residual.freedom.of_readings
-    log_p = log_f_tail(most / k, k, within)
+    log_p = log_f_tail(most / k, k, residual.freedom_of(signature, best))
     lower = float(np.log10(tries))
     return Scanned(
         effect=signature.effect,

@@ -7,7 +7,7 @@ from scipy.special import chdtri
 
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.refit import Fitted
-from trueaxis.diagnose.result import LACK_OF_FIT, Check, Verdict
+from trueaxis.diagnose.result import LACK_OF_FIT, Check, Stale, Verdict
 from trueaxis.diagnose.search import Ground, Search, cause_columns
 from trueaxis.effects.expression import names, parse
 
@@ -44,10 +44,10 @@ def explained_share(
     """
     if not causes and not standing:
         return 0.0
-    hard = hard or Projection(ground.base.basis)
+    hard = hard or ground.plain
     nothing = np.zeros(ground.values.size)
     before = hard.rest(ground.values + ground.whitening(sum((one.signal for one in standing), nothing)))
-    after = Projection(ground.base.basis).extended(cause_columns(ground, found.causes)).rest(ground.values)
+    after = ground.plain.extended(cause_columns(ground, found.causes)).rest(ground.values)
     explained = float(before @ before) - float(after @ after)
     freedom = found.residual.size - found.projection.rank
     uneven = [float(chdtri(1, max(p, 1e-300))) for p in homogeneous_p if p <= HOMOGENEOUS]
@@ -73,10 +73,10 @@ def names_stand(
     return one_size and share >= NEARLY_ALL and of_their_class
 
 
-def verdict_of(found: Search, stand: bool, checks: Sequence[Check], recalibrate: bool) -> Verdict:
+def verdict_of(found: Search, stand: bool, checks: Sequence[Check], stale: Sequence[Stale]) -> Verdict:
     """What it all comes to."""
     if found.causes and stand:
         return "ambiguous" if any(one.rivals for one in found.causes) else "explained"
     if found.causes or (any(check.fired for check in checks) and not stand):
         return "unexplained_structure"
-    return "recalibrate" if recalibrate else "no_discrepancy"
+    return "recalibrate" if stale else "no_discrepancy"

@@ -43,7 +43,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
                 "white_um": _um(one.white),
                 "correlated_um": _um(one.correlated),
                 "correlation": one.correlation,
-                "slope_um": _um(one.slope),
+                "settles_um": _um(one.settles),
                 "freedom": one.freedom,
                 "origin": one.origin,
             }

@@ -108,7 +108,7 @@ def noise(diagnosis: Diagnosis) -> Table:
             micrometres(one.white),
             micrometres(one.correlated),
             _short(one.correlation),
-            micrometres(one.slope),
+            micrometres(one.settles),
             f"{one.freedom:.0f}" if math.isfinite(one.freedom) else DASH,
             one.origin,
         )
