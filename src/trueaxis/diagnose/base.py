@@ -6,11 +6,11 @@ With parsimonious polynomials structure of a tenth of a micrometre that nobody a
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
 from trueaxis.estimation.instruments import SCALES
@@ -49,6 +49,18 @@ class Base:
         """(n, of_machine): the machine's own columns."""
         return self.columns[:, : self.of_machine]
 
+    def only(self, keep: BoolArray) -> "Base":
+        """Of some rows, (n,): a run of which none is kept is none."""
+        place = np.cumsum(keep) - 1
+        kept = [one for one in zip(self.runs, self.own, strict=True) if keep[one[0].rows.at].any()]
+        return replace(
+            self,
+            columns=self.columns[keep],
+            by_chance=self.by_chance[keep],
+            own=tuple(own[keep[run.rows.at]] for run, own in kept),
+            runs=tuple(_renumbered(run.of(keep[run.rows.at]), place) for run, _ in kept),
+        )
+
     def curve(self, name: str, rows: Rows) -> tuple[FloatArray, FloatArray]:
         """Positions (m,) of an error's axis within the readings, and (m, k): the error there, mm or rad, by its unknowns
         in units of what is expected; of a location error no position, and one row.
@@ -59,6 +71,10 @@ class Base:
         at = rows.positions[rows.axes.index(name[2])]
         grid = np.linspace(float(at.min()), float(at.max()), PLACES)
         return grid, self.bases[name].clamped(grid).T * (self.sizes * self.expected)[: self.of_machine][mine]
+
+
+def _renumbered(run: MeasuredRun, place: IntArray) -> MeasuredRun:
+    return replace(run, rows=replace(run.rows, at=place[run.rows.at]))
 
 
 def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:

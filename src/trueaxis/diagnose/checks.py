@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial import legendre
 
-from trueaxis.diagnose.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_fit, noisy_run
+from trueaxis.diagnose.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_fit
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.result import BoolArray, Check, FloatArray
@@ -56,8 +56,7 @@ def run_checks(
         rms = float(np.sqrt(beyond * np.mean((sigma * fitted) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
         found.append(Check(name, meaning, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
-    found += [noisy_run(rows, projection, residual, sigma), humming_run(rows, projection, residual, sigma)]
-    found.append(lack_of_fit(rows, projection, residual, sigma, freedom))
+    found += [humming_run(rows, projection, residual, sigma), lack_of_fit(rows, projection, residual, sigma, freedom)]
     return tuple(found)
 
 

@@ -95,10 +95,10 @@ def _of_instrument(
     resolved = [base.runs[place].rows.run.device for place in members]
     step = max([step, *(one.resolution or 0.0 for one in resolved if one is not None)])
     for origin, blocks in ((REPEATS, _repeated), (COURSES, _courses)):
-        chosen = list(_enough(blocks(rows, base, values, members)))
-        freedom = float(sum(one.freedom for one in chosen))
+        every = [one for one in blocks(rows, base, values, members) if one.freedom > 0]
+        freedom = float(sum(one.freedom for one in every))
         if freedom >= FEWEST:
-            noise, scales = _restricted(chosen, members)
+            noise, scales = _restricted(every, members)
             return _shown(noise, step, _readings_of_a_target(rows, base, members)), scales, origin, freedom
     mine = np.concatenate([base.runs[place].rows.at for place in members])
     size = max(float(np.sqrt(np.mean(values[mine] ** 2))), SMALLEST)
@@ -135,12 +135,9 @@ def display_step(readings: FloatArray) -> float:
     return 0.0
 
 
-def _enough(blocks: Iterator[_Block]) -> Iterator[_Block]:
-    total = 0
-    for one in blocks:
-        if one.freedom > 0 and total < ENOUGH:
-            total += one.freedom
-            yield one
+def _enough(blocks: Sequence[_Block]) -> int:
+    """How many of the blocks, the first ones, tell the noise of an instrument well enough."""
+    return int(np.searchsorted(np.cumsum([one.freedom for one in blocks]), ENOUGH)) + 1
 
 
 def _repeated(rows: Rows, base: Base, values: FloatArray, members: Sequence[int]) -> Iterator[_Block]:
@@ -217,13 +214,30 @@ def _independent(columns: FloatArray) -> FloatArray:
 def _restricted(blocks: Sequence[_Block], members: Sequence[int]) -> tuple[Noise, FloatArray]:
     """The noise of one instrument by REML, and the scale of each of its runs."""
     good = [_near(one) for one in blocks]
-    scale = dict.fromkeys(members, 1.0)
-    for _ in range(2):
-        tried = [_likelihood(blocks, good, scale, share, lasts) for share, lasts in _shapes(blocks)]
-        most = max(likelihood for likelihood, _ in tried)
-        best = max((noise for likelihood, noise in tried if likelihood >= most - ALLOWED), key=_slowness)
-        scale = _scales(blocks, good, best, members)
+    even = dict.fromkeys(members, 1.0)
+    some = _enough(blocks)
+    scale = _scales(blocks, good, _best(blocks[:some], good[:some], even), members)
+    best = _best(blocks[:some], good[:some], scale)
     return best, np.array([scale[place] for place in members])
+
+
+def _best(blocks: Sequence[_Block], good: Sequence[BoolArray], scale: dict[int, float]) -> Noise:
+    """Of every other shape the likeliest, then of those about it the slowest that the readings allow."""
+    shares, lasting = SHARES[1:], _lasting(blocks)
+    tried = {(0.0, 1.0): _likelihood(blocks, good, scale, 0.0, 1.0)}
+    for share, lasts in product(shares[::2], lasting[::2]):
+        tried[share, lasts] = _likelihood(blocks, good, scale, share, lasts)
+    share, lasts = max(tried, key=lambda shape: tried[shape][0])
+    for shape in product(_beside(shares, share), _beside(lasting, lasts)):
+        if shape not in tried:
+            tried[shape] = _likelihood(blocks, good, scale, *shape)
+    most = max(likelihood for likelihood, _ in tried.values())
+    return max((noise for likelihood, noise in tried.values() if likelihood >= most - ALLOWED), key=_slowness)
+
+
+def _beside(values: Sequence[float], one: float) -> Sequence[float]:
+    place = values.index(one) if one in values else 0
+    return values[max(place - 1, 0) : place + 2]
 
 
 def _slowness(noise: Noise) -> float:
@@ -231,11 +245,10 @@ def _slowness(noise: Noise) -> float:
     return noise.white**2 + noise.slow**2 * (1.0 + 2.0 * noise.lasts)
 
 
-def _shapes(blocks: Sequence[_Block]) -> list[tuple[float, float]]:
-    """Share and duration of the slow part; no longer than a run."""
+def _lasting(blocks: Sequence[_Block]) -> list[float]:
+    """Durations of the slow part: no longer than a run."""
     longest = max((float(np.sum(steps)) for one in blocks for _, _, steps in one.parts), default=1.0)
-    lasting = [one for one in LASTING if one <= max(longest, 1.0)]
-    return [(0.0, 1.0), *product(SHARES[1:], lasting)]
+    return [one for one in LASTING if one <= max(longest, 1.0)]
 
 
 def _near(block: _Block) -> BoolArray:

@@ -30,20 +30,31 @@ class Null:
     noise: tuple[NoiseOf, ...]
     outliers: tuple[Outlier, ...]
 
+    def only(self, keep: BoolArray) -> "Null":
+        """Of some rows, (n,)."""
+        return replace(
+            self,
+            rows=self.rows.only(keep),
+            values=self.values[keep],
+            base=self.base.only(keep),
+            whitening=self.whitening.only(keep),
+        )
+
 
 def null_of(model: MachineModel, rows: Rows, values: FloatArray, noise_um: float | None) -> Null:
     """From the readings, outliers left out. values: (n,) mm, of all rows."""
     off: tuple[Outlier, ...] = ()
+    found = _with_noise(rows, base_of(model, rows), values, noise_um)
     for _ in range(ROUNDS):
-        found = _with_noise(rows, base_of(model, rows), values, noise_um)
-        bad = _spoilt(found)
+        left = _left(found, found.values)
+        bad = _spoilt(found, left)
         if not bad.any():
             break
-        off += _named(found, bad)
-        rows, values = rows.only(~bad), values[~bad]
-    else:
-        found = _with_noise(rows, base_of(model, rows), values, noise_um)
-    return replace(settled(found, values), outliers=off)
+        off += _named(found, bad, left)
+        found = found.only(~bad)
+    if off:
+        found = _with_noise(found.rows, found.base, found.values, noise_um)
+    return replace(settled(found, found.values), outliers=off)
 
 
 def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
@@ -86,16 +97,16 @@ def _left(null: Null, values: FloatArray) -> FloatArray:
     return less_own(null.whitening, values - null.base.columns @ coefficient)
 
 
-def _spoilt(null: Null) -> BoolArray:
-    left, found = _left(null, null.values), np.zeros(null.rows.size, dtype=bool)
+def _spoilt(null: Null, left: FloatArray) -> BoolArray:
+    found = np.zeros(null.rows.size, dtype=bool)
     for noise, one in zip(null.whitening.runs, null.base.runs, strict=True):
         at = one.rows.at
         found[at] = spoilt(noise.noise, noise.scale, one.rows.steps, left[at], null.rows.target[at], null.rows.size)
     return found
 
 
-def _named(null: Null, bad: BoolArray) -> tuple[Outlier, ...]:
-    left, sigma, rows = _left(null, null.values), null.whitening.sigma, null.rows
+def _named(null: Null, bad: BoolArray, left: FloatArray) -> tuple[Outlier, ...]:
+    sigma, rows = null.whitening.sigma, null.rows
     return tuple(
         Outlier(rows.runs[rows.run[at]].id, int(rows.seq[at]), float(left[at]), float(left[at] / sigma[at]))
         for at in np.flatnonzero(bad)
