@@ -12,10 +12,9 @@ from tests.worlds.design import Design, draw_design
 from tests.worlds.diagnosis.library import NEEDS, may_act_on
 from tests.worlds.diagnosis.limits import CONFOUNDED, IMITATORS, Ground, Limit, flat_ground, limit_of, stated_ground
 from tests.worlds.diagnosis.signatures import ROOTS, largest, name_of, pitch_of, signature
+from tests.worlds.diagnosis.wear import Wear, draw_wear
 from tests.worlds.effects import Effect
 from tests.worlds.machine import LINEAR
-from tests.worlds.stale import Change, growth
-from tests.worlds.stale import wear as spot
 from tests.worlds.truth import Truth, draw_machine
 
 Source = np.random.Generator
@@ -42,8 +41,6 @@ GIVEN, GIVEN_SHARES = ("truth", "zeros", "identified"), (0.55, 0.25, 0.2)
 GIVEN_STALE, GIVEN_STALE_SHARES = ("truth", "identified"), (0.65, 0.35)
 TRIES = 10
 NOT_WANTED = {"absorbed": 0.12, "mute": 0.15, "imitated": 0.1, "too small": 0.0}  # probability to keep one all the same
-WEAR_SIGMA = (5.0, 8.0, 15.0, 40.0)  # by how much the sum of squares of stale values is beyond that of noise, in sigma
-WEAR_LARGEST = {"um": 0.05, "urad": 2e-4}  # mm, rad
 MACHINES_APART = 1000
 DIRECTIONAL = ("backlash", "backlash_slope", "reversal_spike")
 TEMPORAL = ("drift", "warm_up", "thermal_offset", "thermal_expansion")
@@ -64,19 +61,6 @@ class Hidden:
     isolation: float
     r2: float = 0.0
     rival: Name = field(default_factory=lambda: Name(""))
-
-
-@dataclass(frozen=True)
-class Wear:
-    """What changed after the given values were true: form: bump or whole; size: largest change, mm or rad; sigma: by
-    how much it is beyond noise; beyond: lambda of what curves of degree 12 cannot follow.
-    """
-
-    component: str
-    form: str
-    size: float
-    sigma: float
-    beyond: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +125,7 @@ def draw_case(bench: Bench, number: int, only: Sequence[str] = ()) -> Case:
     given = str(source.choice(GIVEN_STALE if stale else GIVEN, p=GIVEN_STALE_SHARES if stale else GIVEN_SHARES))
     case = Case(design.seed, number, kind, truth, given)
     if stale:
-        case = replace(case, wear=_wear(source, bench, truth, seed))
+        case = replace(case, wear=draw_wear(source, bench.flat, truth, seed))
     if kind in ("nothing", "stale"):
         return case
     hidden = tuple(_hidden(source, bench, case))
@@ -282,37 +266,3 @@ def _state(design: Design, effect: Effect, found: Limit, outside: bool) -> str:
     if found.r2 > CONFOUNDED:
         return "imitated" if outside else "confounded"
     return "isolable"
-
-
-def _wear(source: Source, bench: Bench, truth: Truth, seed: int) -> Wear:
-    """A component that changed, by so much that readings show it."""
-    design, ground = bench.design, bench.flat
-    jac = design.jacobian
-    form = str(source.choice(["bump", "whole"]))
-    sigma = float(source.choice(WEAR_SIGMA))
-    wear = Wear("", form, 0.0, 0.0, 0.0)
-    for _ in range(TRIES):
-        component = str(source.choice(design.machine.components))
-        most = WEAR_LARGEST["um" if component[1] in LINEAR else "urad"]
-        change = change_of(truth, replace(wear, component=component, size=most), seed)
-        axis = component[2]
-        shown = jac.here[component] * change(jac.at[axis]) - jac.home[component] * change(jac.at_home[axis])
-        white = ground.white(shown)
-        seen = white - ground.instruments @ (ground.instruments.T @ white)
-        rest = ground.rest(white)
-        squares, freedom = float(np.sum(seen**2) - np.sum(rest**2)), ground.q.shape[1] - ground.instruments.shape[1]
-        if squares <= 1e-6 * float(np.sum(white**2)):
-            continue
-        share = min(1.0, float(np.sqrt(sigma * np.sqrt(2.0 * freedom) / squares)))
-        reached = share**2 * squares / np.sqrt(2.0 * freedom)
-        wear = Wear(component, form, share * most, reached, share**2 * float(np.sum(rest**2)))
-        if share < 1.0:
-            break
-    return wear
-
-
-def change_of(truth: Truth, wear: Wear, seed: int) -> Change:
-    """How the component changed: positions -> mm or rad; seed: of the case."""
-    if wear.form == "whole":
-        return growth(truth, wear.component, wear.size)
-    return spot(truth, wear.component, wear.size, seed)

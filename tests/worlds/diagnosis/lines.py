@@ -19,6 +19,8 @@ from tests.worlds.diagnosis.values import NoValuesError, earlier, write_case
 from tests.worlds.readings import exact_readings, measure
 
 Line = dict[str, Any]
+ROOT = Path(__file__).resolve().parents[3]
+FRAMES = 4
 NEEDS_COLUMN = {"swapped": "directions", "shuffled": "time_s"}
 
 
@@ -40,9 +42,14 @@ def line_of(bench: Bench, number: int, kernels: Path, only: tuple[str, ...] = ()
     except NoValuesError as error:
         return found | {"grade": "no values", "error": str(error)}
     except Exception as error:  # a diagnosis that breaks down is a result, and no reason to lose the others
-        trace = traceback.format_exc(limit=-3)
-        found |= {"grade": FAILED, "error": f"{type(error).__name__}: {error}"[:300], "trace": trace[-900:]}
+        found |= {"grade": FAILED, "error": f"{type(error).__name__}: {error}"[:300], "at": _where(error)}
     return found | {"all_seconds": round(time.process_time() - start, 2)}
+
+
+def _where(error: Exception) -> list[str]:
+    """The innermost calls in this repository, outermost first."""
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename.startswith(str(ROOT))]
+    return [f"{Path(f.filename).relative_to(ROOT)}:{f.lineno} {f.name}" for f in frames[-FRAMES:]]
 
 
 def _of_case(case: Case) -> Line:

@@ -35,7 +35,7 @@ def largest(effect: Effect) -> float:
 
 
 def signature(design: Design, truth: Truth, effect: Effect) -> Array:
-    """(n,), mm, of the effect at its size, to first order in the errors of the machine (exactly, where a point is off)."""
+    """(n,), mm, of the effect at its size, to first order; exactly, where a point is off."""
     jac, plan = design.jacobian, design.plan
     if effect.kind in known.ON_COMPONENTS:
         rows, homes = row_state(design.machine, plan), home_state(design.machine, plan)

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from tests.worlds.design import Design
-from tests.worlds.diagnosis.cases import Case, change_of
+from tests.worlds.diagnosis.cases import Case
+from tests.worlds.diagnosis.wear import change_of
 from tests.worlds.files import spec_toml, write_world
 from tests.worlds.machine import Array
 from tests.worlds.readings import measure
