@@ -21,7 +21,8 @@ class Effect:
     """size: amplitude in the first parameter of the kind (mm, rad, s and their quotients; of laser_cosine the angle).
 
     component: on which it acts, EXX; of a squareness the name of the location error that the spec leaves out; of
-    point_offset the letter of the shift; axis: the other axis of a cross_axis; runs: of effects of runs;
+    point_offset the letter of the shift; axis: the other axis of a cross_axis; runs: of effects of runs, and of a
+    ballbar_length that is of one session;
     end: of point_offset, target or reference; shape: seed of what the size does not say (phase, pitch, moment ...).
     """
 
@@ -225,7 +226,8 @@ def _reading_slope(effect: Effect, plan: Plan, along: Array, theta: Array) -> Ar
 
 
 def _ballbar_length(effect: Effect, plan: Plan, along: Array, theta: Array) -> Array:
-    return np.where(_of(plan, "ballbar"), effect.size * (1.0 + 0.02 * (plan.temperature - WARM)), 0.0)
+    own = of_runs(plan, effect.runs) if effect.runs else _of(plan, "ballbar")
+    return np.where(own, effect.size * (1.0 + 0.02 * (plan.temperature - WARM)), 0.0)
 
 
 def _ballbar_lobes(effect: Effect, plan: Plan, along: Array, theta: Array) -> Array:
