@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from trueaxis.diagnose.result import Cause, Diagnosis, Evidence, Limit, Stage
+from trueaxis.diagnose.result import Cause, Diagnosis, Evidence, Limit, Stage, Stale
 from trueaxis.effects.kind import Effect
 
 SCHEMA = 1
@@ -28,11 +28,13 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "gain": {
             "rms_um": _stage(gain.rms),
             "held_out_rms_um": _stage(gain.held_out),
+            "held_out_standardised": gain.standardised,
             "held_out": gain.split,
             "floor_um": _um(gain.floor),
         },
         "extended_machine": extended_machine,
         "extended_errors": extended_errors,
+        "stale": [_stale(one) for one in diagnosis.stale],
         "recalibration_p": diagnosis.recalibration_p,
         "warnings": list(diagnosis.warnings),
         "absences": list(diagnosis.absences),
@@ -91,6 +93,18 @@ def noise(diagnosis: Diagnosis) -> float:
     return math.sqrt(sum(n * value**2 for value, n in known) / sum(n for _, n in known))
 
 
+def _stale(one: Stale) -> dict[str, Any]:
+    """from, to: positions of the axis, null of a location error; value, u: mm or rad."""
+    return {
+        "component": one.component,
+        "from": one.first,
+        "to": one.last,
+        "value": one.value,
+        "u": one.u,
+        "p_value": one.p_value,
+    }
+
+
 def _cause(one: Cause) -> dict[str, Any]:
     return {
         **_effect(one.effect),
@@ -112,8 +126,9 @@ def _cause(one: Cause) -> dict[str, Any]:
 
 
 def _effect(effect: Effect) -> dict[str, Any]:
-    """The keys of an [[effect]], `effect` for its kind; `component` always, the others where it has them."""
-    told: dict[str, Any] = {"effect": effect.kind, "component": effect.component}
+    """The keys of an [[effect]], `effect` for its kind; of an instrument where it acts on no component."""
+    of = {"of": "instrument"} if effect.component is None else {"component": effect.component}
+    told: dict[str, Any] = {"effect": effect.kind, **of}
     if effect.axis:
         told["axis"] = effect.axis
     if effect.runs:
