@@ -1,7 +1,8 @@
 """The saturated base: everything that recalibration could change, so smooth that nothing smooth is left to hunt for.
 
 Every component error is a Legendre curve of degree 12 of its axis, every location error is free, and so is what nobody
-knows of the set-ups of the instruments. Scale and alignment of a laser are known to parts in a million: they are chance.
+knows of the set-ups of the instruments. Scale and alignment of a laser are known to parts in a million: by chance they
+are not.
 With parsimonious polynomials structure of a tenth of a micrometre that nobody asks for would count as a discovery.
 """
 
@@ -28,10 +29,13 @@ PLACES = 201  # over the travel, at which a curve is looked at
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Base:
-    """Columns in mm, not whitened. columns: (n, p), per unknown in units of what is expected of it: those of the
-    machine, then those of set-ups that runs share; of_machine: how many are the machine's; components: the component
-    error or location error of each of these; expected: (p,), standard deviation of each before anything is measured; sizes: (p,), mm or rad, the units; bases: of the curves; by_chance: (n, k), one standard deviation each; own: (n_r, k) of every run
-    with readings; runs: these runs.
+    """Columns in mm, not whitened, of n readings.
+
+    columns: (n, p), per unknown in units of what is expected of it: those of the machine, then those of set-ups that
+    runs share; of_machine: how many are the machine's; components: the component error or location error of each of
+    these; expected: (p,), standard deviation of each before anything is measured; sizes: (p,), mm or rad, the units;
+    bases: of the curves; by_chance: (n, k), one standard deviation each; own: (n_r, k) of every run with readings; runs:
+    these runs.
     """
 
     columns: FloatArray
@@ -62,8 +66,8 @@ class Base:
         )
 
     def curve(self, name: str, rows: Rows) -> tuple[FloatArray, FloatArray]:
-        """Positions (m,) of an error's axis within the readings, and (m, k): the error there, mm or rad, by its unknowns
-        in units of what is expected; of a location error no position, and one row.
+        """Positions (m,) of an error's axis within the readings, and (m, k): the error there, mm or rad, by its
+        unknowns in units of what is expected; of a location error no position, and one row.
         """
         mine = np.array(self.components) == name
         if name not in self.bases:

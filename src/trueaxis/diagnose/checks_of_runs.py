@@ -4,7 +4,7 @@ import numpy as np
 
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection
-from trueaxis.diagnose.result import LACK_OF_FIT, Check, FloatArray
+from trueaxis.diagnose.result import Check, FloatArray, StructureClass
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
 
@@ -36,8 +36,8 @@ def humming_run(rows: Rows, projection: Projection, residual: FloatArray, sigma:
             variance = share * float(np.mean(residual[mine] ** 2)) * (mine.stop - mine.start) / rows.size
             rms = float(np.sqrt(variance)) * float(np.mean(sigma[mine]))
     p_value = min(1.0, least * len(rows.present))
-    meaning = f"run {rows.runs[loudest].id} goes up and down with one period"
-    return Check("runs, one period", meaning, p_value, p_value < SURER * FALSE_ALARMS, rms)
+    where = rows.runs[loudest].id
+    return Check(StructureClass.ONE_PERIOD, where, p_value, p_value < SURER * FALSE_ALARMS, rms)
 
 
 def lack_of_fit(rows: Rows, projection: Projection, residual: FloatArray, sigma: FloatArray, freedom: Freedom) -> Check:
@@ -48,7 +48,7 @@ def lack_of_fit(rows: Rows, projection: Projection, residual: FloatArray, sigma:
     left = projection.left
     instrument = np.array([run.instrument for run in rows.runs])[rows.run]
     names = np.unique(instrument)
-    worst, p_value, rms, excess = "", 1.0, 0.0, 0.0
+    worst, p_value, rms, excess = str(names[0]), 1.0, 0.0, 0.0
     for name in names:
         mine = instrument == name
         k, total = float(left[mine].sum()), float(residual[mine] @ residual[mine])
@@ -58,7 +58,4 @@ def lack_of_fit(rows: Rows, projection: Projection, residual: FloatArray, sigma:
         if p <= p_value and total > MORE * k:
             worst, p_value, excess = str(name), p, total - k
             rms = float(np.sqrt(excess / k)) * float(np.mean(sigma[mine]))
-    meaning = (
-        f"readings of the {worst} are farther off than repeats differ" if worst else "no more than repeats differ by"
-    )
-    return Check(LACK_OF_FIT, meaning, p_value, p_value < FALSE_ALARMS, rms, excess)
+    return Check(StructureClass.LACK_OF_FIT, worst, p_value, p_value < FALSE_ALARMS, rms, excess)

@@ -141,7 +141,7 @@ def _enough(blocks: Sequence[_Block]) -> int:
 
 
 def _repeated(rows: Rows, base: Base, values: FloatArray, members: Sequence[int]) -> Iterator[_Block]:
-    """Blocks of neighbouring targets that were read more than once with one set-up; first ones of every set-up first."""
+    """Blocks of neighbouring targets that were read more than once with one set-up; first ones of all set-ups first."""
     of_setup: dict[int, list[int]] = {}
     for place in members:
         of_setup.setdefault(int(rows.setup[base.runs[place].rows.at[0]]), []).append(place)

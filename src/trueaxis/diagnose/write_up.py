@@ -12,9 +12,11 @@ from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fit, predicted
 from trueaxis.diagnose.linearisation import linearisation_note
 from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
+from trueaxis.diagnose.noise import REPEATS, STATED
 from trueaxis.diagnose.null import Null
 from trueaxis.diagnose.prospect import Prospect
 from trueaxis.diagnose.refit import Fitted
+from trueaxis.diagnose.report.words import noise_origin
 from trueaxis.diagnose.result import (
     AmplitudeOf,
     BoolArray,
@@ -129,8 +131,8 @@ def _evidence(one: Scanned) -> Evidence:
 def _warnings(outcome: Outcome, causes: Sequence[Cause]) -> tuple[str, ...]:
     found = []
     for one in outcome.null.noise:
-        if one.origin != "repeats":
-            found.append(f"noise of the {one.instrument}: {one.origin}; repeat runs to know it")
+        if one.origin not in (REPEATS, STATED):
+            found.append(f"noise of the {one.instrument}: {noise_origin(one.origin)}; repeat runs to know it")
     if outcome.verdict == "unexplained_structure":
         found.append("structure is left that no known cause explains: no name is given")
     found += [
@@ -144,7 +146,7 @@ def _warnings(outcome: Outcome, causes: Sequence[Cause]) -> tuple[str, ...]:
         if one.rivals
     ]
     if outcome.null.outliers:
-        found.append(f"{len(outcome.null.outliers)} readings far from their repeats were left out")
+        found.append(f"{len(outcome.null.outliers)} outliers were left out")
     return tuple(found)
 
 

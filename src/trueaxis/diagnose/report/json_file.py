@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from trueaxis.diagnose.report.structures import check_meaning, check_name
 from trueaxis.diagnose.result import Cause, Diagnosis, Evidence, Limit, Stage, Stale
 from trueaxis.effects.kind import Effect
 
@@ -61,8 +62,10 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         ],
         "checks": [
             {
-                "check": one.name,
-                "meaning": one.meaning,
+                "id": one.structure.value,
+                "place": one.place,
+                "check": check_name(one),
+                "meaning": check_meaning(one),
                 "p_value": one.p_value,
                 "fired": one.fired,
                 "rms_um": _um(one.rms),

@@ -5,7 +5,8 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from trueaxis.diagnose.report.quantity import NBSP, UM, micrometres, percent, probability, quantity, written
-from trueaxis.diagnose.report.words import effect_title, in_words
+from trueaxis.diagnose.report.structures import check_meaning, check_name
+from trueaxis.diagnose.report.words import effect_title, in_words, noise_origin
 from trueaxis.diagnose.result import Cause, Diagnosis
 
 R2 = "R\N{SUPERSCRIPT TWO}"
@@ -73,7 +74,13 @@ def limits(diagnosis: Diagnosis) -> Table:
 def checks(diagnosis: Diagnosis) -> Table:
     """Those that fired first, then by p."""
     rows = tuple(
-        (one.name, one.meaning, probability(one.p_value), micrometres(one.rms), "FIRED" if one.fired else "quiet")
+        (
+            check_name(one),
+            check_meaning(one),
+            probability(one.p_value),
+            micrometres(one.rms),
+            "FIRED" if one.fired else "quiet",
+        )
         for one in sorted(diagnosis.checks, key=lambda one: (not one.fired, _last(one.p_value)))
     )
     head = ("check", "what it looks for", "p", f"RMS ({UM})", "result")
@@ -110,11 +117,11 @@ def noise(diagnosis: Diagnosis) -> Table:
             _short(one.correlation),
             micrometres(one.settles),
             f"{one.freedom:.0f}" if math.isfinite(one.freedom) else DASH,
-            one.origin,
+            noise_origin(one.origin),
         )
         for one in diagnosis.noise
     )
-    head = ("instrument", "sigma", "white", "correlated", "correlation", "slope of a run", "d.o.f.", "from")
+    head = ("instrument", "sigma", "white", "correlated", "correlation", "settles by", "d.o.f.", "from")
     return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 7)))
 
 

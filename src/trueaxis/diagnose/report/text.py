@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from trueaxis.diagnose.report.quantity import ascii_only, micrometres, percent, probability, with_expanded
+from trueaxis.diagnose.report.structures import check_meaning, check_name
 from trueaxis.diagnose.report.words import effect_title, headline, joint, largest_structures
 from trueaxis.diagnose.result import Cause, Diagnosis
 from trueaxis.effects.library import BY_NAME
@@ -20,7 +21,8 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
     if diagnosis.verdict == "unexplained_structure":
         shown, more = largest_structures(diagnosis)
         yield from (
-            f"looks like: {one.name}: {one.meaning} ({micrometres(one.rms)} um RMS, p {probability(one.p_value)})"
+            f"looks like: {check_name(one)}: {check_meaning(one)} "
+            f"({micrometres(one.rms)} um RMS, p {probability(one.p_value)})"
             for one in shown
         )
         if more:

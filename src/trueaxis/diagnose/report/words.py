@@ -4,7 +4,8 @@ import re
 from collections.abc import Iterable, Sequence
 
 from trueaxis.diagnose.report.quantity import NBSP, UM, probability, quantity, with_expanded
-from trueaxis.diagnose.result import LACK_OF_FIT, Cause, Check, Diagnosis, Verdict
+from trueaxis.diagnose.report.structures import check_name
+from trueaxis.diagnose.result import Cause, Check, Diagnosis, StructureClass, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 
@@ -123,7 +124,7 @@ def _detail(diagnosis: Diagnosis) -> str:
         return f"The values given would look so stale by chance with a probability of {p}."
     if diagnosis.verdict == "unexplained_structure":
         shown, more = largest_structures(diagnosis)
-        said = [f"{one.name} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
+        said = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
         said += [f"{more} more classes, listed under the checks"] if more else []
         return f"It looks like: {enumerated(said)}." if said else ""
     return ""
@@ -132,7 +133,7 @@ def _detail(diagnosis: Diagnosis) -> str:
 def largest_structures(diagnosis: Diagnosis) -> tuple[list[Check], int]:
     """The classes that fired, the largest ones first; how many more there are. One structure makes many fire."""
     fired = [one for one in diagnosis.checks if one.fired]
-    fired.sort(key=lambda one: (one.name == LACK_OF_FIT, -one.rms))
+    fired.sort(key=lambda one: (one.structure is StructureClass.LACK_OF_FIT, -one.rms))
     return fired[:MOST_STRUCTURES], len(fired[MOST_STRUCTURES:])
 
 
@@ -140,3 +141,13 @@ def short_title(effect: Effect, longest: int = 26) -> str:
     """`effect_title`, cut where a figure has no room for more."""
     title = effect_title(effect)
     return title if len(title) <= longest else f"{title[: longest - 1]}\N{HORIZONTAL ELLIPSIS}"
+
+
+def noise_origin(origin: str) -> str:
+    """Where the noise of an instrument comes from, in words."""
+    return {
+        "repeats": "repeats",
+        "courses": "nothing is repeated, from the course of each run",
+        "given": "given",
+        "unknown": "unknown: too few readings",
+    }[origin]
