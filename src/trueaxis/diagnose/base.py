@@ -34,8 +34,8 @@ class Base:
     columns: (n, p), per unknown in units of what is expected of it: those of the machine, then those of set-ups that
     runs share; of_machine: how many are the machine's; components: the component error or location error of each of
     these; expected: (p,), standard deviation of each before anything is measured; sizes: (p,), mm or rad, the units;
-    bases: of the curves; by_chance: (n, k), one standard deviation each; own: (n_r, k) of every run with readings; runs:
-    these runs.
+    bases: of the curves; by_chance: (n, k), one standard deviation each; own: (n_r, k) of every run with readings;
+    runs: these runs.
     """
 
     columns: FloatArray

@@ -93,33 +93,46 @@ def _repeats(rows: Rows, mine: IntArray) -> list[list[IntArray]]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fit:
-    """Errors of the machine and sizes of causes from some rows. root: (q, q), of their covariance."""
+    """Errors of the machine and sizes of causes from some rows.
+
+    columns: (n, q), mm, of all rows; refitted, extended: (q,); root: (q, q), of their covariance; known: (n,), mm, what
+    causes do besides.
+    """
 
     columns: FloatArray
     refitted: FloatArray
     extended: FloatArray
     root: FloatArray
+    known: FloatArray
 
 
 def fit(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted], rows: BoolArray) -> Fit:
-    """From the rows (n,) chosen; values: (n,) mm, readings less what is expected."""
+    """From the rows (n,) chosen; values: (n,) mm, readings less what is expected.
+
+    What a cause does elsewhere alone, as in one run of an instrument, is taken as it was found there.
+    """
     signals = [one.signal[:, np.newaxis] / max(float(np.abs(one.signal).max()), 1e-300) for one in causes]
+    apart = [k for k, one in enumerate(signals) if not one[rows].any()]
+    known = sum((causes[k].signal for k in apart), np.zeros(values.size))
+    signals = [one for k, one in enumerate(signals) if k not in apart]
     columns = np.hstack([base.columns * base.expected, base.by_chance, *signals])
-    p, q = columns.shape[1] - len(causes), columns.shape[1]
+    p, q = columns.shape[1] - len(signals), columns.shape[1]
     white = whitening.only(rows)(np.column_stack([columns, values])[rows])
     prior = np.diag(np.concatenate([np.ones(p), np.full(q - p, 1.0 / VAGUE)]))
     r = np.asarray(np.linalg.qr(np.vstack([white, np.column_stack([prior, np.zeros(q)])]), mode="r"))
     refitted = np.concatenate([solve_triangular(r[:p, :p], r[:p, q]), np.zeros(q - p)])
-    return Fit(columns, refitted, solve_triangular(r[:q, :q], r[:q, q]), solve_triangular(r[:q, :q], np.eye(q)))
+    root = solve_triangular(r[:q, :q], np.eye(q))
+    return Fit(columns, refitted, root @ r[:q, q], root, known)
 
 
 def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArray) -> Prediction:
     """What is left of some rows, (n,)."""
     own = whitening.only(rows)
     columns, mine = fit.columns[rows], values[rows]
-    left = [less_own(own, mine - columns @ one) for one in (np.zeros(columns.shape[1]), fit.refitted, fit.extended)]
+    rest = [mine, mine - columns @ fit.refitted, mine - columns @ fit.extended - fit.known[rows]]
+    left = [less_own(own, one) for one in rest]
     freedom = float(rows.sum() - own.own_count.sum())
-    white = own(mine - columns @ fit.extended)
+    white = own(rest[-1])
     variance = freedom + float(np.sum((own(columns) @ fit.root) ** 2))
     return Prediction(Left(*left), freedom, float(np.sqrt(white @ white / variance)) if freedom > 0 else np.nan)
 
@@ -130,8 +143,8 @@ def of_instruments(base: Base, whitening: Whitening, values: FloatArray, causes:
     fitted = fit(base, whitening, values, causes, every)
     of_machine = fitted.extended.copy()
     of_machine[base.of_machine : base.columns.shape[1] + base.by_chance.shape[1]] = 0.0
-    without = values - fitted.columns @ of_machine
-    return np.asarray(without - less_own(whitening, values - fitted.columns @ fitted.extended))
+    without = values - fitted.columns @ of_machine - fitted.known
+    return np.asarray(without - less_own(whitening, values - fitted.columns @ fitted.extended - fitted.known))
 
 
 def gain_of(everything: Prediction, held: Prediction, split: str, floor: float) -> Gain:

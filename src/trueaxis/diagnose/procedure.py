@@ -12,7 +12,7 @@ from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.gain import fit, gain_of, held_out, of_instruments, predicted
-from trueaxis.diagnose.imperfection import imperfection
+from trueaxis.diagnose.imperfection import imperfection, imperfections
 from trueaxis.diagnose.null import Null, again, null_of
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.prospect import prospect_of
@@ -88,7 +88,8 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         checks = _checks(ground, ground.base, ground.base.rest(ground.values))
     options.progress("gain")
     signals = [one.signal for one in (*standing, *causes)]
-    stale, stale_p = stale_values(null.rows, null.base, null.whitening, signals, values, ground.freedom)
+    besides = [column for one in (*standing, *causes) for column in imperfections(readings, one)]
+    stale, stale_p = stale_values(null, signals, besides, ground.freedom)
     held, split = held_out(null.rows)
     every = np.ones_like(held)
     of_all = predicted(fit(null.base, null.whitening, values, causes, every), null.whitening, values, every)

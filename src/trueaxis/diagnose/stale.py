@@ -10,27 +10,30 @@ import numpy as np
 
 from trueaxis.diagnose.base import Base
 from trueaxis.diagnose.freedom import Freedom
+from trueaxis.diagnose.null import Null
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.result import FloatArray, IntArray, Stale
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
-from trueaxis.diagnose.whiten import RANK, Whitening
+from trueaxis.diagnose.whiten import RANK
 
 FALSE_ALARMS = 1e-5  # share of data with true values in which one component or other is taken for stale
 CHANGED = 2.0  # standard uncertainties: from where to where a curve has changed
 
 
 def stale_values(
-    rows: Rows, base: Base, whitening: Whitening, causes: Sequence[FloatArray], values: FloatArray, freedom: Freedom
+    null: Null, causes: Sequence[FloatArray], besides: Sequence[FloatArray], freedom: Freedom
 ) -> tuple[tuple[Stale, ...], float]:
     """What is stale, most evident first, and the p value of all values given being true.
 
-    causes: (n,) each, mm, signals of causes, free in size; values: (n,) mm, readings less what is expected.
+    causes: (n,) each, mm, signals of causes, free in size; besides: (n,) each, mm, what they may do besides, one standard
+    deviation.
     """
+    rows, base, whitening = null.rows, null.base, null.whitening
     aside = [whitening(base.columns[:, base.of_machine :]), *(whitening(one)[:, np.newaxis] for one in causes)]
     nuisance = Projection(orthonormal(np.hstack(aside))) if aside[0].size or causes else None
-    chance = whitening(base.by_chance)
-    white = whitening(np.column_stack([base.machine * base.expected[: base.of_machine], values]))
+    chance = whitening(np.column_stack([base.by_chance, *besides]))
+    white = whitening(np.column_stack([base.machine * base.expected[: base.of_machine], null.values]))
     if nuisance is not None:
         white, chance = nuisance.rest(white), nuisance.rest(chance)
     white = Projection(np.zeros((rows.size, 0))).softened(chance).rest(white)
