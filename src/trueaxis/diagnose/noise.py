@@ -98,7 +98,9 @@ def _of_instrument(
         every = [one for one in blocks(rows, base, values, members) if one.freedom > 0]
         freedom = float(sum(one.freedom for one in every))
         if freedom >= FEWEST:
-            noise, scales = _restricted(every, members)
+            hardly = _hardly_repeated(every, members) if origin == REPEATS else set()
+            alone = [one for one in _courses(rows, base, values, sorted(hardly)) if one.freedom > 0]
+            noise, scales = _restricted(every, alone, members)
             return _shown(noise, step, _readings_of_a_target(rows, base, members)), scales, origin, freedom
     mine = np.concatenate([base.runs[place].rows.at for place in members])
     size = max(float(np.sqrt(np.mean(values[mine] ** 2))), SMALLEST)
@@ -211,12 +213,24 @@ def _independent(columns: FloatArray) -> FloatArray:
     return np.asarray(left[:, singular > 1e-9 * singular.max(initial=0.0)])
 
 
-def _restricted(blocks: Sequence[_Block], members: Sequence[int]) -> tuple[Noise, FloatArray]:
-    """The noise of one instrument by REML, and the scale of each of its runs."""
-    good = [_near(one) for one in blocks]
+def _hardly_repeated(blocks: Sequence[_Block], members: Sequence[int]) -> set[int]:
+    """Runs of which too few readings are repeated to tell that they have another noise than their instrument."""
+    repeated = dict.fromkeys(members, 0)
+    for one in blocks:
+        for place, part, _ in one.parts:
+            repeated[place] += part.stop - part.start
+    return {place for place, count in repeated.items() if count < 2.0 * AS_MANY}
+
+
+def _restricted(blocks: Sequence[_Block], alone: Sequence[_Block], members: Sequence[int]) -> tuple[Noise, FloatArray]:
+    """The noise of one instrument by REML, and the scale of each of its runs. alone: of runs by themselves, which tell
+    of their scale alone.
+    """
+    good, good_alone = [_near(one) for one in blocks], [_near(one) for one in alone]
     even = dict.fromkeys(members, 1.0)
     some = _enough(blocks)
-    scale = _scales(blocks, good, _best(blocks[:some], good[:some], even), members)
+    first = _best(blocks[:some], good[:some], even)
+    scale = _scales([*blocks, *alone], [*good, *good_alone], first, members)
     best = _best(blocks[:some], good[:some], scale)
     return best, np.array([scale[place] for place in members])
 

@@ -26,8 +26,8 @@ def stale_values(
 ) -> tuple[tuple[Stale, ...], float]:
     """What is stale, most evident first, and the p value of all values given being true.
 
-    causes: (n,) each, mm, signals of causes, free in size; besides: (n,) each, mm, what they may do besides, one standard
-    deviation.
+    causes: (n,) each, mm, signals of causes, free in size; besides: (n,) each, mm, what they may do besides, one
+    standard deviation.
     """
     rows, base, whitening = null.rows, null.base, null.whitening
     aside = [whitening(base.columns[:, base.of_machine :]), *(whitening(one)[:, np.newaxis] for one in causes)]
