@@ -29,6 +29,7 @@ ENOUGH = 1500.0  # degrees of freedom: they tell the noise to 2 %
 ALLOWED = 1.35  # of log-likelihood: 90 % confidence
 COURSE = 12  # degree of a run's own course, where nothing is repeated
 PER_DEGREE = 6  # readings of a run for each of them
+HELD = 0.05  # of a reading's variance: where the free columns leave less, it says nothing of the noise
 FAR = 5.0  # robust standard deviations: such readings tell nothing of the noise
 NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal variable
 GIVEN = 1e6  # degrees of freedom of a noise that is given
@@ -266,12 +267,12 @@ def _lasting(blocks: Sequence[_Block]) -> list[float]:
 
 
 def _near(block: _Block) -> BoolArray:
-    """(n,): readings that are not far off, by what the free columns leave of them."""
-    left = block.values - block.free @ (block.free.T @ block.values)
-    spread = float(np.median(np.abs(left))) / NORMAL_MEDIAN
-    # of a block with few degrees of freedom for its readings less is left than the noise
-    spread /= max(np.sqrt(max(block.freedom, 1) / block.values.size), 1e-3)
-    near = np.abs(left) <= FAR * spread if spread > 0.0 else np.ones(left.size, dtype=bool)
+    """(n,): readings that are not far off, by what the free columns leave of them; those that they hold are not."""
+    share = 1.0 - np.sum(block.free**2, axis=1)
+    left = np.abs(block.values - block.free @ (block.free.T @ block.values)) / np.sqrt(np.maximum(share, HELD))
+    telling = share > HELD
+    spread = float(np.median(left[telling])) / NORMAL_MEDIAN if telling.any() else 0.0
+    near = (left <= FAR * spread) | ~telling if spread > 0.0 else np.ones(left.size, dtype=bool)
     return near if near.sum() > block.free.shape[1] else np.ones(left.size, dtype=bool)
 
 
