@@ -323,12 +323,17 @@ def _scales(
     for block, kept in zip(blocks, good, strict=True):
         white, _ = _whitened(block, kept, noise, every_one)
         q = np.linalg.qr(white[:, :-1])[0]
-        left = white[:, -1] - q @ (q.T @ white[:, -1])
         share = 1.0 - np.sum(q**2, axis=1)
+        squares = (white[:, -1] - q @ (q.T @ white[:, -1])) ** 2 / np.maximum(share, HELD)
         start = 0
         for place, part, _ in block.parts:
             mine = slice(start, start + int(kept[part].sum()))
-            squares[place] += float(left[mine] @ left[mine])
-            freedom[place] += float(share[mine].sum())
+            left[place].append(squares[mine][share[mine] > HELD])
+            told[place] += float(share[mine].sum()) / LESS_EFFICIENT
             start = mine.stop
-    return {place: float(np.sqrt((AS_MANY + squares[place]) / (AS_MANY + freedom[place]))) for place in members}
+    found = {}
+    for place in members:
+        every = np.concatenate([np.zeros(0), *left[place]])
+        ratio = float(np.median(every)) / NORMAL_MEDIAN**2 if every.size else 1.0
+        found[place] = float(np.sqrt((AS_MANY + told[place] * ratio) / (AS_MANY + told[place])))
+    return found
