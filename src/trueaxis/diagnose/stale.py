@@ -107,5 +107,6 @@ def _change(
         last=float(at[last]) if at.size > 1 else None,
         value=float(value[peak]),
         u=float(u[peak]),
+        unit=base.units[name],
         p_value=float(np.exp(max(log_p, -700.0))),
     )

@@ -97,13 +97,14 @@ def noise(diagnosis: Diagnosis) -> float:
 
 
 def _stale(one: Stale) -> dict[str, Any]:
-    """from, to: positions of the axis, null of a location error; value, u: mm or rad."""
+    """from, to: positions of the axis, null of a location error; value, u: in `unit`."""
     return {
         "component": one.component,
         "from": one.first,
         "to": one.last,
         "value": one.value,
         "u": one.u,
+        "unit": one.unit,
         "p_value": one.p_value,
     }
 
