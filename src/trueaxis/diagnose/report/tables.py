@@ -130,7 +130,7 @@ def noise(diagnosis: Diagnosis) -> Table:
             micrometres(one.sigma),
             micrometres(one.white),
             micrometres(one.correlated),
-            _short(one.correlation),
+            _short(one.correlation) if one.correlated else DASH,
             micrometres(one.settles),
             f"{one.freedom:.0f}" if one.origin in ESTIMATED else DASH,
             noise_origin(one.origin),
