@@ -12,7 +12,7 @@ EXPECTED = 0.05  # good readings that are taken for outliers, of a whole data se
 NEIGHBOURS = 2  # more than two spoilt readings in a row are not chance
 SHARED = 0.5  # of a deviation, that its repeats show as well: then it is structure
 ALIKE = 0.5  # of the largest one: a large outlier lifts the slow noise of its whole run, and smaller ones wait
-MOST = 0.1  # of a run: where more are off, the model is
+MOST = 0.1  # of a run, or two readings of a short one: where more are off, the model is
 
 
 def spoilt(
@@ -23,7 +23,8 @@ def spoilt(
     """
     limit = float(norm.isf(0.5 * EXPECTED / max(readings, 1)))
     found = np.zeros(residual.size, dtype=bool)
-    for _ in range(int(MOST * residual.size) + 1):
+    most = max(MOST * residual.size, NEIGHBOURS)
+    for _ in range(int(most) + 1):
         good = np.flatnonzero(~found)
         if good.size < 3:
             break
@@ -35,7 +36,7 @@ def spoilt(
         if not peaks.any():
             break
         found[good[peaks]] = True
-    return found & ~_long(found) if found.mean() <= MOST else np.zeros(residual.size, dtype=bool)
+    return found & ~_long(found) if found.sum() <= most else np.zeros(residual.size, dtype=bool)
 
 
 def _largest_around(z: FloatArray) -> FloatArray:
