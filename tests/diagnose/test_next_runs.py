@@ -16,7 +16,7 @@ from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.next_runs import Ahead, next_runs, separating_run
 from trueaxis.diagnose.procedure import diagnose
 from trueaxis.diagnose.prospect import TIMES, Outlook, Placed, Prospect, inverse_roots, outlooks_of, prospect_of
-from trueaxis.diagnose.result import Check, Diagnosis, NoiseOf
+from trueaxis.diagnose.result import Check, Diagnosis, NoiseOf, StructureClass
 from trueaxis.diagnose.separation import separation, told
 from trueaxis.diagnose.signatures import signature_of
 from trueaxis.effects.kind import Effect
@@ -49,10 +49,10 @@ def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tu
     rows, size = prospect.readings.rows, one.readings.rows.size
     part = prospect.innovations[number]
     keep = np.r_[0:size, part.rows]
-    base = base_of(one.readings.model, rows).columns
-    if prospect.further[number].other_bar:
-        base = np.column_stack([base, rows.run == rows.run[part.rows.start]])
-    sigma = np.r_[np.full(size, SIGMA), np.full(keep.size - size, part.noise.sigma)][:, np.newaxis]
+    every = replace(one, readings=prospect.readings, null=base_of(one.readings.model, rows))
+    base = np.hstack([every.columns, every.without_own()])
+    sigma = prospect.whitening.sigma[keep, np.newaxis]
+    assert prospect.whitening.sigma[:size] == pytest.approx(SIGMA)
     columns = np.column_stack([signature_of(prospect.readings, effect).over_all()[:, 0] for effect in pair])
     white, signatures = base[keep] / sigma, columns[keep] / sigma
     white = white[:, white.any(axis=0)]
@@ -114,7 +114,7 @@ def field_with_temperature(waves: float) -> Field:
     share = (rows.time - rows.time.min()) / np.ptp(rows.time)
     rows = replace(rows, temperature=20.0 + 3.0 * share + waves * np.sin(20.0 * np.pi * share))
     rows = replace(rows, context=context_of(rows.runs, rows))
-    return field_of(given.model, rows, [NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 1e6, "given") for _ in rows.present])
+    return field_of(given.model, rows)
 
 
 def test_no_run_tells_apart_what_is_one_displacement_of_tool_against_workpiece() -> None:
@@ -142,24 +142,27 @@ def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() ->
     prospect = ahead_in(field(WHOLE))
     nothing = Audit((), (), np.zeros((0, 0)))
     checks = (
-        Check("lines of Y, locally", "", 1e-9, fired=True, rms=1e-3),
-        Check("circles of XY, lobes by feed", "", 1e-5, fired=True, rms=1e-3),
-        Check("lines of X, by line", "", 0.5, fired=False, rms=0.0),
+        Check(StructureClass.LINE_LOCAL, "Y", 1e-9, fired=True, rms=1e-3),
+        Check(StructureClass.CIRCLE_FEED, "XY", 1e-5, fired=True, rms=1e-3),
+        Check(StructureClass.LINE_BY_LINE, "X", 0.5, fired=False, rms=0.0),
     )
-    noise = (NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 10.0, "nothing is repeated"),)
+    noise = (NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 10.0, "courses"),)
     found = next_runs(prospect, nothing, (), checks, noise)
     assert ["line of Y" in found[0].run, "circle in XY" in found[1].run] == [True, True]
     assert len(found) == 3
     assert "three times" in found[2].run
-    repeats = (
-        Check("lines of Z, course of repeats", "", 1e-9, fired=True, rms=1e-3),
-        Check("circles of XY, in the course of a run", "", 1e-8, fired=True, rms=1e-3),
-        Check("circles of YZ, slopes of repeats", "", 1e-5, fired=True, rms=1e-3),
+    assert "1.00" in found[0].gain
+    courses = (
+        Check(StructureClass.LINE_TEMPERATURE, "Z", 1e-9, fired=True, rms=1e-3),
+        Check(StructureClass.CIRCLE_COURSE, "XY", 1e-8, fired=True, rms=1e-3),
+        Check(StructureClass.LACK_OF_FIT, "laser", 1e-7, fired=True, rms=1e-3),  # nothing in particular to measure
     )
-    proposed = [one.run for one in next_runs(prospect, nothing, (), repeats, ())]
-    assert ["lines of Z five times" in proposed[0], "two turns" in proposed[1], "YZ three times" in proposed[2]] == [
-        True
-    ] * 3
+    proposed = [one.run for one in next_runs(prospect, nothing, (), courses, ())]
+    assert len(proposed) == 2
+    assert "a line of Z again over a swing of the temperature" in proposed[0]
+    assert "two turns" in proposed[1]
+    repeated = (NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 100.0, "repeats"), NoiseOf("probe", SIGMA, 0, 0, 0, 1e6, "given"))
+    assert next_runs(prospect, nothing, (), (), repeated) == ()
     named = Ahead(Effect("backlash", "EXX"), (), 1e-3, None)
     assert next_runs(prospect, nothing, (named,), checks, ()) == ()
 
