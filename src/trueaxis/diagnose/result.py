@@ -183,8 +183,8 @@ class Stage:
 @dataclass(frozen=True, slots=True)
 class Stale:
     """Values given that are no longer true: the component or location error, from where to where (mm or deg; None of a
-    location error), its largest change and the standard uncertainty of that, mm or rad; p_value: of its values being
-    right.
+    location error), its change where that is clearest, with its standard uncertainty, mm or rad; p_value: of all its
+    values being right.
     """
 
     component: str

@@ -147,8 +147,8 @@ def _sections(diagnosis: Diagnosis, kinds: frozenset[str]) -> list[Section]:
         Section(
             "stale",
             "Values that are no longer true",
-            "The readings ask for other values than those given. Change: what they ask for less what was given, where "
-            "it is largest; from, to: where it is more than twice its standard uncertainty; p: of the whole error.",
+            "The readings ask for other values than those given. Change: what they ask for less what was given, where it "
+            "exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; p: of the whole curve.",
             (),
             (tables.stale(diagnosis),),
         ),

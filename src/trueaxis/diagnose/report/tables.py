@@ -118,7 +118,7 @@ def stale(diagnosis: Diagnosis) -> Table:
         )
         for one in diagnosis.stale
     )
-    head = ("error", "from", "to", "largest change", "u", "p")
+    head = ("error", "from", "to", "change", "u", "p")
     return Table("Values that have changed", head, rows, frozenset(range(1, 6)))
 
 
