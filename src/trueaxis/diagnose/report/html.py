@@ -147,8 +147,8 @@ def _sections(diagnosis: Diagnosis, kinds: frozenset[str]) -> list[Section]:
         Section(
             "stale",
             "Values that are no longer true",
-            "The readings ask for other values than those given. Change: what they ask for less what was given, where it "
-            "exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; p: of the whole curve.",
+            "The readings ask for other values than those given. Change: what they ask for less what was given, where "
+            "it exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; p: of all of it.",
             (),
             (tables.stale(diagnosis),),
         ),

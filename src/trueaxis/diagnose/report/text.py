@@ -35,7 +35,7 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
         )
         if more:
             yield f"looks like: {more} more classes, smaller or the same seen otherwise (report.html)"
-    yield from (f"stale: {stale_change(one)} (p {probability(one.p_value)})" for one in diagnosis.stale)
+    yield from (f"stale: {stale_change(one)} (p of the whole {probability(one.p_value)})" for one in diagnosis.stale)
     yield from _gain(diagnosis.gain)
     if diagnosis.outliers:
         yield f"left out as outliers: {len(diagnosis.outliers)} readings"
