@@ -12,10 +12,10 @@ from trueaxis.diagnose.noise import noise_of_runs
 from trueaxis.diagnose.result import BoolArray, FloatArray, NoiseOf, Outlier
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.whiten import RANK, Whitening, whitening
-from trueaxis.estimation.outliers import spoilt
+from trueaxis.estimation.outliers import ALIKE, excess, spoilt
 from trueaxis.runtime.model import MachineModel
 
-ROUNDS = 3  # of looking for outliers: a large one hides others
+ROUNDS = 10  # of looking for outliers: the largest go first, as they pull what is fitted to good readings
 UNSETTLED = 1e-3  # of the noise: what settles by less is none
 
 
@@ -101,8 +101,10 @@ def _spoilt(null: Null, left: FloatArray) -> BoolArray:
     found = np.zeros(null.rows.size, dtype=bool)
     for noise, one in zip(null.whitening.runs, null.base.runs, strict=True):
         at = one.rows.at
-        found[at] = spoilt(noise.noise, noise.scale, one.rows.steps, left[at], null.rows.target[at], null.rows.size)
-    return found
+        scale = noise.scale * excess(left[at], noise.sigma)
+        found[at] = spoilt(noise.noise, scale, one.rows.steps, left[at], null.rows.target[at], null.rows.size)
+    size = np.abs(left) / null.whitening.sigma
+    return found & (size >= ALIKE * size[found].max(initial=0.0))
 
 
 def _named(null: Null, bad: BoolArray, left: FloatArray) -> tuple[Outlier, ...]:

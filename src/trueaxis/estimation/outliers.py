@@ -12,6 +12,7 @@ EXPECTED = 0.05  # good readings that are taken for outliers, of a whole data se
 NEIGHBOURS = 2  # more than two spoilt readings in a row are not chance
 SHARED = 0.5  # of a deviation, that its repeats show as well: then it is structure
 ALIKE = 0.5  # of the largest one: a large outlier lifts the slow noise of its whole run, and smaller ones wait
+HALF = 0.6745  # of a normal distribution lies within so many standard deviations
 MOST = 0.1  # of a run, or two readings of a short one: where more are off, the model is
 
 
@@ -37,6 +38,15 @@ def spoilt(
             break
         found[good[peaks]] = True
     return found & ~_long(found) if found.sum() <= most else np.zeros(residual.size, dtype=bool)
+
+
+def excess(residual: FloatArray, scale: float) -> float:
+    """By what residuals of a run, (n,), mm, exceed a noise that is known, mm; 1 at least.
+
+    A gross outlier pulls the values along, and with them good readings of its run: the largest residual goes first, the
+    others wait. A noise that is estimated from the residuals is then as large by itself.
+    """
+    return max(1.0, float(np.median(np.abs(residual))) / (HALF * scale))
 
 
 def _largest_around(z: FloatArray) -> FloatArray:

@@ -10,7 +10,7 @@ from trueaxis.estimation.jacobian import RunRows
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.noise_of_residuals import first_noise, noise_of_draws
-from trueaxis.estimation.outliers import spoilt
+from trueaxis.estimation.outliers import excess, spoilt
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import Reduced, reduced
 from trueaxis.estimation.residuals import first_order, residuals_of
@@ -21,7 +21,6 @@ from trueaxis.runtime.errors import ErrorValues
 
 NOTHING, LEAST_SHARE = 1e-3, 1e-3  # of a sum of squares in units of their variances; of a step
 DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
-HALF = 0.6745  # of a normal distribution lies within so many standard deviations
 DRAWS = 8  # of the posterior, from which the noise is taken
 
 
@@ -152,15 +151,6 @@ def without_outliers(state: State) -> State:
     readings = sum(one.reading.size for one in state.runs)
     good: list[BoolArray] = []
     for one, rest, scale in zip(state.runs, state.residual, state.scales.tolist(), strict=True):
-        exceeded = scale * _excess(rest, scale) if one.instrument in state.stated else scale
+        exceeded = scale * excess(rest, scale) if one.instrument in state.stated else scale
         good.append(~spoilt(state.noise[one.instrument], exceeded, one.rows.steps, rest, one.repeats, readings))
     return replace(state, runs=tuple(replace(one, good=now) for one, now in zip(state.runs, good, strict=True)))
-
-
-def _excess(residual: FloatArray, scale: float) -> float:
-    """By what residuals of a run, (n,), mm, exceed its stated noise, 1 at least.
-
-    A gross outlier pulls the values along, and with them good readings of its run: the largest residual goes first, the
-    others wait. A noise that is estimated is then as large by itself.
-    """
-    return max(1.0, float(np.median(np.abs(residual))) / (HALF * scale))
