@@ -8,6 +8,7 @@ import numpy as np
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.rows import as_slice
 from trueaxis.diagnose.signatures import Signature
 from trueaxis.diagnose.tails import log_chi2_tail, log_f_tail
 from trueaxis.diagnose.whiten import Whitening
@@ -23,8 +24,8 @@ LN10 = float(np.log(10.0))
 class Prepared:
     """What of a candidate stays the same whatever the readings are and whichever causes are found.
 
-    total, gram: (points, k, k), the whitened signature times itself, before and after the base is taken away; length:
-    of the curve along the grid.
+    total, gram: (points, k, k), the signature times itself, in standard deviations of the readings, and after whitening
+    with base and unknowns of all runs taken away; length: of the curve along the grid.
     """
 
     total: FloatArray
@@ -98,9 +99,9 @@ def _prepared(
     white = whitening.part(signature.support, columns.reshape(size, count * k))
     held = (base.of(signature.support).T @ white).reshape(-1, count, k)
     full = white.reshape(size, count, k)
-    total = _gram(full, full)
+    by_noise = columns / whitening.sigma[as_slice(signature.support), np.newaxis, np.newaxis]
     cross = _gram(full[:, :-1], full[:, 1:]) - _gram(held[:, :-1], held[:, 1:])
-    return total, total - _gram(held, held), cross
+    return _gram(by_noise, by_noise), _gram(full, full) - _gram(held, held), cross
 
 
 def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:
