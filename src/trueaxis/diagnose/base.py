@@ -22,6 +22,7 @@ from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.runtime.bases import LegendreBasis
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
+from trueaxis.spec.machine import LINEAR
 
 DEGREE = 12
 PLACES = 201  # over the travel, at which a curve is looked at
@@ -33,14 +34,15 @@ class Base:
 
     columns: (n, p), per unknown in units of what is expected of it: those of the machine, then those of set-ups that
     runs share; of_machine: how many are the machine's; components: the component error or location error of each of
-    these; expected: (p,), standard deviation of each before anything is measured; sizes: (p,), mm or rad, the units;
-    bases: of the curves; by_chance: (n, k), one standard deviation each; own: (n_r, k) of every run with readings;
-    runs: these runs.
+    these; units: `mm` or `rad` of each component and location error; expected: (p,), standard deviation of each before
+    anything is measured; sizes: (p,), mm or rad, the units; bases: of the curves; by_chance: (n, k), one standard
+    deviation each; own: (n_r, k) of every run with readings; runs: these runs.
     """
 
     columns: FloatArray
     of_machine: int
     components: tuple[str, ...]
+    units: Mapping[str, str]
     expected: FloatArray
     sizes: FloatArray
     bases: Mapping[str, LegendreBasis]
@@ -106,6 +108,8 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
         columns=np.hstack([everything[:, :m], shared[:, ~chance]]),
         of_machine=m,
         components=(*np.repeat(layout.components, counts).tolist(), *layout.locations),
+        units={name: "mm" if name[1] in LINEAR else "rad" for name in layout.components}
+        | {name: model.machine.parameter_unit(name) for name in layout.locations},
         expected=np.concatenate([*weights, others]),
         sizes=np.concatenate([layout.sizes[:m], layout.sizes[m:][~chance]]),
         bases=dict(zip(layout.components, layout.bases, strict=True)),

@@ -21,6 +21,7 @@ from trueaxis.effects.kind import Effect, Kind
 MOST_FAMILIES = 12  # of confounded candidates that are looked at
 MOST = 5  # runs proposed for them
 MOST_NAMED = 3
+DIGITS = 2  # of sizes that are told apart
 FARTHEST_POINT = 5.0  # mm, by which a point that somebody has set up may be off
 
 
@@ -57,7 +58,7 @@ def separating_run(kinds: Mapping[str, Kind], ahead: Ahead) -> str:
         other = f"; what would: {kind.broken_by}" if kind.broken_by else ""
         return f"none of the runs considered would tell {ahead.effect.label} from {_labels(ahead.rivals)}{other}"
     apart = [ahead.rivals[place] for place in best.told]
-    text = f"{_taken(best)} would tell {ahead.effect.label} from {_labels(apart)}, {_gain(kind, ahead.effect, best)}"
+    text = f"{_taken(best)} would tell {ahead.effect.label} from {_labels(apart)}: {_gain(kind, ahead.effect, best)}"
     times = _needed(kind, best, ahead.size)
     if times > best.times:
         text += f"; for the size found it has to be taken about {times} times"
@@ -136,7 +137,7 @@ def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
         said = [f"{one.effect.label} from {one.nearest.label}" for one, _ in pairs[:MOST_NAMED] if one.nearest]
         first, best = pairs[0]
         gain = _gain(kinds[first.effect.kind], first.effect, best)
-        found.append(NextRun(f"could tell {enumerated(said)}", run, f"{gain} ({first.effect.label})"))
+        found.append(NextRun(f"could tell {enumerated(said)}", run, gain))
     return found
 
 
@@ -155,8 +156,8 @@ def _gain(kind: Kind, effect: Effect, best: Separation) -> str:
     _, unit = size_of(kind, effect)
     after, before = isolable(kind, best.after), isolable(kind, best.before)
     never = best.before < 1e-6 * best.after
-    now = "never" if never else f"from {quantity(before, unit)} on"
-    return f"from {quantity(after, unit)} on instead of {now}"
+    now = "no size would do" if never else f"{quantity(before, unit, DIGITS)} are needed"
+    return f"with this run {quantity(after, unit, DIGITS)} of {effect.label} would do; now {now}"
 
 
 def _needed(kind: Kind, best: Separation, size: float) -> int:

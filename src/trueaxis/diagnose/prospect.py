@@ -20,7 +20,7 @@ from scipy.linalg import qr, svd
 
 from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.menu import FurtherRun, menu
-from trueaxis.diagnose.projection import Projection, decomposed, orthonormal
+from trueaxis.diagnose.projection import Projection, decomposed
 from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.search import Ground
@@ -105,7 +105,7 @@ def prospect_of(ground: Ground) -> Prospect:
     innovations = []
     for part in parts:
         turned = white[part] @ right.T
-        own = Projection(orthonormal(_significant(turned[:, rank:])))
+        own = Projection(_spanned(turned[:, rank:]))
         held = own.rest(turned[:, :rank] / singular[:rank])
         roots = inverse_roots(held)
         innovations.append(Innovation(part, held, own, roots))
@@ -227,10 +227,12 @@ def _noise(run: MeasuredRun, known: Mapping[Any, RunNoise]) -> RunNoise:
     )
 
 
-def _significant(columns: FloatArray) -> FloatArray:
-    """Those that are more than rounding."""
-    size = np.linalg.norm(columns, axis=0)
-    return columns[:, size > RANK * max(float(size.max(initial=0.0)), 1.0)]
+def _spanned(columns: FloatArray) -> FloatArray:
+    """(m, rank): an orthonormal basis of what columns, parts of some of unit length, span beyond rounding. They are not
+    scaled to one length first: of a small one mostly rounding would be left.
+    """
+    left, singular, _ = decomposed(columns)
+    return np.asarray(left[:, : np.count_nonzero(singular > RANK * max(float(singular.max(initial=0.0)), 1.0))])
 
 
 def inverse_roots(known: FloatArray) -> tuple[FloatArray, ...]:

@@ -161,7 +161,7 @@ class Check:
 
 @dataclass(frozen=True, slots=True)
 class Outlier:
-    """A reading far from its repeats, left out; deviation in mm and in robust standard deviations."""
+    """A reading far from what base and repeats say, left out; deviation: mm; z: in standard deviations of the noise."""
 
     run: str
     seq: int
@@ -183,7 +183,8 @@ class Stage:
 @dataclass(frozen=True, slots=True)
 class Stale:
     """Values given that are no longer true: the component or location error, from where to where (mm or deg; None of a
-    location error), its largest change, mm or rad, and the standard uncertainty of that.
+    location error), its change where that is clearest, with its standard uncertainty, mm or rad; p_value: of all its
+    values being right.
     """
 
     component: str
@@ -191,6 +192,7 @@ class Stale:
     last: float | None
     value: float
     u: float
+    unit: str
     p_value: float
 
 

@@ -87,7 +87,7 @@ def _freedom(rows: Rows, base: Base, name: str, freedom: Freedom) -> float:
 def _change(
     rows: Rows, base: Base, r: FloatArray, names: FloatArray, taken: Sequence[str], name: str, log_p: float
 ) -> Stale:
-    """By how much the values have changed at most, and from where to where by more than they are uncertain."""
+    """By how much values have changed where it is clearest, and from where to where by more than they are uncertain."""
     chosen = np.isin(names, taken)
     columns = r[:, :-1][:, chosen]
     triangle = np.vstack([columns, np.eye(columns.shape[1])])  # about what is expected
@@ -98,7 +98,7 @@ def _change(
     at, curve = base.curve(name, rows)
     value = curve @ coefficient[mine]
     u = np.linalg.norm(curve @ root[mine], axis=1)
-    peak = int(np.argmax(np.abs(value)))
+    peak = clearest(value, u)
     far = np.flatnonzero(np.abs(value) > CHANGED * u)
     first, last = (far[0], far[-1]) if far.size else (peak, peak)
     return Stale(
@@ -107,5 +107,16 @@ def _change(
         last=float(at[last]) if at.size > 1 else None,
         value=float(value[peak]),
         u=float(u[peak]),
+        unit=base.units[name],
         p_value=float(np.exp(max(log_p, -700.0))),
     )
+
+
+def clearest(value: FloatArray, u: FloatArray) -> int:
+    """Where a change (n,) with standard uncertainties (n,) exceeds CHANGED of them by most; where none does, the place
+    at which it comes nearest to it. The largest change itself may stand where the readings say least.
+    """
+    beyond = np.abs(value) - CHANGED * u
+    if (beyond > 0.0).any():
+        return int(np.argmax(beyond))
+    return int(np.argmax(np.abs(value) / np.maximum(u, 1e-300)))

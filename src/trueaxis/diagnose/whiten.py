@@ -119,9 +119,14 @@ class Whitening:
             yield place, slice(int(begins[place]), int(begins[place + 1]))
 
     def _whitened(self, place: int, columns: FloatArray) -> FloatArray:
+        run = self.runs[place]
         if columns.shape[0] <= SHORT:
-            return np.asarray(self._operator(place) @ columns)
-        return self._aside(place)(self.runs[place].whitened(columns))
+            found = np.asarray(self._operator(place) @ columns)
+        else:
+            found = self._aside(place)(run.whitened(columns))
+        # rounding of what the run's own unknowns hold is no direction of its own
+        found[:, np.linalg.norm(found, axis=0) <= RANK * np.linalg.norm(columns, axis=0) / run.sigma] = 0.0
+        return found
 
     def _back(self, place: int, columns: FloatArray) -> FloatArray:
         if columns.shape[0] <= SHORT:

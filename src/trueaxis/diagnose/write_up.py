@@ -16,7 +16,9 @@ from trueaxis.diagnose.noise import REPEATS, STATED
 from trueaxis.diagnose.null import Null
 from trueaxis.diagnose.prospect import Prospect
 from trueaxis.diagnose.refit import Fitted
-from trueaxis.diagnose.report.words import noise_origin
+from trueaxis.diagnose.report.quantity import quantity
+from trueaxis.diagnose.report.structures import check_name
+from trueaxis.diagnose.report.words import enumerated, held_out_warning, largest_structures, noise_origin
 from trueaxis.diagnose.result import (
     AmplitudeOf,
     BoolArray,
@@ -135,11 +137,13 @@ def _warnings(outcome: Outcome, causes: Sequence[Cause]) -> tuple[str, ...]:
             found.append(f"noise of the {one.instrument}: {noise_origin(one.origin)}; repeat runs to know it")
     if outcome.verdict == "unexplained_structure":
         found.append("structure is left that no known cause explains: no name is given")
-    found += [
-        f"{one.effect.label}: beside it structure is left ({outcome.gain.rms.extended * 1e3:.2f} um in all)"
-        for one in causes
-        if one.remainder
-    ]
+    if any(one.remainder for one in causes):
+        shown, _ = largest_structures(outcome.checks)
+        left = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
+        found.append(
+            f"beside {enumerated([one.effect.label for one in causes])} a remainder is left: {'; '.join(left)}"
+        )
+    found += filter(None, [held_out_warning(outcome.gain)])
     found += [
         f"{one.effect.label} and {', '.join(r.effect.label for r in one.rivals)} predict the same readings"
         for one in causes

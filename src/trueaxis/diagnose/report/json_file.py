@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from trueaxis.diagnose.report.structures import check_meaning, check_name
+from trueaxis.diagnose.report.words import ESTIMATED
 from trueaxis.diagnose.result import Cause, Diagnosis, Evidence, Limit, Stage, Stale
 from trueaxis.effects.kind import Effect
 
@@ -47,7 +48,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
                 "correlated_um": _um(one.correlated),
                 "correlation": one.correlation,
                 "settles_um": _um(one.settles),
-                "freedom": one.freedom,
+                "freedom": one.freedom if one.origin in ESTIMATED else None,
                 "origin": one.origin,
             }
             for one in diagnosis.noise
@@ -97,13 +98,14 @@ def noise(diagnosis: Diagnosis) -> float:
 
 
 def _stale(one: Stale) -> dict[str, Any]:
-    """from, to: positions of the axis, null of a location error; value, u: mm or rad."""
+    """from, to: positions of the axis, null of a location error; value, u: in `unit`."""
     return {
         "component": one.component,
         "from": one.first,
         "to": one.last,
         "value": one.value,
         "u": one.u,
+        "unit": one.unit,
         "p_value": one.p_value,
     }
 
