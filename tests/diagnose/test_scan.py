@@ -63,6 +63,7 @@ def test_statistic_is_the_difference_of_two_sums_of_squares(
     # of the base what the projection has taken for its span: the rank is tested elsewhere
     turned = np.linalg.lstsq(where.whitening(where.columns), where.base.basis, rcond=1e-12)[0]
     base = np.hstack([where.columns @ turned, where.without_own()])
+    base = base[:, np.linalg.norm(base, axis=0) > 0.0]
     base = base / np.linalg.norm(base, axis=0)
     without = sm.GLS(values, base, sigma=covariance).fit()
     with_it = sm.GLS(values, np.hstack([base, whole / np.linalg.norm(whole, axis=0)]), sigma=covariance).fit()

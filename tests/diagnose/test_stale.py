@@ -9,7 +9,7 @@ from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.null import null_of
 from trueaxis.diagnose.result import Stale
 from trueaxis.diagnose.signatures import parameter_signature, readings_of
-from trueaxis.diagnose.stale import stale_values
+from trueaxis.diagnose.stale import clearest, stale_values
 from trueaxis.effects.kind import Effect
 
 
@@ -78,3 +78,15 @@ def test_what_a_cause_explains_is_not_stale() -> None:
     stale, _ = found(noise(3) + play + bent, (play,))
     assert [one.component for one in stale] == ["EYY"]
     assert found(noise(3) + play, (play,))[0] == ()
+
+
+def test_the_change_told_is_the_largest_that_is_certain() -> None:
+    value = np.array([0.1, -0.7, 0.6, 8.0])
+    assert clearest(value, np.array([0.01, 0.1, 0.1, 21.0])) == 1
+    assert clearest(value, np.array([0.01, 0.1, 0.1, 0.1])) == 3
+
+
+def test_where_no_place_is_certain_it_is_the_one_known_best() -> None:
+    """The test of the whole curve may be sure where no single place is."""
+    assert clearest(np.array([8.0, 0.3, 0.0]), np.array([21.0, 0.2, 0.1])) == 1
+    assert clearest(np.zeros(2), np.zeros(2)) == 0
