@@ -33,7 +33,7 @@ def noise(targets: list[int]) -> NoiseOf:
         passing=np.array([targets[:place].count(one) for place, one in enumerate(targets)], dtype=np.int64),
         context=Context.at_rest(1, n, unknown, unknown),
     )
-    reading = ReadingContext(np.zeros(n), unknown, unknown, unknown)
+    reading = ReadingContext(np.zeros(n), unknown, unknown, unknown, unknown)
     return noise_of_runs(rows, reading, VALUES, None)[0]
 
 

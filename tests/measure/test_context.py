@@ -9,10 +9,11 @@ import pytest
 from tests.generator.dmu60p import dmu60p
 from tests.measure.adapter import GeneratorModel
 from trueaxis.measure.approach import approach_directions
-from trueaxis.measure.context import context_of, distance_since_reversal, path_velocity
+from trueaxis.measure.context import context_of, path_velocity
 from trueaxis.measure.reading_context import polar_angle, reading_context_of
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import PointOn, Run
+from trueaxis.measure.since_reversal import distance_since_reversal
 
 INF, NAN = np.inf, np.nan
 AXES = ("X", "Y", "Z")
@@ -81,7 +82,7 @@ def test_an_order_of_rows_changes_nothing() -> None:
     cut = {name: getattr(whole, name)[..., shuffled] for name in ("run", "seq", "positions", "directions", "reading")}
     cut |= {name: getattr(whole, name)[shuffled] for name in ("time", "feed", "temperature")}
     one, other = context_of(runs, whole).of(shuffled), context_of(runs, replace(whole, **cut))
-    for name in ("directions", "velocity", "since_reversal", "time", "temperature"):
+    for name in ("directions", "velocity", "since_reversal", "time_since", "path_since", "time", "temperature"):
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
     assert one.home is not None
     assert other.home is not None

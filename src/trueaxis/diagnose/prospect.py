@@ -198,6 +198,8 @@ def _contexts(one: Context, other: Context) -> Context:
         np.hstack([one.directions, other.directions]),
         np.hstack([one.velocity, other.velocity]),
         np.hstack([one.since_reversal, other.since_reversal]),
+        np.hstack([one.time_since, other.time_since]),
+        np.hstack([one.path_since, other.path_since]),
         np.concatenate([one.time, other.time]),
         np.concatenate([one.temperature, other.temperature]),
         home,
