@@ -342,6 +342,6 @@ def _missing(readings: Readings) -> str:
             ("feed", readings.context.velocity),
             ("time_s", readings.context.time_since),
         )
-        if not np.isfinite(values).all()
+        if np.isnan(values).any()
     ]
     return ", ".join(dict.fromkeys(lacking)) if lacking else "motion errors that the spec leaves out"

@@ -33,7 +33,7 @@ def giving_way(layout: Layout, runs: Sequence[MeasuredRun]) -> Layout:
     alone = in_runs.sum(axis=0) == 1
     silent = {}
     for place, one in enumerate(runs):
-        same = _within(own[place], others[place][:, first:][:, alone & in_runs[place]])
+        same = _within(own[place], others[place][:, first:][:, alone & in_runs[place]]) & own[place].any(axis=0)
         if same.any():
             silent[one.rows.index] = tuple(np.flatnonzero(same).tolist())
     return _without(replace(layout, silent=silent), kept)

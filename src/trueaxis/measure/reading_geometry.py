@@ -81,7 +81,7 @@ def ideal_displacement(machine: MeasuredMachine, run: Run, positions: FloatArray
 
 
 def along_line(moved: FloatArray) -> FloatArray:
-    """(n,), mm: the part of displacements since home (3, n) along the line that they lie on, towards growing coordinates.
+    """(n,), mm: the part of displacements since home (3, n) along the line of the motion, towards growing coordinates.
 
     The line goes through the first and the farthest from it; home need not lie on it, unless there is but one point.
     """

@@ -41,7 +41,7 @@ def _unknown(ground: Ground, effect: Effect, kind: Kind, name: str, chosen: RunR
     run = ground.observed.runs[chosen.index]
     if not concerns(kind, effect, run):
         return False
-    missing = ~np.isfinite(_values(ground, effect, name)[chosen.rows])
+    missing = np.isnan(_values(ground, effect, name)[chosen.rows])
     if kind.place == "component":
         lever = ground.model.components.index(effect.component or "")
         missing &= (chosen.here[lever] != 0.0) | (chosen.home[lever] != 0.0)

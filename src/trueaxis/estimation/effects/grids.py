@@ -7,6 +7,7 @@ from itertools import product
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind, Parameter
+from trueaxis.effects.variables import FARTHEST
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.context import Context
 from trueaxis.spec.machine import LINEAR
@@ -99,7 +100,7 @@ def finer(points: tuple[Point, ...], place: int) -> tuple[Point, ...]:
 
 
 def _longest(values: FloatArray) -> float:
-    return float(values[np.isfinite(values)].max(initial=0.0))
+    return float(values[values < FARTHEST].max(initial=0.0))  # none before the first reversal, none that is unknown
 
 
 def _values(parameter: Parameter, covered: Covered, fineness: Fineness) -> list[float]:
