@@ -10,16 +10,17 @@ from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import LACK_OF_FIT, Check, Verdict
 from trueaxis.diagnose.search import Ground, Search, cause_columns
 from trueaxis.effects.expression import names, parse
+from trueaxis.effects.variables import SINCE_REVERSAL
 
 HOMOGENEOUS = 1e-4  # p value below which the amplitudes of a cause are not one
 PRACTICALLY_ALL = 0.97  # share from which neither a remainder nor differences between places take the name back
 CLASSES = (  # words in the name of a check, and variables of the causes that make it fire
-    ("direction", {"direction", "d", "v"}),
-    ("reversals", {"direction", "d"}),
-    ("locally", {"direction", "d"}),
-    ("one period", {"direction", "d", "q", "s"}),  # cycles of one run
+    ("direction", {"direction", *SINCE_REVERSAL, "v"}),
+    ("reversals", {"direction", *SINCE_REVERSAL}),
+    ("locally", {"direction", *SINCE_REVERSAL}),
+    ("one period", {"direction", *SINCE_REVERSAL, "q", "s"}),  # cycles of one run
     ("feed", {"v"}),
-    ("in the course", {"d", "direction"}),
+    ("in the course", {*SINCE_REVERSAL, "direction"}),
     ("temperature", {"t", "T"}),
     ("repeats", {"t", "T"}),
     ("by line", {"s_b", "q_b", "along", "t", "T"}),
