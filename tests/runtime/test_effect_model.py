@@ -1,6 +1,7 @@
 """The machine model with effects: what they add to component errors, in a context and without one."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -33,7 +34,7 @@ def with_effects(model: MachineModel, *effects: EffectValues) -> MachineModel:
     return model.with_values(ErrorValues("test", {}, CURVES, effects=effects))
 
 
-def context(**columns: np.typing.NDArray[np.float64]) -> Context:
+def context(**columns: Any) -> Context:
     return replace(Context.at_rest(3, 3), **columns)
 
 

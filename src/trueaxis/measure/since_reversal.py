@@ -53,7 +53,7 @@ def duration_by_feed(axes: Sequence[str], path: FloatArray, feed: FloatArray) ->
     """
     steps = _steps(axes, path)
     turning = np.diff(path, prepend=path[:, :1], axis=1).any(axis=0) & (steps == 0.0)
-    found = np.divide(steps * SECONDS, feed, out=np.full(steps.size, np.nan), where=(feed > 0.0) & ~turning)
+    found: FloatArray = np.divide(steps * SECONDS, feed, out=np.full(steps.size, np.nan), where=(feed > 0.0) & ~turning)
     found[:1] = 0.0
     return found
 
