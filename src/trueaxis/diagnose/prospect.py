@@ -71,8 +71,9 @@ class Prospect:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outlook:
-    """A candidate: left: (n, k) whitened, what the base leaves of it in the readings at hand; whole: its squared
-    size with base and unknowns of all runs, in standard deviations of the readings; added: for each further run and each of TIMES the whitened innovation (m, k).
+    """A candidate: left: (n, k) whitened, what the base leaves of it in the readings at hand; whole: its squared size
+    with base and unknowns of all runs, in standard deviations of the readings; added: for each further run and each of
+    TIMES the whitened innovation (m, k).
     """
 
     left: FloatArray
@@ -209,6 +210,8 @@ def _contexts(one: Context, other: Context) -> Context:
         np.hstack([one.directions, other.directions]),
         np.hstack([one.velocity, other.velocity]),
         np.hstack([one.since_reversal, other.since_reversal]),
+        np.hstack([one.time_since, other.time_since]),
+        np.hstack([one.path_since, other.path_since]),
         np.concatenate([one.time, other.time]),
         np.concatenate([one.temperature, other.temperature]),
         home,
