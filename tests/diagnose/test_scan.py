@@ -43,7 +43,7 @@ def scanned_in(where: Field, signature: Signature, white: FloatArray) -> Scanned
         (Effect("backlash", "EXX"), None),
         (Effect("drift", "EYY"), None),
         (Effect("cyclic", "EZZ"), 40),
-        (Effect("laser_scale"), None),
+        (Effect("servo_lag", "EXX"), None),
         (Effect("cross_axis", "ECX", "Y"), None),
         (Effect("laser_step", runs=("X1-1",)), 5),
     ],

@@ -47,7 +47,7 @@ def test_threshold_is_that_of_all_candidates() -> None:
 
 
 def test_without_one_cause_the_others_stay_and_its_part_is_left() -> None:
-    parts = [signal(effect, evidence) for effect, evidence in ((X, 90.0), (Y, 60.0), (Z, 40.0))]
+    parts = [signal(effect, evidence) for effect, evidence in ((X, 160.0), (Y, 100.0), (Z, 90.0))]
     found = search(ground(*parts))
     assert [one.scan.effect for one in found.causes] == [X, Y, Z]
     assert np.linalg.norm(found.residual) < 1e-6
