@@ -34,6 +34,7 @@ FAR = 5.0  # robust standard deviations: such readings tell nothing of the noise
 NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal variable
 SMALLER, OF_SMALLER = 0.9, 0.623  # share of the squares of a run, and their mean if they are of normal noise
 LESS_EFFICIENT = 1.5  # variance of an estimate by these, over that by all
+STRAIGHT = 1e-3  # of the length of a line: what targets may lie beside it
 GIVEN = 1e6  # degrees of freedom of a noise that is given
 REPEATS, COURSES, STATED, UNKNOWN = "repeats", "courses", "given", "unknown"  # where a noise comes from
 DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
@@ -43,12 +44,14 @@ STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5
 @dataclass(frozen=True, slots=True, eq=False)
 class _Block:
     """Readings that tell of the noise. parts: of each run its place among the runs, its rows in the block and the time
-    steps between these; free: (n, k), columns that may be anything; values: (n,), mm.
+    steps between these; free: (n, k), columns that may be anything; values: (n,), mm; lasting: in typical steps, the
+    longest that its noise may last: what lasts longer the free columns hold.
     """
 
     parts: tuple[tuple[int, slice, FloatArray], ...]
     free: FloatArray
     values: FloatArray
+    lasting: float
 
     @property
     def freedom(self) -> int:
@@ -97,10 +100,11 @@ def _of_instrument(
     step = display_step(rows.reading[np.concatenate([base.runs[place].rows.at for place in members])])
     resolved = [base.runs[place].rows.run.device for place in members]
     step = max([step, *(one.resolution or 0.0 for one in resolved if one is not None)])
-    for origin, blocks in ((REPEATS, _repeated), (COURSES, _courses)):
+    # few repeats still are a better measure than none: the tests know how few they are
+    for origin, blocks, fewest in ((REPEATS, _repeated, FEWEST), (COURSES, _courses, FEWEST), (REPEATS, _repeated, 1)):
         every = [one for one in blocks(rows, base, values, members) if one.freedom > 0]
         freedom = float(sum(one.freedom for one in every))
-        if freedom >= FEWEST:
+        if freedom >= fewest:
             hardly = _hardly_repeated(every, members) if origin == REPEATS else set()
             alone = [one for one in _courses(rows, base, values, sorted(hardly)) if one.freedom > 0]
             noise, scales = _restricted(every, alone, members)
@@ -184,7 +188,8 @@ def _of_targets(rows: Rows, base: Base, values: FloatArray, places: Sequence[int
         block = np.zeros((mine.size, one.shape[1]))
         block[part] = one
         columns.append(block)
-    return _Block(tuple(parts), _independent(np.hstack(columns)), values[mine])
+    longest = max(float(np.sum(steps)) for _, _, steps in parts)
+    return _Block(tuple(parts), _independent(np.hstack(columns)), values[mine], longest)
 
 
 def _steps(run: MeasuredRun, chosen: BoolArray) -> FloatArray:
@@ -199,6 +204,8 @@ def _courses(rows: Rows, base: Base, values: FloatArray, members: Sequence[int])
         degree = min(COURSE, count // PER_DEGREE)
         if degree < 1:
             continue
+        if run.instrument != "ballbar" and not _on_a_line(run.rows.positions):
+            continue
         leading = int(np.argmax(np.ptp(run.rows.positions, axis=1)))
         at, way = run.rows.positions[leading], rows.directions[leading, run.rows.at]
         turning = np.ptp(np.sign(np.gradient(at))) > 1.0 and run.instrument == "ballbar"
@@ -206,7 +213,14 @@ def _courses(rows: Rows, base: Base, values: FloatArray, members: Sequence[int])
         curve = legendre.legvander(2.0 * along - 1.0, (2 if turning else 1) * degree)
         sides = curve * way[:, np.newaxis] if np.unique(way).size > 1 and not turning else curve[:, :0]
         free = _independent(np.hstack([curve, sides, base.own[place]]))
-        yield _Block(((place, slice(0, count), run.rows.steps),), free, values[run.rows.at])
+        bend = float(np.sum(run.rows.steps)) / free.shape[1]
+        yield _Block(((place, slice(0, count), run.rows.steps),), free, values[run.rows.at], bend)
+
+
+def _on_a_line(positions: FloatArray) -> bool:
+    """Whether positions (n_axes, n) lie on one line: poses of several axes follow no course of their order."""
+    singular = np.linalg.svd(positions - positions.mean(axis=1, keepdims=True), compute_uv=False)
+    return bool((singular[1:] <= STRAIGHT * singular[0]).all())
 
 
 def _independent(columns: FloatArray) -> FloatArray:
@@ -264,7 +278,7 @@ def _slowness(noise: Noise) -> float:
 
 def _lasting(blocks: Sequence[_Block]) -> list[float]:
     """Durations of the slow part: no longer than a run."""
-    longest = max((float(np.sum(steps)) for one in blocks for _, _, steps in one.parts), default=1.0)
+    longest = max((one.lasting for one in blocks), default=1.0)
     return [one for one in LASTING if one <= max(longest, 1.0)]
 
 
