@@ -62,7 +62,7 @@ def test_without_repeats_some_readings_are_held_back() -> None:
 
 
 def test_the_fit_is_ridge_regression() -> None:
-    """By the normal equations of statistics books, with the covariance of white noise and the runs' own unknowns wide."""
+    """By the normal equations, with the covariance of white noise and the runs' own unknowns wide."""
     values = noise(1) + cause().signal
     found = fit_of(values, (cause(),), ~HELD)
     own = WHERE.without_own()

@@ -43,7 +43,7 @@ def scanned_in(where: Field, signature: Signature, white: FloatArray) -> Scanned
         (Effect("backlash", "EXX"), None),
         (Effect("drift", "EYY"), None),
         (Effect("cyclic", "EZZ"), 40),
-        (Effect("laser_scale"), None),
+        (Effect("servo_lag", "EXX"), None),
         (Effect("cross_axis", "ECX", "Y"), None),
         (Effect("laser_step", runs=("X1-1",)), 5),
     ],
@@ -63,7 +63,7 @@ def test_statistic_is_the_difference_of_two_sums_of_squares(
     # of the base what the projection has taken for its span: the rank is tested elsewhere
     turned = np.linalg.lstsq(where.whitening(where.columns), where.base.basis, rcond=1e-12)[0]
     base = np.hstack([where.columns @ turned, where.without_own()])
-    base = base[:, base.any(axis=0)]  # what the runs hold themselves is none
+    base = base[:, np.linalg.norm(base, axis=0) > 0.0]
     base = base / np.linalg.norm(base, axis=0)
     without = sm.GLS(values, base, sigma=covariance).fit()
     with_it = sm.GLS(values, np.hstack([base, whole / np.linalg.norm(whole, axis=0)]), sigma=covariance).fit()
@@ -184,6 +184,6 @@ def test_a_grid_in_pieces_is_the_grid(effect: Effect, entries: int, monkeypatch:
     whole = prepared(signature, where.whitening, where.base)
     monkeypatch.setattr(scan, "ENTRIES", entries)
     pieces = prepared(signature, where.whitening, where.base)
-    assert pieces.whole == pytest.approx(whole.whole, rel=1e-12)
-    assert pieces.gram == pytest.approx(whole.gram, rel=1e-9, abs=1e-12 * whole.whole.max())
+    assert pieces.total == pytest.approx(whole.total, rel=1e-12)
+    assert pieces.gram == pytest.approx(whole.gram, rel=1e-9, abs=1e-12 * whole.total.max())
     assert pieces.length == pytest.approx(whole.length, rel=1e-6)

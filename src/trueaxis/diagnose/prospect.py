@@ -72,7 +72,8 @@ class Prospect:
 @dataclass(frozen=True, slots=True, eq=False)
 class Outlook:
     """A candidate: left: (n, k) whitened, what the base leaves of it in the readings at hand; whole: its squared size
-    with the base; added: for each further run and each of TIMES the whitened innovation (m, k).
+    with base and unknowns of all runs, in standard deviations of the readings; added: for each further run and each of
+    TIMES the whitened innovation (m, k).
     """
 
     left: FloatArray
@@ -126,6 +127,7 @@ def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outloo
     columns = np.hstack([np.zeros((prospect.readings.rows.size, 0)), *each])
     white = prospect.whitening(columns)
     here = white[:size]
+    by_noise = columns[:size] / prospect.ground.whitening.sigma[:, np.newaxis]
     inside, left = prospect.basis.basis.T @ here, prospect.basis.rest(here)
     added = []
     for one in prospect.innovations:
@@ -134,7 +136,9 @@ def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outloo
     ends = np.cumsum([0, *(one.shape[1] for one in each)])
     return [
         Outlook(
-            left[:, mine], float(np.sum(here[:, mine] ** 2)), tuple(tuple(two[:, mine] for two in one) for one in added)
+            left[:, mine],
+            float(np.sum(by_noise[:, mine] ** 2)),
+            tuple(tuple(two[:, mine] for two in one) for one in added),
         )
         for mine in (slice(*pair) for pair in pairwise(ends))
     ]
@@ -206,6 +210,8 @@ def _contexts(one: Context, other: Context) -> Context:
         np.hstack([one.directions, other.directions]),
         np.hstack([one.velocity, other.velocity]),
         np.hstack([one.since_reversal, other.since_reversal]),
+        np.hstack([one.time_since, other.time_since]),
+        np.hstack([one.path_since, other.path_since]),
         np.concatenate([one.time, other.time]),
         np.concatenate([one.temperature, other.temperature]),
         home,

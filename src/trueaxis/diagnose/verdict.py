@@ -10,10 +10,11 @@ from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import Check, Stale, StructureClass, Verdict
 from trueaxis.diagnose.search import Ground, Search, cause_columns
 from trueaxis.effects.expression import names, parse
+from trueaxis.effects.variables import SINCE_REVERSAL
 
 HOMOGENEOUS = 1e-4  # p value below which the amplitudes of a cause are not one
 PRACTICALLY_ALL = 0.97  # share from which neither a remainder nor differences between places take the name back
-_TURNING = frozenset({"direction", "d"})
+_TURNING = frozenset({"direction", *SINCE_REVERSAL})
 DUE_TO: Mapping[StructureClass, frozenset[str]] = {  # variables of the causes that make a check fire
     StructureClass.LINE_DIRECTION: _TURNING | {"v"},
     StructureClass.LINE_DIRECTION_BY_LINE: _TURNING | {"v"},

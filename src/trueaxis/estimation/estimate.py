@@ -22,7 +22,16 @@ from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.signs import reversed_runs
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.state import State, at_share, linearised, moved, started, with_noise, without_outliers
+from trueaxis.estimation.state import (
+    State,
+    at_share,
+    linearised,
+    moved,
+    started,
+    stays_within,
+    with_noise,
+    without_outliers,
+)
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.effect_values import EffectValues, identity
@@ -222,7 +231,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
     flipped = reversed_runs(state, sizes, x, posterior)
     if setting.prior:
         posterior = averaged(sizes, found, x)
-        state = at_share(state, posterior)
+        state = at_share(state, posterior) if stays_within(state, posterior) else state
     left, outliers = np.zeros(setting.observed.reading.size), np.zeros(setting.observed.reading.size, dtype=bool)
     for one, rest in zip(state.runs, state.residual, strict=True):
         left[one.rows.at], outliers[one.rows.at] = rest, ~one.good

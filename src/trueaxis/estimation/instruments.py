@@ -22,7 +22,6 @@ import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.set_up import (
-    along_line,
     ball_columns,
     ball_of,
     carried,
@@ -31,6 +30,7 @@ from trueaxis.estimation.set_up import (
 )
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_context import along
+from trueaxis.measure.reading_geometry import along_line
 from trueaxis.measure.reading_model import home_positions, sensed_directions
 from trueaxis.measure.setup import Run
 

@@ -56,6 +56,7 @@ def pieces(layout: Layout, rows: RunRows) -> Iterator[tuple[slice, FloatArray, F
                 found[:, place] = shared_column(layout.model, rows.run, unknown, positions)
         straight = layout.straightness[rows.index]
         own = own_columns(layout.model, rows.run, straight, positions, rows.passed[part])
+        own[:, list(layout.silent.get(rows.index, ()))] = 0.0
         found *= layout.sizes
         if layout.effects.count:
             found[:, layout.of_effects] = layout.effects.columns(EffectRows(rows.index, rows.at[part], here, home))

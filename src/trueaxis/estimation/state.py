@@ -93,7 +93,7 @@ def moved(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) 
     before = _misfit(state, posterior, own_scales)
     share = 1.0
     while share >= LEAST_SHARE:
-        if state.layout.effects.within(_stepped(state, posterior, share)[0][state.layout.of_effects]):
+        if stays_within(state, posterior, share):
             after = at_share(state, posterior, share)
             if _misfit(after, posterior, own_scales) <= before + NOTHING:
                 return after
@@ -107,6 +107,11 @@ def at_share(state: State, posterior: Posterior, share: float = 1.0) -> State:
     residual = tuple(residuals_of(state.layout, state.runs, unknowns, own, state.given))
     layout = state.layout.at(unknowns, state.given)
     return replace(state, layout=layout, unknowns=unknowns, own=own, residual=residual)
+
+
+def stays_within(state: State, posterior: Posterior, share: float = 1.0) -> bool:
+    """Whether a share of the step to the posterior mean leaves effects where their terms make sense."""
+    return state.layout.effects.within(_stepped(state, posterior, share)[0][state.layout.of_effects])
 
 
 def _stepped(state: State, posterior: Posterior, share: float) -> tuple[FloatArray, tuple[FloatArray, ...]]:

@@ -97,7 +97,8 @@ def table_positions(covariance: Covariance, axis: str) -> list[float]:
 def _after_reversals(model: MachineModel, positions: FloatArray) -> Context:
     """All axes have just turned back: where effects of direction and of reversals are largest."""
     still = Context.at_rest(len(model.axes), positions.shape[1])
-    return replace(still, directions=np.ones_like(positions), since_reversal=np.zeros_like(positions))
+    just = np.zeros_like(positions)
+    return replace(still, directions=np.ones_like(positions), since_reversal=just, time_since=just, path_since=just)
 
 
 def open_names(model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray) -> tuple[str, ...]:

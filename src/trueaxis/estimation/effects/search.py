@@ -10,14 +10,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.placement import concerns
 from trueaxis.estimation.effects.amplitudes import amplitude_names, basis_vectors, searched_names
-from trueaxis.estimation.effects.grids import Point, finer, grid_of
-from trueaxis.estimation.effects.signature import Ground, is_in, of_term, reaches, rows_of
+from trueaxis.estimation.effects.grids import OF_FIT, Point, covered_by, finer, grid_of
+from trueaxis.estimation.effects.signature import Ground, of_term, reaches, rows_of
 from trueaxis.estimation.effects.unknowns import EffectUnknown
 from trueaxis.estimation.effects.variable_projection import explained
 from trueaxis.estimation.machine import IntArray
 from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.effect_terms import component_axis
 
 ZOOMS = 2
 ENTRIES = 2**22  # of signatures held at a time: 32 MB
@@ -69,11 +69,9 @@ def searched_start(ground: Ground, effect: Effect, kind: Kind, others: Others) -
 
 def _grid(ground: Ground, effect: Effect, kind: Kind) -> tuple[Point, ...]:
     observed = ground.observed
-    mine = np.array([is_in(effect, kind, run) for run in observed.runs], dtype=bool)[observed.run]
-    positions = None
-    if kind.place == "component":
-        positions = observed.positions[ground.model.axes.index(component_axis(effect))]
-    return grid_of(kind, positions, ground.context.time[mine])
+    mine = np.array([concerns(kind, effect, run) for run in observed.runs], dtype=bool)[observed.run]
+    covered = covered_by(effect, ground.model.axes, observed.positions[:, mine], ground.context.of(mine))
+    return grid_of(kind, covered, OF_FIT)
 
 
 def _explained(ground: Ground, effect: Effect, kind: Kind, points: tuple[Point, ...], others: Others) -> _Explained:
@@ -95,7 +93,7 @@ def _of_points(ground: Ground, effect: Effect, kind: Kind, points: tuple[Point, 
     total, gram = np.zeros((len(points), k, k)), np.zeros((len(points), k, k))
     right, inside = np.zeros((len(points), k)), np.zeros((0, len(vectors)))
     for run in others():
-        if not is_in(effect, kind, ground.observed.runs[run.index]):
+        if not concerns(kind, effect, ground.observed.runs[run.index]):
             continue
         chosen = rows_of(ground, run.index, run.rows)
         if not reaches(ground, effect, kind, chosen):
