@@ -108,7 +108,7 @@ def test_on_noise_alone_held_out_readings_are_off_by_the_noise() -> None:
 
 
 def test_a_cause_lowers_the_rms_to_that_of_the_noise() -> None:
-    values = noise(3) + cause().signal
+    values = noise(3) + cause(3e-3).signal
     gain = gain_of(of_all(values, (cause(),)), of_held(values, (cause(),)), SPLIT, SIGMA)
     assert gain.floor == SIGMA
     assert gain.rms.given > gain.rms.refitted > 1.25 * gain.rms.extended
