@@ -55,4 +55,4 @@ def _deriving_code() -> bytes:
     source = ROOT / "src" / "trueaxis"
     parts = [path for part in DERIVING for path in (source / part).rglob("*.py")]
     paths = (*sorted(source.glob("*.py")), *sorted(parts), *sorted((ROOT / "templates").iterdir()))
-    return sp.__version__.encode() + b"".join(path.read_bytes() for path in paths)
+    return b"".join([str(sp.__version__).encode(), *(path.read_bytes() for path in paths)])
