@@ -155,7 +155,7 @@ def is_right_component(line: Line) -> bool:
 
 
 def agrees(line: Line) -> bool:
-    return abs(line["audited"][0][0] / line["hidden"][0]["detection"] - 1.0) < NEAR
+    return bool(abs(line["audited"][0][0] / line["hidden"][0]["detection"] - 1.0) < NEAR)
 
 
 def is_failure(line: Line) -> bool:

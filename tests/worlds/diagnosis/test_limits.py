@@ -104,7 +104,8 @@ def test_strength_and_nearest_rival_are_those_of_a_dense_fit(effect: Effect) -> 
         if one.name != own and np.sum(rest**2) > 1e-5 * np.sum(whitened(design, one.columns) ** 2):
             fitted = rest @ np.linalg.lstsq(rest, left, rcond=1e-9)[0]
             of_all.append((float(fitted @ fitted) / found.strength, one.name))
-    assert (found.r2, found.rival) == (pytest.approx(max(of_all)[0], abs=1e-4), max(of_all)[1])
+    assert found.r2 == pytest.approx(max(of_all)[0], abs=1e-4)
+    assert found.rival == max(of_all)[1]
     assert found.isolation == pytest.approx(np.sqrt(ISOLATION / (found.strength * (1 - found.r2))))
 
 
@@ -152,8 +153,8 @@ def test_sizes_are_multiples_of_limits_and_none_is_unheard_of() -> None:
 def test_a_case_is_the_same_each_time() -> None:
     one, other = draw_case(bench(), 3), draw_case(bench_of(SMALL), 3)
     assert (one.kind, one.hidden, one.wear, one.given) == (other.kind, other.hidden, other.wear, other.given)
-    readings = [exact_readings(bench().design, [case.truth]) for case in (one, other)]
-    assert np.array_equal(*readings)
+    first, second = (exact_readings(bench().design, [case.truth]) for case in (one, other))
+    assert np.array_equal(first, second)
 
 
 def test_given_values_are_stale_by_as_much_as_is_said() -> None:
