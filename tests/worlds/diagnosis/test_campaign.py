@@ -25,6 +25,12 @@ def bench() -> Bench:
     return bench_of(SMALL)
 
 
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Of a campaign: kernels stay in it."""
+    return tmp_path_factory.mktemp("campaign")
+
+
 def line(**changes: Any) -> dict[str, Any]:
     """An effect at ten limits, named alone and right."""
     one = {"kind": "backlash", "name": "backlash EXX", "size": 0.01, "state": "isolable", "times": 10.0}
@@ -91,19 +97,13 @@ def test_an_answer_by_the_keys_of_the_contract() -> None:
     assert (found.stale, found.standardised) == (("EYY",), {"extended": 1.02})
 
 
-def test_a_diagnosis_that_breaks_down_is_a_line(tmp_path: Path) -> None:
+def test_a_diagnosis_that_breaks_down_is_a_line(folder: Path) -> None:
     def engine(folder: Path, kernels: Path) -> Answer:
         raise RuntimeError("no")
 
-    found = line_of(bench(), 2, tmp_path, engine=engine)
+    found = line_of(bench(), 2, folder / "worlds" / str(SMALL), engine=engine)
     assert (found["grade"], found["error"]) == ("failed", "RuntimeError: no")
     assert reasons(found) == ["broke down"]
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Of a campaign: kernels stay in it."""
-    return tmp_path_factory.mktemp("campaign")
 
 
 def test_a_campaign_goes_on_where_it_stopped(folder: Path) -> None:

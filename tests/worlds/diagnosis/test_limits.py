@@ -84,7 +84,7 @@ def left_by_hand(design: Design, values: Array) -> Array:
 @pytest.mark.parametrize(
     "effect",
     [
-        Effect("backlash_slope", "EZZ", 1e-3, shape=3),
+        Effect("backlash", "EXY", 1e-3, shape=1),
         Effect("servo_lag", "EXX", 1e-4),
         Effect("reversal_spike", "EYY", 1e-2, shape=4),
     ],
