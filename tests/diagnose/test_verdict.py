@@ -82,7 +82,7 @@ def test_share_is_that_of_the_squares_beyond_noise() -> None:
 
 def test_verdicts() -> None:
     where = field()
-    stale = [Stale("EYY", 100.0, 200.0, 1e-3, 1e-4, 1e-9)]
+    stale = [Stale("EYY", 100.0, 200.0, 1e-3, 1e-4, "mm", 1e-9)]
     column = parameter_signature(where.readings, Effect("backlash", "EXX"), np.ones(1))[0]
     noise = SIGMA * np.random.default_rng(7).standard_normal(column.size)
     named, nothing = (search(where.ground(size * column + noise)) for size in (6e-3, 0.0))

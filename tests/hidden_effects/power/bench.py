@@ -8,6 +8,7 @@ from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.power.grade import Name, Said
 from tests.kept import derived
 from trueaxis.diagnose.procedure import diagnose
+from trueaxis.diagnose.report.structures import check_name
 from trueaxis.diagnose.result import Diagnosis
 from trueaxis.effects.kind import Effect
 from trueaxis.measure.data import read_data
