@@ -15,6 +15,7 @@ from trueaxis.effects.kind import Effect
 
 WHERE = field(SMALL)
 ROWS = WHERE.readings.rows
+TIME = np.zeros(ROWS.size) if ROWS.time is None else ROWS.time
 EVERY = np.ones(ROWS.size, dtype=bool)
 HELD, SPLIT = held_out(ROWS)
 
@@ -27,7 +28,7 @@ def cause(
     size: float = 1e-3, kind: str = "backlash", component: str | None = "EXX", runs: tuple[str, ...] = ()
 ) -> Fitted:
     effect = Effect(kind, component, runs=runs)
-    values = np.array([size]) if kind == "backlash" else np.array([size, float(ROWS.time[ROWS.of_run(1)].mean())])
+    values = np.array([size]) if kind == "backlash" else np.array([size, float(TIME[ROWS.of_run(1)].mean())])
     signal, _ = parameter_signature(WHERE.readings, effect, values)
     return Fitted(effect, WHERE.readings.model.machine.kinds[kind], values, np.full(values.size, SIGMA / 100), signal)
 
@@ -108,7 +109,7 @@ def test_on_noise_alone_held_out_readings_are_off_by_the_noise() -> None:
 
 
 def test_a_cause_lowers_the_rms_to_that_of_the_noise() -> None:
-    values = noise(3) + cause().signal
+    values = noise(3) + cause(3e-3).signal
     gain = gain_of(of_all(values, (cause(),)), of_held(values, (cause(),)), SPLIT, SIGMA)
     assert gain.floor == SIGMA
     assert gain.rms.given > gain.rms.refitted > 1.25 * gain.rms.extended
@@ -123,7 +124,7 @@ def test_what_only_held_out_runs_have_is_known_from_them() -> None:
     run = next(ROWS.runs[index].id for index in ROWS.present if HELD[ROWS.of_run(index)].all())
     step = cause(2e-2, "laser_step", None, (run,))
     place = next(index for index in ROWS.present if ROWS.runs[index].id == run)
-    values, moment = noise(5), float(np.median(ROWS.time[ROWS.of_run(place)]))
+    values, moment = noise(5), float(np.median(TIME[ROWS.of_run(place)]))
     signal, _ = parameter_signature(WHERE.readings, step.effect, np.array([2e-2, moment]))
     held = of_held(values + signal, (replace(step, signal=signal),))
     assert held.stage().extended == pytest.approx(of_held(values).stage().refitted, rel=1e-6)

@@ -116,4 +116,6 @@ def test_the_base_is_fitted_by_generalised_least_squares() -> None:
     white = found.whitening(found.base.columns)
     left = found.whitening(found.values) - white @ coefficient
     size = np.linalg.norm(white, axis=0)
-    assert np.abs(white.T @ left)[size > 0.0] / size[size > 0.0] == pytest.approx(0.0, abs=1e-6 * np.linalg.norm(left))
+    assert np.abs(white.T @ left)[size > 0.0] / size[size > 0.0] == pytest.approx(
+        0.0, abs=1e-6 * float(np.linalg.norm(left))
+    )

@@ -24,7 +24,7 @@ def noise(seed: int) -> FloatArray:
 def curve(component: str, change: FloatArray) -> FloatArray:
     """(n,), mm: what a change of a component error, at every reading's position, does to the readings."""
     readings = readings_of(given().model, given().rows)
-    return readings.sensitivity[readings.model.components.index(component)] * change
+    return np.asarray(readings.sensitivity[readings.model.components.index(component)] * change)
 
 
 def found(values: FloatArray, causes: tuple[FloatArray, ...] = ()) -> tuple[tuple[Stale, ...], float]:

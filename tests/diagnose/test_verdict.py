@@ -6,7 +6,7 @@ from scipy.stats import norm
 
 from tests.diagnose.prepared import SIGMA, field
 from trueaxis.diagnose.refit import Fitted, refit
-from trueaxis.diagnose.result import Check, StructureClass
+from trueaxis.diagnose.result import Check, Stale, StructureClass
 from trueaxis.diagnose.search import search
 from trueaxis.diagnose.signatures import parameter_signature
 from trueaxis.diagnose.verdict import explained_share, names_stand, verdict_of
@@ -82,13 +82,14 @@ def test_share_is_that_of_the_squares_beyond_noise() -> None:
 
 def test_verdicts() -> None:
     where = field()
+    stale = [Stale("EYY", 100.0, 200.0, 1e-3, 1e-4, "mm", 1e-9)]
     column = parameter_signature(where.readings, Effect("backlash", "EXX"), np.ones(1))[0]
     noise = SIGMA * np.random.default_rng(7).standard_normal(column.size)
     named, nothing = (search(where.ground(size * column + noise)) for size in (6e-3, 0.0))
-    assert verdict_of(named, True, [], False) == "explained"
-    assert verdict_of(named, False, [], True) == "unexplained_structure"
-    assert verdict_of(nothing, False, [check(RIPPLE)], True) == "unexplained_structure"
+    assert verdict_of(named, True, [], ()) == "explained"
+    assert verdict_of(named, False, [], stale) == "unexplained_structure"
+    assert verdict_of(nothing, False, [check(RIPPLE)], stale) == "unexplained_structure"
     # beside effects that the machine has already a remainder of their own class is no news
-    assert verdict_of(nothing, True, [check(RIPPLE)], False) == "no_discrepancy"
-    assert verdict_of(nothing, True, [], True) == "recalibrate"
-    assert verdict_of(nothing, True, [], False) == "no_discrepancy"
+    assert verdict_of(nothing, True, [check(RIPPLE)], ()) == "no_discrepancy"
+    assert verdict_of(nothing, True, [], stale) == "recalibrate"
+    assert verdict_of(nothing, True, [], ()) == "no_discrepancy"

@@ -104,7 +104,7 @@ def _spoilt(null: Null, left: FloatArray) -> BoolArray:
         scale = noise.scale * excess(left[at], noise.sigma)
         found[at] = spoilt(noise.noise, scale, one.rows.steps, left[at], null.rows.target[at], null.rows.size)
     size = np.abs(left) / null.whitening.sigma
-    return found & (size >= ALIKE * size[found].max(initial=0.0))
+    return np.asarray(found & (size >= ALIKE * float(size[found].max(initial=0.0))))
 
 
 def _named(null: Null, bad: BoolArray, left: FloatArray) -> tuple[Outlier, ...]:

@@ -67,7 +67,7 @@ def answer_of(tree: Mapping[str, Any], seconds: float = 0.0) -> Answer:
     """From the keys that the contract fixes, and those of limits and checks where they are there."""
     causes = tree["causes"]
     sets = tuple((_name(cause), *map(_name, cause.get("cannot_be_told_from", ()))) for cause in causes)
-    first = [next(iter(cause["parameters"].values()), {}) for cause in causes]
+    first: list[Mapping[str, Any]] = [next(iter(cause["parameters"].values()), {}) for cause in causes]
     sizes, u = (tuple(float(one.get(key) or 0.0) for one in first) for key in ("value", "u"))
     checks = tuple(str(c.get("id", c.get("check"))) for c in tree.get("checks", ()) if c.get("fired", True))
     gain = tree["gain"]

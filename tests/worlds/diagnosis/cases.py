@@ -10,7 +10,15 @@ from tests.hidden_effects.power.grade import Name
 from tests.worlds import effects as known
 from tests.worlds.design import Design, draw_design
 from tests.worlds.diagnosis.library import NEEDS, may_act_on
-from tests.worlds.diagnosis.limits import CONFOUNDED, IMITATORS, Ground, Limit, flat_ground, limit_of, stated_ground
+from tests.worlds.diagnosis.limits import (
+    CONFOUNDED,
+    Ground,
+    Limit,
+    flat_ground,
+    limit_of,
+    limit_of_outsider,
+    stated_ground,
+)
 from tests.worlds.diagnosis.signatures import ROOTS, largest, name_of, pitch_of, signature
 from tests.worlds.diagnosis.wear import Wear, draw_wear
 from tests.worlds.effects import Effect
@@ -40,7 +48,10 @@ AT_PLAIN = ((10.0,), (1.0,))
 GIVEN, GIVEN_SHARES = ("truth", "zeros", "identified"), (0.55, 0.25, 0.2)
 GIVEN_STALE, GIVEN_STALE_SHARES = ("truth", "identified"), (0.65, 0.35)
 TRIES = 10
-NOT_WANTED = {"absorbed": 0.12, "mute": 0.15, "imitated": 0.1, "too small": 0.0}  # probability to keep one all the same
+FLAWED = 0.97  # share of what shows of an effect below which it is rather what no form of the library has
+ABSORBED_SIGMA = 300.0  # norm of the signature of an effect that no reading shows: rounding stays below the noise
+# probability with which one that cannot be named is kept all the same
+NOT_WANTED = {"absorbed": 0.12, "mute": 0.15, "imitated": 0.1, "flawed": 0.1, "too small": 0.0}
 MACHINES_APART = 1000
 DIRECTIONAL = ("backlash", "backlash_slope", "reversal_spike")
 TEMPORAL = ("drift", "warm_up", "thermal_offset", "thermal_expansion")
@@ -50,7 +61,9 @@ TEMPORAL = ("drift", "warm_up", "thermal_offset", "thermal_expansion")
 class Hidden:
     """state: isolable, confounded (with the rival), absorbed (no reading shows it), too small (even the largest is
     below its limit), mute (a column without which nobody knows it is missing), imitated (outside, but candidates can do
-    the same); times: size over the larger of both limits; detection, isolation: in the unit of the size.
+    the same), flawed (what shows of it is not the form of the library: own is the share that is); times: size over the
+    larger of both limits, of detection where rivals cannot be told from it; detection, isolation: in the unit of the
+    size.
     """
 
     effect: Effect
@@ -61,6 +74,7 @@ class Hidden:
     isolation: float
     r2: float = 0.0
     rival: Name = field(default_factory=lambda: Name(""))
+    own: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -238,18 +252,22 @@ def _sized(source: Source, bench: Bench, truth: Truth, effect: Effect, times: fl
     ground = bench.stated if instrument else bench.flat
     if effect.kind in known.ON_LOCATIONS:
         ground = bench.without(effect.component)
-    unit = replace(effect, size=most)
-    found = limit_of(ground, signature(design, truth, unit), name, IMITATORS if outside else 1, pitch_of(effect))
+    shown = signature(design, truth, replace(effect, size=most))
+    found = limit_of_outsider(ground, shown) if outside else limit_of(ground, shown, name, pitch_of(effect))
     detection, isolation = (_in_unit(effect, most, value) for value in (found.detection, found.isolation))
     state = _state(design, effect, found, outside)
-    limit = detection if state in ("confounded", "mute", "imitated") else max(detection, isolation)
-    size = _in_unit(effect, limit, times) if np.isfinite(limit) else 0.3 * most
-    if size > most and state not in ("absorbed",):
+    limit = max(detection, isolation) if state == "isolable" else detection
+    if state == "absorbed":
+        whole = float(np.linalg.norm(ground.white(shown)))
+        size = _in_unit(effect, most, min(0.3, ABSORBED_SIGMA / max(whole, 1e-300)))
+    else:
+        size = _in_unit(effect, limit, times)
+    if size > most and state != "absorbed":
         state, size = "too small", most
     sign = 1.0 if effect.kind in ROOTS else float(source.choice([-1.0, 1.0]))
-    sized = replace(effect, size=sign * size)
     over = (size / limit) ** (2 if effect.kind in ROOTS else 1) if np.isfinite(limit) else 0.0
-    return Hidden(sized, name, state, round(over, 4), detection, isolation, found.r2, found.rival)
+    sized = replace(effect, size=sign * size)
+    return Hidden(sized, name, state, round(over, 4), detection, isolation, found.r2, found.rival, found.own)
 
 
 def _in_unit(effect: Effect, size: float, times: float) -> float:
@@ -265,4 +283,4 @@ def _state(design: Design, effect: Effect, found: Limit, outside: bool) -> str:
         return "mute"
     if found.r2 > CONFOUNDED:
         return "imitated" if outside else "confounded"
-    return "isolable"
+    return "isolable" if found.own > FLAWED else "flawed"

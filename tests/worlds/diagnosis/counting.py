@@ -10,6 +10,7 @@ from tests.worlds.diagnosis.cases import INTERVENTIONS
 Line = Mapping[str, Any]
 Test = Callable[[Line], bool]
 
+NO_NAME = ("mute", "flawed")  # an effect that the library cannot name in these readings
 LIBRARY = ("effect", "two", "stale_effect")
 CERTAIN = 1e-6  # p value of the given values below which they must be called stale
 LARGE_SET = 3
@@ -90,7 +91,7 @@ def shares(lines: Sequence[Line]) -> list[Share]:
     """All that is counted; lines: answered."""
     clean = [line for line in lines if line["kind"] == "nothing"]
     true = [line for line in clean if line["given"] == "truth"]
-    library = [line for line in of_state(lines, LIBRARY) if all(one["state"] != "mute" for one in line["hidden"])]
+    library = [x for x in of_state(lines, LIBRARY) if all(one["state"] not in NO_NAME for one in x["hidden"])]
     single = of_state(lines, ("effect",), "isolable")
     certain = [x for x in of_state(lines, ("stale", "stale_effect")) if (x.get("stale_expected_p") or 1.0) < CERTAIN]
     certain = [x for x in certain if x["grade"] != FAILED]
@@ -105,6 +106,7 @@ def shares(lines: Sequence[Line]) -> list[Share]:
     outside = of_state(lines, ("outside",), "isolable")
     zeros = [line for line in clean if line["given"] == "zeros"]
     unseen, hopeless = of_state(lines, ("effect",), "absorbed"), of_state(lines, ("effect",), "too small", "mute")
+    flawed = of_state(lines, ("effect",), "flawed")
     two, off = of_state(lines, ("two",), "isolable"), of_state(lines, ("instrument",))
     with_effect = of_state(lines, ("stale_effect",), "isolable")
     return [
@@ -118,6 +120,7 @@ def shares(lines: Sequence[Line]) -> list[Share]:
         Share("confounded: named or in a set", "", of_state(lines, ("effect",), "confounded"), is_right),
         Share("no reading shows it: no name", "", unseen, is_without_name),
         Share("too small, or a column is missing: no name", "", hopeless, is_without_name),
+        Share("it shows by its flaws alone: a wrong name", "", flawed, is_wrong),
         Share("two: both right", "", two, is_unique),
         Share("two: a wrong name", "", of_state(lines, ("two",)), is_wrong),
         Share("outside, at 5 limits: unexplained, no name", ">= 95 %", outside, is_unexplained),
@@ -155,7 +158,7 @@ def is_right_component(line: Line) -> bool:
 
 
 def agrees(line: Line) -> bool:
-    return abs(line["audited"][0][0] / line["hidden"][0]["detection"] - 1.0) < NEAR
+    return bool(abs(line["audited"][0][0] / line["hidden"][0]["detection"] - 1.0) < NEAR)
 
 
 def is_failure(line: Line) -> bool:

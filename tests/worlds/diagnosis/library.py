@@ -15,11 +15,8 @@ from tests.worlds.effects import WARM, State
 from tests.worlds.machine import LINEAR, Array
 from tests.worlds.readings import home_state, reading_context, row_state
 
-TAUS = (600.0, 1500.0, 3000.0, 6000.0, 15000.0)  # s, of a warm-up
-DECAYS = (1.0, 2.5, 5.0, 10.0, 25.0)  # mm or deg, of a spike
-TIMES = (0.05, 0.15, 0.4, 1.0)  # s, of a spike
 PITCHES = {"linear": (7.0, 22.0), "rotary": (6.0, 40.0)}  # mm, deg
-PITCHES_TRIED = 6
+PITCHES_TRIED, FINE = 6, 25
 NEEDS = {  # column without which nobody can know a kind
     "thermal_expansion": "temperature_c",
     "thermal_offset": "temperature_c",
@@ -41,6 +38,29 @@ class Candidate:
     columns: Array
 
 
+@dataclass(frozen=True)
+class Search:
+    """Points of searched parameters: pitches: mm or deg, some of each axis where there are none here; taus: s, of a
+    warm-up; decays: mm or deg, times: s, of spikes; only: the one candidate that is wanted.
+    """
+
+    pitches: tuple[float, ...] = ()
+    taus: tuple[float, ...] = (600.0, 1500.0, 3000.0, 6000.0, 15000.0)
+    decays: tuple[float, ...] = (1.0, 2.5, 5.0, 10.0, 25.0)
+    times: tuple[float, ...] = (0.05, 0.15, 0.4, 1.0)
+    only: Name | None = None
+
+
+COARSE = Search()
+
+
+def fine(name: Name, pitch: float) -> Search:
+    """One candidate, as finely as a diagnosis may search."""
+    pitches = tuple(pitch * np.linspace(0.99, 1.01, 5)) if pitch else ()
+    taus, decays, times = (tuple(np.geomspace(*ends, FINE)) for ends in ((400.0, 2e4), (0.5, 40.0), (0.03, 2.0)))
+    return Search(pitches, taus, decays, times, name)
+
+
 def may_act_on(kind: str, component: str) -> bool:
     """Whether a kind may act on a component error, such as EXX."""
     along = component[1] == component[2]
@@ -49,44 +69,65 @@ def may_act_on(kind: str, component: str) -> bool:
     return kind not in NOT_TURNS or along or component[1] in LINEAR
 
 
-def candidates(design: Design, pitch: float = 0.0) -> Iterator[Candidate]:
-    """Every candidate of the library at every point; with a pitch, mm or deg, cyclic ones of that pitch alone."""
+def candidates(design: Design, search: Search = COARSE) -> Iterator[Candidate]:
+    """Every candidate of the library at every point."""
     rows, homes = row_state(design.machine, design.plan), home_state(design.machine, design.plan)
-    jac, run = design.jacobian, design.plan.run
+    jac, run, only = design.jacobian, design.plan.run, search.only
     for component in design.machine.components:
-        if not np.any(jac.here[component]):
+        if not np.any(jac.here[component]) or (only is not None and only.component != component):
             continue
-        there = zip(_terms(design, component, rows, pitch), _terms(design, component, homes, pitch), strict=True)
+        there = zip(_terms(design, component, rows, search), _terms(design, component, homes, search), strict=True)
         for (name, term), (_, term_home) in there:
-            here, home = jac.here[component][:, None], jac.home[component][:, None]
-            yield Candidate(name, here * term - home * term_home[run])
+            if only in (None, name):
+                here, home = jac.here[component][:, None], jac.home[component][:, None]
+                yield Candidate(name, here * term - home * term_home[run])
+    yield from _lobes(design, only)
+    yield from _steps(design, only)
+
+
+def _lobes(design: Design, only: Name | None) -> Iterator[Candidate]:
+    name = Name("ballbar_lobes")
     _, theta = reading_context(design.machine, design.plan)
-    if np.any(theta) and not pitch:
+    if np.any(theta) and only in (None, name):
         bars = (theta != 0.0)[:, None]
-        yield Candidate(Name("ballbar_lobes"), bars * np.column_stack([np.cos(3 * theta), np.sin(3 * theta)]))
+        yield Candidate(name, bars * np.column_stack([np.cos(3 * theta), np.sin(3 * theta)]))
 
 
-def _terms(design: Design, component: str, state: State, pitch: float) -> Iterator[tuple[Name, Array]]:
+def _steps(design: Design, only: Name | None) -> Iterator[Candidate]:
+    """A step of one run between every two readings; only where it is asked for: no other effect is like it."""
+    if only is None or only.kind != "laser_step":
+        return
+    rows = np.flatnonzero(np.array([run.id in only.runs for run in design.plan.runs])[design.plan.run])
+    for start in range(1, len(rows)):
+        columns = np.zeros((design.plan.count, 1))
+        columns[rows[start:]] = 1.0
+        yield Candidate(only, columns)
+
+
+def _terms(design: Design, component: str, state: State, search: Search) -> Iterator[tuple[Name, Array]]:
     """Name and term, (n, k), of every kind that acts on a component."""
-    for kind, term in _forms(design, component, state, pitch):
+    for kind, term in (*_cyclic(component, state, search), *_forms(design, component, state, search)):
         needed = NEEDS.get(kind)
-        if may_act_on(kind, component) and (needed is None or needed in design.columns):
+        wanted = search.only is not None or needed is None or needed in design.columns
+        if may_act_on(kind, component) and wanted:
             yield Name(kind, component), term
     s = design.machine.share(component[2], state.positions[component[2]])
-    for axis in design.machine.axes if not pitch else ():
+    for axis in design.machine.axes:
         if axis != component[2]:
             other = design.machine.share(axis, state.positions[axis])
             yield Name("cross_axis", component, axis), _column(s * other**2)
 
 
-def _forms(design: Design, component: str, state: State, pitch: float) -> Iterator[tuple[str, Array]]:
+def _cyclic(component: str, state: State, search: Search) -> Iterator[tuple[str, Array]]:
     axis = component[2]
-    low, high = PITCHES["linear" if axis in LINEAR else "rotary"]
-    for each in [pitch] if pitch else np.geomspace(low, high, PITCHES_TRIED).tolist():
-        angle = 2 * np.pi * state.positions[axis] / each
+    some = np.geomspace(*PITCHES["linear" if axis in LINEAR else "rotary"], PITCHES_TRIED)
+    for pitch in search.pitches or some:
+        angle = 2 * np.pi * state.positions[axis] / pitch
         yield "cyclic", np.column_stack([np.cos(angle), np.sin(angle)])
-    if pitch:
-        return
+
+
+def _forms(design: Design, component: str, state: State, search: Search) -> Iterator[tuple[str, Array]]:
+    axis = component[2]
     q, way, since = state.positions[axis], state.directions[axis], state.since[axis]
     s, warm = design.machine.share(axis, q), _air(design, state) - WARM
     yield "backlash", _column(way / 2)
@@ -95,13 +136,13 @@ def _forms(design: Design, component: str, state: State, pitch: float) -> Iterat
     yield "thermal_offset", _column(warm)
     yield "drift", _column(state.time)
     yield "servo_lag", _column(-state.velocity[axis])
-    for tau in TAUS:
+    for tau in search.taus:
         yield "warm_up", _column(s * np.exp(-state.time / tau))
-    for decay in DECAYS:
+    for decay in search.decays:
         yield "reversal_spike", _column(way * np.exp(-since / decay))
     speed = np.nan_to_num(state.feed) / 60.0
     passed = np.divide(since, speed, out=np.full_like(since, np.inf), where=(speed > 0) & np.isfinite(since))
-    for tau in TIMES:
+    for tau in search.times:
         yield "reversal_spike_time", _column(way * np.exp(-passed / tau))
 
 

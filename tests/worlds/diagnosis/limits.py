@@ -16,7 +16,7 @@ from scipy.linalg import cholesky, qr, solve_triangular
 
 from tests.hidden_effects.power.grade import Name
 from tests.worlds.design import Design
-from tests.worlds.diagnosis.library import candidates
+from tests.worlds.diagnosis.library import COARSE, Search, candidates, fine
 from tests.worlds.machine import Array, Indices
 from tests.worlds.shop import Unknown, every_unknown
 from tests.worlds.truth import span_of
@@ -192,7 +192,7 @@ class Rivals:
     held: Array
     blocks: tuple[tuple[Name, slice], ...]
 
-    def nearest(self, left: Array, apart: Name, taken: Array | None = None) -> tuple[float, Name, Array]:
+    def nearest(self, left: Array, apart: Name | None = None, taken: Array | None = None) -> tuple[float, Name, Array]:
         """Largest share of a signature (n,), as `left_of` leaves it, that one candidate other than `apart` explains,
         that candidate, and the unit vector (n,) that does, apart from a factor; taken: (n, j), orthonormal, what
         other candidates explain already.
@@ -217,10 +217,9 @@ class Rivals:
         return (min(best[0] / total, 1.0) if total else 0.0), best[1], unit
 
 
-def rivals_of(ground: Ground, pitch: float = 0.0) -> Rivals:
-    """pitch: mm or deg, of cyclic rivals alone; 0: all candidates of the library."""
+def rivals_of(ground: Ground, search: Search = COARSE) -> Rivals:
     whites, blocks, count = [], [], 0
-    for one in candidates(ground.design, pitch):
+    for one in candidates(ground.design, search):
         white = ground.white(one.columns)
         if not np.any(white):
             continue
@@ -234,47 +233,58 @@ def rivals_of(ground: Ground, pitch: float = 0.0) -> Rivals:
 
 @dataclass(frozen=True)
 class Limit:
-    """strength: lambda of a signature of unit size; r2 and rival: of the nearest candidate; share: what is left of the
-    signature beside what is flat.
+    """strength: lambda of a signature of unit size; own: share of it that the library's own form at its best explains;
+    r2 and rival: the largest share of that which another candidate explains.
     """
 
     strength: float
+    own: float
     r2: float
     rival: Name
-    share: float
 
     @property
     def detection(self) -> float:
         """Size in units of that of the signature; infinite where no reading shows it."""
-        return float(np.sqrt(DETECTION / self.strength)) if self.strength > 0 else np.inf
+        return float(np.sqrt(DETECTION / (self.strength * self.own))) if self.strength > 0 else np.inf
 
     @property
     def isolation(self) -> float:
-        left = self.strength * (1.0 - self.r2)
+        left = self.strength * self.own * (1.0 - self.r2)
         return float(np.sqrt(ISOLATION / left)) if left > 1e-9 * self.strength and left > 0 else np.inf
 
 
-def limit_of(ground: Ground, signature: Array, apart: Name, most: int = 1, pitch: float = 0.0) -> Limit:
-    """signature: (n,), mm; apart: its own name; most: candidates that may imitate it together; pitch: of its own."""
+NO_LIMIT = Limit(0.0, 1.0, 0.0, Name(""))
+
+
+def limit_of(ground: Ground, signature: Array, name: Name, pitch: float = 0.0) -> Limit:
+    """Of an effect of the library; signature: (n,), mm; name, pitch: its own."""
     left = ground.left_of(signature)
     strength = float(left @ left)
-    whole = ground.white(signature)
-    share = strength / max(float(np.sum(whole**2)), 1e-300)
     if strength == 0.0:
-        return Limit(0.0, 0.0, Name(""), 0.0)
-    taken = np.zeros((len(left), 0))
-    rest, first = left, Name("")
-    for number in range(most):
-        share_of, name, unit = ground.rivals.nearest(rest, apart, taken)
-        if pitch:
-            share_of, name, unit = max(
-                (share_of, name, unit), rivals_of(ground, pitch).nearest(rest, apart, taken), key=lambda one: one[0]
-            )
-        if share_of == 0.0:
+        return NO_LIMIT
+    forms = rivals_of(ground, fine(name, pitch))
+    own = forms.nearest(left)[0] if forms.blocks else 1.0
+    r2, rival, _ = ground.rivals.nearest(left, name)
+    if pitch:
+        alike = rivals_of(ground, Search(pitches=(pitch,)))
+        r2, rival = max((r2, rival), alike.nearest(left, name)[:2], key=lambda one: one[0])
+    return Limit(strength, max(own, 1e-12), min(r2 / max(own, 1e-12), 1.0), rival)
+
+
+def limit_of_outsider(ground: Ground, signature: Array) -> Limit:
+    """Of an effect of no kind: candidates may imitate it together, taken one after another as a search takes them."""
+    left = ground.left_of(signature)
+    strength = float(left @ left)
+    if strength == 0.0:
+        return NO_LIMIT
+    taken, rest, first = np.zeros((len(left), 0)), left, Name("")
+    for number in range(IMITATORS):
+        share, name, unit = ground.rivals.nearest(rest, None, taken)
+        if share == 0.0:
             break
         first = name if number == 0 else first
         unit = ground.rest(unit[:, None])[:, 0]
         unit = unit - taken @ (taken.T @ unit)
         taken = np.column_stack([taken, unit / np.linalg.norm(unit)])
         rest = left - taken @ (taken.T @ left)
-    return Limit(strength, max(0.0, 1.0 - float(rest @ rest) / strength), first, share)
+    return Limit(strength, 1.0, max(0.0, 1.0 - float(rest @ rest) / strength), first)

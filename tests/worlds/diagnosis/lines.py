@@ -64,6 +64,7 @@ def _of_case(case: Case) -> Line:
             "isolation": _number(one.isolation),
             "r2": round(one.r2, 4),
             "rival": _text(one.rival),
+            "own": round(one.own, 4),
         }
         for one in case.hidden
     ]

@@ -25,6 +25,12 @@ def bench() -> Bench:
     return bench_of(SMALL)
 
 
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Of a campaign: kernels stay in it."""
+    return tmp_path_factory.mktemp("campaign")
+
+
 def line(**changes: Any) -> dict[str, Any]:
     """An effect at ten limits, named alone and right."""
     one = {"kind": "backlash", "name": "backlash EXX", "size": 0.01, "state": "isolable", "times": 10.0}
@@ -91,31 +97,31 @@ def test_an_answer_by_the_keys_of_the_contract() -> None:
     assert (found.stale, found.standardised) == (("EYY",), {"extended": 1.02})
 
 
-def test_a_diagnosis_that_breaks_down_is_a_line(tmp_path: Path) -> None:
+def test_a_diagnosis_that_breaks_down_is_a_line(folder: Path) -> None:
     def engine(folder: Path, kernels: Path) -> Answer:
         raise RuntimeError("no")
 
-    found = line_of(bench(), 2, tmp_path, engine=engine)
+    found = line_of(bench(), 2, folder / "worlds" / str(SMALL), engine=engine)
     assert (found["grade"], found["error"]) == ("failed", "RuntimeError: no")
     assert reasons(found) == ["broke down"]
 
 
-def test_a_campaign_goes_on_where_it_stopped(tmp_path: Path) -> None:
-    options = ["--out", str(tmp_path), "--worlds", "1", "--first", str(SMALL)]
+def test_a_campaign_goes_on_where_it_stopped(folder: Path) -> None:
+    options = ["--out", str(folder), "--worlds", "1", "--first", str(SMALL)]
     assert main([*options, "--cases", "1"]) == 0
-    (results,) = tmp_path.glob("cases-*.jsonl")
+    (results,) = folder.glob("cases-*.jsonl")
     before = results.read_text()
     assert main([*options, "--cases", "2"]) == 0
     assert results.read_text().startswith(before)
-    lines = read_lines(tmp_path)
+    lines = read_lines(folder)
     assert [(one["world"], one["case"]) for one in lines] == [(SMALL, 0), (SMALL, 1)]
     assert "1 worlds, 2 cases" in "\n".join(tables(lines))
     assert json.loads(before)["seconds"] > 0.0
 
 
-def test_process_and_command_say_the_same(tmp_path: Path) -> None:
+def test_process_and_command_say_the_same(folder: Path, tmp_path: Path) -> None:
     case = next(case for case in (draw_case(bench(), k, ("effect",)) for k in range(20)) if case.given == "zeros")
-    kernels = write_case(tmp_path / "case", tmp_path, bench().design, case)
-    found = [replace(engine(tmp_path / "case", kernels), seconds=0.0) for engine in (said_of, said_by_command)]
+    kernels = write_case(tmp_path, folder / "worlds" / str(SMALL), bench().design, case)
+    found = [replace(engine(tmp_path, kernels), seconds=0.0) for engine in (said_of, said_by_command)]
     assert found[0].said.verdict
     assert found[0] == found[1]

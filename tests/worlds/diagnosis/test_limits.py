@@ -10,7 +10,7 @@ from scipy.linalg import cholesky, solve_triangular
 from tests.hidden_effects.power.grade import Name
 from tests.worlds.design import Design
 from tests.worlds.diagnosis.cases import Bench, Case, bench_of, draw_case
-from tests.worlds.diagnosis.library import candidates
+from tests.worlds.diagnosis.library import Candidate, candidates, fine
 from tests.worlds.diagnosis.limits import CONFOUNDED, DEGREE, DETECTION, ISOLATION, limit_of
 from tests.worlds.diagnosis.signatures import largest, pitch_of, signature
 from tests.worlds.effects import Effect
@@ -84,7 +84,7 @@ def left_by_hand(design: Design, values: Array) -> Array:
 @pytest.mark.parametrize(
     "effect",
     [
-        Effect("backlash_slope", "EZZ", 1e-3, shape=3),
+        Effect("backlash", "EXY", 1e-3, shape=1),
         Effect("servo_lag", "EXX", 1e-4),
         Effect("reversal_spike", "EYY", 1e-2, shape=4),
     ],
@@ -93,19 +93,28 @@ def left_by_hand(design: Design, values: Array) -> Array:
 def test_strength_and_nearest_rival_are_those_of_a_dense_fit(effect: Effect) -> None:
     design = bench().design
     shown = signature(design, draw_machine(design.machine, 1), effect)
-    own = Name(effect.kind, effect.component, effect.axis)
-    found = limit_of(bench().flat, shown, own)
+    name = Name(effect.kind, effect.component, effect.axis)
+    found = limit_of(bench().flat, shown, name)
     left = left_by_hand(design, shown)
     assert found.strength == pytest.approx(float(left @ left), rel=1e-4)
-    assert found.detection == pytest.approx(np.sqrt(DETECTION / found.strength))
-    of_all = []
-    for one in candidates(design):
+    own, _ = best_by_hand(left, [one for one in candidates(design, fine(name, 0.0)) if one.name == name])
+    assert found.own == pytest.approx(own, abs=1e-4)
+    r2, rival = best_by_hand(left, [one for one in candidates(design) if one.name != name])
+    assert found.r2 == pytest.approx(r2 / own, abs=1e-4)
+    assert found.rival == rival
+    assert found.detection == pytest.approx(np.sqrt(DETECTION / (found.strength * own)), rel=1e-4)
+    assert found.isolation == pytest.approx(np.sqrt(ISOLATION / (found.strength * (own - r2))), rel=1e-3)
+
+
+def best_by_hand(left: Array, some: list[Candidate]) -> tuple[float, Name]:
+    """Share of a signature that the best of some candidates explains, and that one."""
+    design, found = bench().design, []
+    for one in some:
         rest = left_by_hand(design, one.columns)
-        if one.name != own and np.sum(rest**2) > 1e-5 * np.sum(whitened(design, one.columns) ** 2):
+        if np.sum(rest**2) > 1e-5 * np.sum(whitened(design, one.columns) ** 2):
             fitted = rest @ np.linalg.lstsq(rest, left, rcond=1e-9)[0]
-            of_all.append((float(fitted @ fitted) / found.strength, one.name))
-    assert (found.r2, found.rival) == (pytest.approx(max(of_all)[0], abs=1e-4), max(of_all)[1])
-    assert found.isolation == pytest.approx(np.sqrt(ISOLATION / (found.strength * (1 - found.r2))))
+            found.append((float(fitted @ fitted) / float(left @ left), one.name))
+    return max(found)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -144,7 +153,7 @@ def test_sizes_are_multiples_of_limits_and_none_is_unheard_of() -> None:
             shown = signature(bench(case.world).design, case.truth, one.effect)
             left = ground.left_of(shown)
             over = (abs(one.effect.size) / one.detection) ** (4 if one.effect.kind == "laser_cosine" else 2)
-            assert float(left @ left) == pytest.approx(DETECTION * over, rel=0.05)
+            assert one.own * float(left @ left) == pytest.approx(DETECTION * over, rel=0.05)
             assert (one.r2 > CONFOUNDED) == (one.state == "confounded")
             assert pitch_of(one.effect) >= 0.0
 
@@ -152,8 +161,8 @@ def test_sizes_are_multiples_of_limits_and_none_is_unheard_of() -> None:
 def test_a_case_is_the_same_each_time() -> None:
     one, other = draw_case(bench(), 3), draw_case(bench_of(SMALL), 3)
     assert (one.kind, one.hidden, one.wear, one.given) == (other.kind, other.hidden, other.wear, other.given)
-    readings = [exact_readings(bench().design, [case.truth]) for case in (one, other)]
-    assert np.array_equal(*readings)
+    first, second = (exact_readings(bench().design, [case.truth]) for case in (one, other))
+    assert np.array_equal(first, second)
 
 
 def test_given_values_are_stale_by_as_much_as_is_said() -> None:
