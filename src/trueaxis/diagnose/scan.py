@@ -86,6 +86,9 @@ def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Pr
         for start in range(0, points, step)
     ]
     total, gram = (np.concatenate([part[of][:step] for part in parts]) for of in (0, 1))
+    # what the base and the runs hold is rounding: its inverse would be anything
+    held = np.trace(gram, axis1=1, axis2=2) <= UNOBSERVABLE * np.trace(total, axis1=1, axis2=2)
+    gram = np.where(held[:, np.newaxis, np.newaxis], 0.0, gram)
     cross = np.concatenate([part[2] for part in parts])[: points - 1]
     return Prepared(total, gram, _length(gram, cross))
 
