@@ -28,8 +28,8 @@ def spoilt(
         if good.size < 3:
             break
         between = np.diff(np.cumsum(steps)[good], prepend=0.0)
-        off = Whitening(noise, between, scale).weighed(residual[good])
-        z = np.abs(off) / np.sqrt(Whitening(noise, between, scale).weights())
+        whiten = Whitening(noise, between, scale)
+        z = np.abs(whiten.weighed(residual[good])) / np.sqrt(whiten.weights())
         z[_shared(residual[good], repeats[good])] = 0.0
         peaks = (z > max(limit, ALIKE * float(z.max()))) & (z >= _largest_around(z))
         if not peaks.any():

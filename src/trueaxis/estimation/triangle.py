@@ -31,7 +31,10 @@ def with_rows(triangle: FloatArray, rows: FloatArray) -> FloatArray:
 
 
 def with_triangle(triangle: FloatArray, other: FloatArray) -> FloatArray:
-    """(n, n): of a triangle (n, n) and the first rows (m, n) of another. Large numbers belong into the first."""
+    """(n, n): of a triangle (n, n) and the first rows (m, n) of another, which may be overwritten.
+
+    Large numbers belong into the first.
+    """
     return _folded(triangle, other, other.shape[0])
 
 
