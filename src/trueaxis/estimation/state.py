@@ -22,7 +22,7 @@ from trueaxis.runtime.errors import ErrorValues
 NOTHING, LEAST_SHARE = 1e-3, 1e-3  # of a sum of squares in units of their variances; of a step
 DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
 HALF = 0.6745  # of a normal distribution lies within so many standard deviations
-KEPT = 2**23  # entries of derivatives that are kept: 64 MB
+KEPT = 50_000_000  # entries of derivatives that are kept: 400 MB, less than a million readings need without
 # of the posterior, from which the noise is taken: as many residuals as tell it to half a percent of that of one draw
 DRAWS, DRAWN = 8, 40_000
 
