@@ -17,6 +17,7 @@ from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE, explai
 
 ENTRIES = 1 << 20  # of a signature's columns at a time
 FAR = 100.0  # a statistic from which the number of tries does not matter
+NOTHING = 1e-200  # squares, in units of the noise, whose inverse would leave the range of numbers
 LN10 = float(np.log(10.0))
 
 
@@ -86,6 +87,9 @@ def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Pr
         for start in range(0, points, step)
     ]
     total, gram = (np.concatenate([part[of][:step] for part in parts]) for of in (0, 1))
+    # what the base and the runs hold is rounding, and what dies away before the first reading is nothing
+    held = np.trace(gram, axis1=1, axis2=2) <= np.maximum(UNOBSERVABLE * np.trace(total, axis1=1, axis2=2), NOTHING)
+    gram = np.where(held[:, np.newaxis, np.newaxis], 0.0, gram)
     cross = np.concatenate([part[2] for part in parts])[: points - 1]
     return Prepared(total, gram, _length(gram, cross))
 
