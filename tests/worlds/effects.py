@@ -47,6 +47,7 @@ class State:
     positions: Mapping[str, Array]
     directions: Mapping[str, Array]
     since: Mapping[str, Array]
+    turned: Mapping[str, Array]
     velocity: Mapping[str, Array]
     time: Array
     feed: Array
@@ -136,10 +137,17 @@ def _reversal_spike(effect: Effect, state: State) -> Array:
 
 def _reversal_spike_time(effect: Effect, state: State) -> Array:
     """Of the time since the reversal: none where the axis stands."""
-    since, speed = state.since[effect.component[2]], np.nan_to_num(state.feed) / 60.0
-    tau = effect.draw().uniform(0.1, 0.6)
-    passed = np.divide(since, speed, out=np.full_like(since, np.inf), where=(speed > 0) & np.isfinite(since))
-    return effect.size * state.way(effect) * np.exp(-passed / tau)
+    source, passed = effect.draw(), state.turned[effect.component[2]]
+    rise, tau = source.uniform(0.01, 0.03), source.uniform(0.1, 0.6)
+    return effect.size * state.way(effect) * (1.0 - np.exp(-passed / rise)) * np.exp(-passed / tau)
+
+
+def _reversal_spike_path(effect: Effect, state: State) -> Array:
+    """Of the way along the path since the reversal, whichever axis moves."""
+    source, speed = effect.draw(), np.nan_to_num(state.feed) / 60.0
+    passed = np.where(speed > 0, state.turned[effect.component[2]] * np.maximum(speed, 1e-9), np.inf)
+    rise, decay = source.uniform(0.1, 0.3), source.uniform(3.0, 20.0)
+    return effect.size * state.way(effect) * (1.0 - np.exp(-passed / rise)) * np.exp(-passed / decay)
 
 
 def _cross_axis(effect: Effect, state: State) -> Array:
@@ -263,6 +271,7 @@ _KNOWN: Mapping[str, Term] = {
     "servo_lag": _servo_lag,
     "reversal_spike": _reversal_spike,
     "reversal_spike_time": _reversal_spike_time,
+    "reversal_spike_path": _reversal_spike_path,
     "cross_axis": _cross_axis,
 }
 _UNKNOWN: Mapping[str, Term] = {

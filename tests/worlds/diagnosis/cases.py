@@ -53,6 +53,7 @@ ABSORBED_SIGMA = 300.0  # norm of the signature of an effect that no reading sho
 # probability with which one that cannot be named is kept all the same
 NOT_WANTED = {"absorbed": 0.12, "mute": 0.15, "imitated": 0.1, "flawed": 0.1, "too small": 0.0}
 MACHINES_APART = 1000
+OF_BARS = ("servo_lag", "reversal_spike_time", "reversal_spike_path")  # axes stand on lines
 DIRECTIONAL = ("backlash", "backlash_slope", "reversal_spike")
 TEMPORAL = ("drift", "warm_up", "thermal_offset", "thermal_expansion")
 
@@ -178,7 +179,7 @@ def _library(design: Design) -> tuple[str, ...]:
     )
     bars = any(run.instrument == "ballbar" for run in design.plan.runs)
     found = [kind for kind in known.ON_COMPONENTS if kind in known.KNOWN]
-    found = [kind for kind in found if bars or kind not in ("servo_lag", "reversal_spike_time")]
+    found = [kind for kind in found if bars or kind not in OF_BARS]
     found += ["laser_step", "laser_step", "point_offset"] if laser else []
     return (*found, *(["ballbar_lobes", "ballbar_lobes"] if circles else []), "squareness")
 

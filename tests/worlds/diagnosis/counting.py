@@ -187,7 +187,7 @@ def reasons(line: Line) -> list[str]:
         found.append("outsider missed")
     if kind.startswith("stale") and certain and not says_stale(line):
         found.append("stale, not said")
-    if kind == "nothing" and line["given"] == "truth" and says_stale(line) and not certain:
+    if line["given"] == "truth" and not kind.startswith("stale") and says_stale(line) and not certain:
         found.append("called stale")
     if line.get("name_kept") and line.get("sound") in NAMED:
         found.append("name stays")

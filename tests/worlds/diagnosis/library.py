@@ -140,10 +140,12 @@ def _forms(design: Design, component: str, state: State, search: Search) -> Iter
         yield "warm_up", _column(s * np.exp(-state.time / tau))
     for decay in search.decays:
         yield "reversal_spike", _column(way * np.exp(-since / decay))
-    speed = np.nan_to_num(state.feed) / 60.0
-    passed = np.divide(since, speed, out=np.full_like(since, np.inf), where=(speed > 0) & np.isfinite(since))
+    passed, speed = state.turned[axis], np.nan_to_num(state.feed) / 60.0
     for tau in search.times:
         yield "reversal_spike_time", _column(way * np.exp(-passed / tau))
+    path = np.where(speed > 0, passed * np.maximum(speed, 1e-9), np.inf)
+    for decay in search.decays:
+        yield "reversal_spike_path", _column(way * np.exp(-path / decay))
 
 
 def _air(design: Design, state: State) -> Array:

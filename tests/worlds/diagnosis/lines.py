@@ -30,7 +30,7 @@ def line_of(bench: Bench, number: int, kernels: Path, only: tuple[str, ...] = ()
     start = time.process_time()
     try:
         case = draw_case(bench, number, only)
-        found |= _of_case(case)
+        found |= _of_case(case) | {"true_noise": _true_noise(bench.design)}
         needed = NEEDS_COLUMN.get(case.kind)
         if needed is not None and needed not in bench.design.columns:
             return found | {"grade": "not possible"}
@@ -91,6 +91,13 @@ def _of_answer(case: Case, answer: Answer) -> Line:
         "outliers": answer.outliers,
         "seconds": round(answer.seconds, 2),
     }
+
+
+def _true_noise(design: Design) -> float:
+    """Root mean square over the readings of white noise, slow noise and steps of the display, um."""
+    shop = design.shop
+    squares = shop.white**2 + shop.slow_mm[design.plan.run] ** 2 + shop.resolution**2 / 12
+    return float(f"{1e3 * np.sqrt(np.mean(squares)):.4g}")
 
 
 def _spoilt(design: Design, case: Case, kernels: Path, engine: Engine) -> Line:
