@@ -191,8 +191,8 @@ def names(found: Diagnosis) -> set[Effect]:
     ],
 )
 def test_the_run_that_is_proposed_leaves_one_name(kind: str, size: float, run: str, measured: Design) -> None:
-    """Play of X across, told from play in rotation. (A laser that is off in scale or alignment is what recalibration and
-    its makers' figures account for; without a gauge it has no rival to be told from.)
+    """Play of X across, told from play in rotation. (A laser that is off in scale or alignment is what recalibration
+    or its maker accounts for: without a gauge it has no rival.)
     """
     effect = Hidden(kind, "EYX", size=size)
     before = _diagnosed(Case(4, effects=(effect,)))

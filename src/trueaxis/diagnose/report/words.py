@@ -128,8 +128,8 @@ def _detail(diagnosis: Diagnosis) -> str:
         changed = [stale_change(one) for one in diagnosis.stale[:MOST_STRUCTURES]]
         more = len(diagnosis.stale) - len(changed)
         changed += [f"{more} more, listed below"] if more else []
-        said = f"Changed: {'; '.join(changed)}. " if changed else ""
-        return f"{said}The values given would look so stale by chance with a probability of {p}."
+        listed = f"Changed: {'; '.join(changed)}. " if changed else ""
+        return f"{listed}The values given would look so stale by chance with a probability of {p}."
     if diagnosis.verdict == "unexplained_structure":
         shown, more = largest_structures(diagnosis.checks)
         said = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
