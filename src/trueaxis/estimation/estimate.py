@@ -219,7 +219,12 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    flipped = reversed_runs(state, sizes, x, posterior)
+
+    def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
+        start = started(layout, tuple(runs), setting.given, setting.noise)
+        return _rounds(start, sizes, MOST_ROUNDS)[:2]
+
+    flipped = reversed_runs(state, sizes, x, posterior, refit)
     if setting.prior:
         posterior = averaged(sizes, found, x)
         state = at_share(state, posterior)

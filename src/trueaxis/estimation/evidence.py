@@ -158,6 +158,11 @@ def posterior_at(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
     return _evidence(sizes, reduced, _batches(reduced.blocks), x)[2]
 
 
+def evidence_at(sizes: Sizes, reduced: Reduced, x: FloatArray) -> float:
+    """Logarithm of the marginal likelihood and of the prior of the sizes, but for a constant: see `best_sizes`."""
+    return _evidence(sizes, reduced, _batches(reduced.blocks), x)[0] - 0.5 * float(x @ x)
+
+
 def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
     """The posterior averaged over the sizes that the readings leave possible: their uncertainty is in it.
 
