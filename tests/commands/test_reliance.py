@@ -1,6 +1,7 @@
 """What rests on the readings and what does not, from `identify` to `fit` and `predict`, as a user runs them."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,8 @@ import pytest
 
 from tests.identify.test_command import ERRORS, KERNELS, MACHINE, STEPWISE, identify, simulated
 from trueaxis.cli import main
+from trueaxis.reporting.reliance import travel_sentences
+from trueaxis.runtime.measured_range import BeyondMeasured
 
 POINTS = "X,Y,Z,tool_z\n0,0,0,0\n300,0,0,0\n0,0,400,0\n540,700,600,0\n"
 
@@ -123,6 +126,13 @@ def test_use_beyond_the_measured_range_is_said(
     assert predict(tmp_path, path) == 0
     said = capsys.readouterr().out
     assert "3 of 4 positions lie beyond what was measured: EXX from X = 20 to 400 mm, used at X = 0 to 540" in said
+
+
+def test_tables_beyond_the_measured_range_are_told_without_counting_their_rows() -> None:
+    """Ends of the travel are rows of every table; where u holds beyond what was measured, u says all."""
+    beyond = BeyondMeasured(axis="X", components=("EXX",), low=20.0, high=400.0, lowest=0.0, highest=540.0, count=99)
+    (said,) = travel_sentences([beyond, replace(beyond, by_prior=True)])
+    assert said.startswith("EXX: measured from X = 20 to 400 mm, written for X = 0 to 540; the curve is continued")
 
 
 def test_a_misfit_is_predicted_with_a_warning_and_fitted_on_request_alone(

@@ -85,7 +85,8 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     if not found.converged:
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
     judged = with_reversed(quality(residuals, observed.runs), [observed.runs[index].id for index in found.reversed])
-    together, tool = combinations(found), tool_summary(found, [ORIGIN]) if options.prior else None
+    together = combinations(found)
+    tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if options.prior else None
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}
