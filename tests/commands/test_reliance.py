@@ -12,7 +12,10 @@ import pytest
 from tests.identify.test_command import ERRORS, KERNELS, MACHINE, STEPWISE, identify, simulated
 from trueaxis.cli import main
 from trueaxis.reporting.reliance import travel_sentences
+from trueaxis.runtime.covariance import digest_of_numbers
 from trueaxis.runtime.measured_range import BeyondMeasured
+from trueaxis.runtime.model import load_errors
+from trueaxis.spec import read_machine
 
 POINTS = "X,Y,Z,tool_z\n0,0,0,0\n300,0,0,0\n0,0,400,0\n540,700,600,0\n"
 
@@ -212,10 +215,11 @@ def test_files_without_the_parts_are_read(tmp_path: Path, estimated: Path) -> No
         del curve["u_readings"], curve["u_prior"]
     with np.load(estimated.with_suffix(".npz")) as archive:
         arrays: dict[str, Any] = {key: np.array(archive[key]) for key in archive}
+    (tmp_path / "e.json").write_text(json.dumps(tree))
     head = json.loads(arrays["head"].tobytes())
     del head["prior_columns"]
+    head["sha256_of_values"] = digest_of_numbers(load_errors(tmp_path / "e.json", read_machine(MACHINE)))
     arrays["head"] = np.frombuffer(json.dumps(head).encode(), dtype=np.uint8)
-    (tmp_path / "e.json").write_text(json.dumps(tree))
     np.savez(tmp_path / "e.npz", allow_pickle=False, **arrays)
     tables = []
     for errors in (estimated, tmp_path / "e.json"):
