@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from trueaxis.estimation.evidence import evidence_at, posterior_at
-from trueaxis.estimation.jacobian import pieces
+from trueaxis.estimation.own_part import by_shared, own_part_of
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.sizes import Sizes
@@ -62,25 +62,14 @@ def log_ratios(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) 
     taken out, and S^-1 (y - p) is the residual of the estimate of all runs.
     """
     found = {}
-    for place, (one, kinds) in enumerate(zip(state.runs, state.own_kinds, strict=True)):
+    for place, one in enumerate(state.runs):
         if one.rows.run.direction is None:
             continue
-        readings, rest = one.reading[one.good], state.residual[place][one.good]
-        k = len(kinds)
-        whiten = state.whitening(place, one.kept())
-        columns, through = [], np.zeros((state.layout.count, k + 1))
-        for part, own, others in pieces(state.layout, one.kept()):
-            scaled = own * sizes.own_scale(kinds, x)
-            white = whiten(np.column_stack([scaled, readings[part], rest[part], others]))
-            columns.append(white[:, : k + 2])
-            through += white[:, k + 2 :].T @ white[:, : k + 1]
-        whitened = np.vstack(columns)
-        own, y, residual = whitened[:, :k], whitened[:, k], whitened[:, k + 1]
-        # (1 + own' own)^-1 is the covariance of the run's own unknowns in units of their sizes
-        own_part = np.linalg.solve(np.eye(k) + own.T @ own, own.T @ y)
-        shared = posterior.spread.T @ (through[:, k] - through[:, :k] @ own_part)
-        precise = float(y @ y) - float((own.T @ y) @ own_part) - float(shared @ shared)
-        found[place] = -2.0 * (precise - float(y @ residual))
+        both = np.column_stack([one.reading, state.residual[place]])[one.good]
+        y, residual = state.whitening(place, one.kept())(both).T
+        rest = own_part_of(state, sizes, x, place).rest(y)
+        shared = posterior.spread.T @ by_shared(state, place, rest[:, np.newaxis])
+        found[place] = -2.0 * (float(y @ rest) - float(np.sum(shared**2)) - float(y @ residual))
     return found
 
 

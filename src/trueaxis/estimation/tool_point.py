@@ -114,7 +114,7 @@ def tool_summary(found: Estimate, tools: Sequence[Vector], covariance: Covarianc
         u_placed_rms=_rms(placed.u),
         prior_placed_rms=_rms(placed.prior),
         largest_u=largest.largest_u,
-        largest_at=dict(zip(model.axes, largest.largest_at, strict=True)),
+        largest_at=dict(zip(model.axes, np.round(largest.largest_at, 1).tolist(), strict=True)),
         estimated=found.rounds > 0,
     )
 

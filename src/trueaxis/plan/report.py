@@ -68,12 +68,14 @@ class Redundant:
 class LocationSet:
     """The smallest set of location errors under one assumption on the placements.
 
-    rank: of the spec's location errors; kept, redundant: the set, in the order of the spec, and the rest; complete: how
+    placement: in words; workpiece_free: whether the workpiece may be placed anyhow; rank: of the spec's location
+    errors; kept, redundant: the set, in the order of the spec, and the rest; complete: how
     many any set needs that describes all axes; missing: constant errors that the spec's location errors cannot stand
     for.
     """
 
     placement: str
+    workpiece_free: bool
     rank: int
     kept: tuple[str, ...]
     redundant: tuple[Redundant, ...]

@@ -145,7 +145,7 @@ def _block(number: int, block: BlockReport) -> list[str]:
 def _set(one: LocationSet, first: bool) -> list[str]:
     lines = ["", "location errors that the machine needs, from the rank over its volume:"] if first else []
     text = f"{one.placement}: {one.rank} of {one.rank + len(one.redundant)}: {' '.join(one.kept)}"
-    if one.placement.startswith("workpiece placed anyhow"):
+    if one.workpiece_free:
         if one.missing:
             text += f"; {one.complete} would be complete: without counterpart is a constant {enumerated(one.missing)}"
         else:
