@@ -14,7 +14,6 @@ import numpy as np
 from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
-from trueaxis.estimation.instruments import SCALES
 from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
@@ -99,7 +98,7 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
         everything[one.rows.at] = np.vstack([others for _, _, others in parts])
         own.append(np.vstack([mine for _, mine, _ in parts]))
     m = layout.of_machine
-    chance = np.array([unknown.kind in SCALES for unknown in layout.shared], dtype=bool)
+    chance = np.array([unknown.unknown_class.unit == "1" for unknown in layout.shared], dtype=bool)
     shared = everything[:, m:]
     counts = [basis.degree for basis in layout.bases]
     weights = [np.exp(CurvePrior(basis).log_weights(np.zeros(len(SHAPE)))[0]) for basis in layout.bases]

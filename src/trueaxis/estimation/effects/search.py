@@ -28,15 +28,16 @@ class WhitenedRun:
     """Readings of one run in units of their noise, beside everything else that is estimated.
 
     index: of the run; rows: (m,), its readings in the order in which they were taken; whiten: makes the noise of
-    columns (m, q) white and 1; own: (m, k), what the run's own unknowns take of whitened columns c is own (own' c);
-    others: (m, r), the same for the unknowns that runs share, summed over all runs; residual: (m,), whitened.
+    columns (m, q) white and 1; rest: what the run's own unknowns leave of whitened columns (m, q); shared: (r, q) from
+    what they leave: the sum over all runs, squared, is what unknowns that runs share take of it; residual: (m,),
+    whitened.
     """
 
     index: int
     rows: IntArray
     whiten: Callable[[FloatArray], FloatArray]
-    own: FloatArray
-    others: FloatArray
+    rest: Callable[[FloatArray], FloatArray]
+    shared: Callable[[FloatArray], FloatArray]
     residual: FloatArray
 
 
@@ -99,17 +100,18 @@ def _of_points(ground: Ground, effect: Effect, kind: Kind, points: tuple[Point, 
         if not reaches(ground, effect, kind, chosen):
             continue
         columns = run.whiten(np.array([of_term(ground, effect, kind, vector, chosen)[0] for vector in vectors]).T)
-        total += _squares(columns, k)
-        gram -= _squares(run.own.T @ columns, k)
+        rest = run.rest(columns)
+        total += _products(columns, columns, k)
+        gram += _products(columns, rest, k)
         right += (run.residual @ columns).reshape(-1, k)
-        part = run.others.T @ columns
+        part = run.shared(rest)
         inside = part if inside.size == 0 else inside + part
-    gram += total - _squares(inside, k)
+    gram -= _products(inside, inside, k)
     root = any(one.role == "root" for one in kind.parameters)
     return _Explained(*explained(gram, right, np.trace(total, axis1=1, axis2=2), one_sided=root))
 
 
-def _squares(columns: FloatArray, k: int) -> FloatArray:
+def _products(left: FloatArray, right: FloatArray, k: int) -> FloatArray:
     """(points, k, k): products of the k columns of each point."""
-    shaped = columns.reshape(columns.shape[0], -1, k)
-    return np.asarray(np.einsum("npi,npj->pij", shaped, shaped, optimize=True))
+    shaped = [columns.reshape(columns.shape[0], -1, k) for columns in (left, right)]
+    return np.asarray(np.einsum("npi,npj->pij", *shaped, optimize=True))
