@@ -20,7 +20,7 @@ from trueaxis.diagnose.report.structures import check_name
 from trueaxis.diagnose.result import Check, StructureClass
 from trueaxis.estimation import outliers
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
-from trueaxis.estimation.instruments import SHARED_SIZES
+from trueaxis.estimation.instruments import CLASSES
 
 PAGE = (ROOT / "docs" / "diagnosis.md").read_text()
 README = (ROOT / "README.md").read_text()
@@ -164,8 +164,8 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
         f"{WORDS[outliers.EXPECTED]}",
         f"What their repeats share, more than {SHARES[outliers.SHARED]} of it, is structure and stays, "
         f"as do {AFTER[outliers.NEIGHBOURS]} in a row",
-        f"The scale of a laser ({1e6 * SHARED_SIZES['laser scale']:g} um/m) and its cosine "
-        f"({1e6 * SHARED_SIZES['laser cosine']:g} um/m)",
+        f"The scale of a laser ({1e6 * CLASSES['laser scale'].size:g} um/m) and its cosine "
+        f"({1e6 * CLASSES['laser cosine'].size:g} um/m)",
         f"in one of {1 / stale.FALSE_ALARMS:.0f} data sets".replace("100000", "100 000"),
         "the change exceeds twice its standard uncertainty" if stale.CHANGED == 2.0 else "?",
         f"within {100 * chi2.cdf(2.0 * noise.ALLOWED, 1):.0f} % confidence",
