@@ -46,7 +46,7 @@ class TestEveryTerm:
         assert linear or [parameter.role for parameter in kind.parameters] == ["root"]
 
     def test_it_has_a_value_everywhere(self, kind: Kind) -> None:
-        choices = {"along": (-500.0, 0.0, 500.0), "theta": (-3.0, 0.0, 3.0), "way": (-500.0, 0.0, 500.0)}
+        choices = {"along": (-500.0, 0.0, 500.0), "theta": (-3.0, 0.0, 3.0), "along_line": (-500.0, 0.0, 500.0)}
         parameters = {parameter.name: (0.01, 1.0, 500.0) for parameter in kind.parameters} | choices
         assert undefined_at(parse(kind.expression), (-300.0, 0.0, 400.0), parameters) is None
 
@@ -76,7 +76,7 @@ VALUES = [
     ("laser_step", {"jump": 0.002, "t_0": 60.0}, {}, 0.002),
     ("laser_step", {"jump": 0.002, "t_0": 60.1}, {}, 0.0),
     ("reading_zero", {"zero": 0.003}, {}, 0.003),
-    ("reading_slope", {"slope": 2e-5}, {"way": -200.0}, -0.004),
+    ("reading_slope", {"slope": 2e-5}, {"along_line": -200.0}, -0.004),
     ("ballbar_length", {"length": 0.003}, {}, 0.003),
     ("ballbar_lobes", {"amplitude": 0.002, "phase": 0.0}, {"theta": math.pi / 3}, -0.002),
 ]

@@ -193,7 +193,7 @@ KINDS: tuple[Kind, ...] = (
     Kind(
         "reading_slope",
         "reading",
-        "slope*way",
+        "slope*along_line",
         (Parameter("slope", "1", "what readings grow by per way along the line of the motion, mm/mm"),),
         "the reference line of a straightness run (its optics, a straightedge) is not parallel to the motion",
         "squareness; laser_cosine, laser_scale",

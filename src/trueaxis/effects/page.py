@@ -34,7 +34,7 @@ Its value stands among the `parameters` of the error values, under the name of t
 """
 _VARIABLES = """
 A term of a component error uses those of its axis (of another axis too, with `_b`, where the kind takes one), time and
-temperature; a term of readings uses `along`, `theta`, `way`, time and temperature.
+temperature; a term of readings uses `along`, `theta`, `along_line`, time and temperature.
 """
 _EXPRESSIONS = f"""
 Numbers, names, `+ - * / ^`, parentheses, `pi` and the functions {" ".join(f"`{name}`" for name in FUNCTIONS)}.

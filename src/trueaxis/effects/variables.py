@@ -39,7 +39,7 @@ OF_TIME = (
 OF_READING = (
     Variable("along", "mm", r"\ell", "ideal displacement that the instrument senses, since home"),
     Variable("theta", "rad", r"\theta", "polar angle of a ball bar in the plane of its circle"),
-    Variable("way", "mm", "w", "ideal way of laser or probe along the line of the motion, since home"),
+    Variable("along_line", "mm", "w", "ideal way of laser or probe along the line of the motion, since home"),
 )
 SINCE_REVERSAL = ("d", "d_time", "d_path")
 

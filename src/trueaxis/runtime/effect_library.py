@@ -42,7 +42,7 @@ META = {'effects': {'kinds': {'backlash': {'place': 'component', 'context': ['di
                        'laser_scale': {'place': 'reading', 'context': ['along'], 'parameters': ['k']},
                        'laser_step': {'place': 'reading', 'context': ['t'], 'parameters': ['jump', 't_0']},
                        'reading_zero': {'place': 'reading', 'context': ['along'], 'parameters': ['zero']},
-                       'reading_slope': {'place': 'reading', 'context': ['way'], 'parameters': ['slope']},
+                       'reading_slope': {'place': 'reading', 'context': ['along_line'], 'parameters': ['slope']},
                        'point_offset': {'place': 'point', 'context': [], 'parameters': ['x', 'y', 'z']},
                        'ballbar_length': {'place': 'reading', 'context': ['theta'], 'parameters': ['length']},
                        'ballbar_centre': {'place': 'point', 'context': [], 'parameters': ['x', 'y', 'z']},
@@ -741,11 +741,11 @@ def effect_reading_zero(context, parameters):
 def effect_reading_slope(context, parameters):
     """Term of the effect reading_slope: the reference line of a straightness run (its optics, a straightedge) is not parallel to the motion.
 
-    Source: reading_slope = slope*way. Operations: 1 per point.
+    Source: reading_slope = slope*along_line. Operations: 1 per point.
 
     Arguments (float64):
-        context (1, n): way: ideal way of laser or probe along the line of the motion, since home [mm]
-            rows: way
+        context (1, n): along_line: ideal way of laser or probe along the line of the motion, since home [mm]
+            rows: along_line
         parameters (1,): slope: what readings grow by per way along the line of the motion, mm/mm [1]
             rows: slope
 
@@ -760,10 +760,10 @@ def effect_reading_slope(context, parameters):
     slope = float(parameters[0])
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
-        way = context[0, at]
+        along_line = context[0, at]
         # per point
-        term[0, at] = slope*way
-        term[1, at] = way
+        term[0, at] = along_line*slope
+        term[1, at] = along_line
     return term
 
 

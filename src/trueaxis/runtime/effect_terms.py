@@ -57,7 +57,7 @@ def reading_term(
     rows = {
         "along": context.along,
         "theta": context.theta,
-        "way": context.way,
+        "along_line": context.way,
         "t": context.time,
         "T": context.temperature - REFERENCE_TEMPERATURE,
     }

@@ -138,7 +138,8 @@ def failures(lines: Sequence[Line]) -> Iterator[str]:
             else ""
         )
         yield (
-            f"  - noise {line.get('noise')} um, true {line.get('true_noise')}; the audit's limits {line.get('audited')}, "
+            f"  - noise {line.get('noise')} um, true {line.get('true_noise')}; the audit's limits "
+            f"{line.get('audited')}, "
             f"own {[(one['detection'], one['isolation'], one.get('own')) for one in line.get('hidden', ())]}"
         )
         said = f"{line.get('verdict')} {line.get('sets')} sizes {line.get('sizes')} stale {line.get('stale')}"
