@@ -49,6 +49,7 @@ GIVEN, GIVEN_SHARES = ("truth", "zeros", "identified"), (0.55, 0.25, 0.2)
 GIVEN_STALE, GIVEN_STALE_SHARES = ("truth", "identified"), (0.65, 0.35)
 TRIES = 10
 FLAWED = 0.97  # share of what shows of an effect below which it is rather what no form of the library has
+BETTER = 4.0  # by which a rival lowers the sum of squares further than the own form, so that readings speak for it
 ABSORBED_SIGMA = 300.0  # norm of the signature of an effect that no reading shows: rounding stays below the noise
 # probability with which one that cannot be named is kept all the same
 NOT_WANTED = {"absorbed": 0.12, "mute": 0.15, "imitated": 0.1, "flawed": 0.1, "too small": 0.0}
@@ -265,6 +266,9 @@ def _sized(source: Source, bench: Bench, truth: Truth, effect: Effect, times: fl
         size = _in_unit(effect, limit, times)
     if size > most and state != "absorbed":
         state, size = "too small", most
+    strength = found.strength * (size / most) ** (4 if effect.kind in ROOTS else 2)
+    if state == "confounded" and strength * (found.alike - found.own) > BETTER:
+        state = "flawed"
     sign = 1.0 if effect.kind in ROOTS else float(source.choice([-1.0, 1.0]))
     over = (size / limit) ** (2 if effect.kind in ROOTS else 1) if np.isfinite(limit) else 0.0
     sized = replace(effect, size=sign * size)

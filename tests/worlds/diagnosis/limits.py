@@ -234,13 +234,18 @@ def rivals_of(ground: Ground, search: Search = COARSE) -> Rivals:
 @dataclass(frozen=True)
 class Limit:
     """strength: lambda of a signature of unit size; own: share of it that the library's own form at its best explains;
-    r2 and rival: the largest share of that which another candidate explains.
+    alike: the largest share that another candidate, the rival, explains.
     """
 
     strength: float
     own: float
-    r2: float
+    alike: float
     rival: Name
+
+    @property
+    def r2(self) -> float:
+        """Of the rival with what the own form explains."""
+        return min(self.alike / self.own, 1.0)
 
     @property
     def detection(self) -> float:
@@ -264,11 +269,11 @@ def limit_of(ground: Ground, signature: Array, name: Name, pitch: float = 0.0) -
         return NO_LIMIT
     forms = rivals_of(ground, fine(name, pitch))
     own = forms.nearest(left)[0] if forms.blocks else 1.0
-    r2, rival, _ = ground.rivals.nearest(left, name)
+    alike, rival, _ = ground.rivals.nearest(left, name)
     if pitch:
-        alike = rivals_of(ground, Search(pitches=(pitch,)))
-        r2, rival = max((r2, rival), alike.nearest(left, name)[:2], key=lambda one: one[0])
-    return Limit(strength, max(own, 1e-12), min(r2 / max(own, 1e-12), 1.0), rival)
+        of_pitch = rivals_of(ground, Search(pitches=(pitch,)))
+        alike, rival = max((alike, rival), of_pitch.nearest(left, name)[:2], key=lambda one: one[0])
+    return Limit(strength, max(own, 1e-12), alike, rival)
 
 
 def limit_of_outsider(ground: Ground, signature: Array) -> Limit:

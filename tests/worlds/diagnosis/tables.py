@@ -137,11 +137,8 @@ def failures(lines: Sequence[Line]) -> Iterator[str]:
             if wear
             else ""
         )
-        yield (
-            f"  - noise {line.get('noise')} um, true {line.get('true_noise')}; the audit's limits "
-            f"{line.get('audited')}, "
-            f"own {[(one['detection'], one['isolation'], one.get('own')) for one in line.get('hidden', ())]}"
-        )
+        limits = [(one["detection"], one["isolation"], one.get("own")) for one in line.get("hidden", ())]
+        yield f"  - noise {line.get('noise')} um, true {line.get('true_noise')}; {limits}, {line.get('audited')} said"
         said = f"{line.get('verdict')} {line.get('sets')} sizes {line.get('sizes')} stale {line.get('stale')}"
         yield f"  - said: {line.get('error') or said}; checks {line.get('checks')}"
         yield f"  - {design.plan.count} readings, {len(design.plan.runs)} runs: {has}"
