@@ -57,5 +57,5 @@ def test_a_campaign_goes_on_where_it_stopped(tmp_path: Path) -> None:
     assert all(one["converged"] for one in lines)
     text = "\n".join(tables(lines))
     assert "1 designs, 2 machines" in text
-    assert f"| {SMALL} | 2 |" in text
+    assert f"| {SMALL} | 3 |" in text
     assert json.loads(before.splitlines()[0])["sizes"].keys() >= {"translation", "rotation"}
