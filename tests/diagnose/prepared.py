@@ -102,6 +102,11 @@ def field_of(model: MachineModel, rows: Rows, noise: Sequence[NoiseOf]) -> Field
     return Field(readings, columns, white, Projection(orthonormal(white(columns))), freedom_of(white))
 
 
+@cache
+def _factor(noise: NoiseOf, size: int) -> FloatArray:
+    return np.asarray(np.linalg.cholesky(dense_covariance(noise, size)))
+
+
 def dense_covariance(noise: NoiseOf, size: int) -> FloatArray:
     """(size, size), mm^2: white, first-order autocorrelated and a random slope, written out entry by entry."""
     lag = np.abs(np.subtract.outer(np.arange(size), np.arange(size)))
@@ -112,4 +117,4 @@ def dense_covariance(noise: NoiseOf, size: int) -> FloatArray:
 
 def drawn_noise(source: np.random.Generator, noise: NoiseOf, size: int, count: int = 1) -> FloatArray:
     """(size, count): runs of noise, by the Cholesky factor of their dense covariance."""
-    return np.asarray(np.linalg.cholesky(dense_covariance(noise, size)) @ source.standard_normal((size, count)))
+    return np.asarray(_factor(noise, size) @ source.standard_normal((size, count)))

@@ -28,8 +28,8 @@ def spoilt(
         if good.size < 3:
             break
         between = np.diff(np.cumsum(steps)[good], prepend=0.0)
-        off = Whitening(noise, between, scale).weighed(residual[good])
-        z = np.abs(off) / np.sqrt(Whitening(noise, between, scale).weights())
+        whiten = Whitening(noise, between, scale)
+        z = np.abs(whiten.weighed(residual[good])) / np.sqrt(whiten.weights())
         z[_shared(residual[good], repeats[good])] = 0.0
         peaks = (z > max(limit, ALIKE * float(z.max()))) & (z >= _largest_around(z))
         if not peaks.any():
@@ -47,11 +47,13 @@ def _shared(residual: FloatArray, repeats: IntArray) -> BoolArray:
     """(n,): whether the repeats of a reading deviate like it."""
     found = np.zeros(residual.size, dtype=bool)
     order = np.argsort(repeats, kind="stable")
-    for mine in np.split(order, np.flatnonzero(np.diff(repeats[order])) + 1):
-        if mine.size > 1:
-            own = residual[mine]
-            others = np.array([np.median(np.delete(own, k)) for k in range(own.size)])
-            found[mine] = others * np.sign(own) > SHARED * np.abs(own)
+    first = np.flatnonzero(np.diff(repeats[order], prepend=-1))
+    count = np.diff(first, append=order.size)
+    for many in np.unique(count[count > 1]).tolist():  # all places that were read as often at once
+        mine = order[first[count == many][:, np.newaxis] + np.arange(many)]
+        own = residual[mine]
+        others = np.stack([np.median(np.delete(own, k, axis=1), axis=1) for k in range(many)], axis=1)
+        found[mine] = others * np.sign(own) > SHARED * np.abs(own)
     return found
 
 

@@ -54,7 +54,6 @@ class Sizes:
         members = [classes.index(kind) for kind in layout.kinds]
         self._class: IntArray = np.repeat(members, [*degrees, *([1] * one_each)]).astype(np.int64)
         self._component: IntArray = np.repeat(np.arange(len(degrees)) + len(classes), degrees).astype(np.int64)
-        self._priors = [CurvePrior(basis) for basis in layout.bases]
 
     def scale(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
         """(n,): logarithms of the prior sizes of the scaled unknowns, and (2, n) derivatives by the shape."""
@@ -63,10 +62,11 @@ class Sizes:
         curves = self._component.size
         log[:curves] += value[self._component]
         slope = np.zeros((len(SHAPE), log.size))
-        weights = [prior.log_weights(value[-len(SHAPE) :]) for prior in self._priors]
+        bases = self.layout.bases
+        weights = {basis: CurvePrior(basis).log_weights(value[-len(SHAPE) :]) for basis in dict.fromkeys(bases)}
         if weights:
-            log[:curves] += np.concatenate([of for of, _ in weights])
-            slope[:, :curves] = np.hstack([of for _, of in weights])
+            log[:curves] += np.concatenate([weights[basis][0] for basis in bases])
+            slope[:, :curves] = np.hstack([weights[basis][1] for basis in bases])
         if self.flat:
             log[: self.layout.of_machine] += np.log(FLAT)
         if self._ideal:

@@ -15,7 +15,7 @@ import numpy as np
 from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.hidden import Hidden
 from tests.hidden_effects.machine import Array
-from tests.hidden_effects.power.bench import kernels_of
+from tests.kept import derived
 from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.candidates import candidates
@@ -67,7 +67,7 @@ def _rows(case: Case) -> tuple[Rows, MachineModel]:
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         generate(case).write(folder)
-        model = load_model(folder / "machine.toml", folder / "errors.json", kernels_of(folder / "machine.toml"))
+        model = load_model(folder / "machine.toml", folder / "errors.json", derived(folder / "machine.toml"))
         return rows_of(smoothed(read_data(folder / "data", model.machine))), model
 
 
