@@ -235,7 +235,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         converged = last < STILL
 
     def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
-        start = started(layout, tuple(runs), setting.given, setting.noise)
+        start = started(layout, tuple(runs), setting.given, setting.noise, state.kept)
         return _rounds(start, sizes, MOST_ROUNDS)[:2]
 
     flipped = reversed_runs(state, sizes, x, posterior, refit)

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.estimation.instruments import own_columns
-from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State
 from trueaxis.measure.machine import FloatArray
@@ -51,9 +50,10 @@ def own_part_of(state: State, sizes: Sizes, x: FloatArray, place: int) -> OwnPar
 
 def by_shared(state: State, place: int, columns: FloatArray) -> FloatArray:
     """(n_unknowns, q): whitened derivative of a run by the scaled unknowns, transposed, times columns (n, q)."""
-    rows = state.runs[place].kept()
-    whiten = state.whitening(place, rows)
-    found = np.zeros((state.layout.count, columns.shape[1]))
-    for part, _, others in pieces(state.layout, rows):
-        found += whiten(others).T @ columns[part]
+    whiten = state.whitening(place, state.runs[place].kept())
+    found, start = np.zeros((state.layout.count, columns.shape[1])), 0
+    for one in state.derivatives_kept(place):
+        part = slice(start, start + one.place.size)
+        found += whiten(one.by_others).T @ columns[part]
+        start = part.stop
     return found

@@ -40,16 +40,22 @@ def reversed_runs(state: State, sizes: Sizes, x: FloatArray, posterior: Posterio
     while True:
         odds = {place: odd for place, odd in log_ratios(state, sizes, x, posterior).items() if place not in turned}
         likeliest = sorted((place for place in odds if odds[place] > 0.0), key=lambda place: -odds[place])
-        trials = {place: refit(_turned(state.runs, place)) for place in likeliest[:MOST_TRIALS]}
-        gains = {place: _gain(sizes, (x, state), other) for place, other in trials.items()}
-        sure = {place: gain for place, gain in gains.items() if gain > REVERSED}
+        sure: dict[int, float] = {}
+        following = (x, state)
+        for place in likeliest[:MOST_TRIALS]:
+            trial = refit(_turned(state.runs, place))
+            gain = _gain(sizes, (x, state), trial)
+            if gain > max([REVERSED, *sure.values()]):
+                following = trial
+            if gain > REVERSED:
+                sure[place] = gain
         if not sure:
             return found
         best = max(sure, key=lambda place: sure[place])
         alike = [place for place in sure if sure[place] > sure[best] - REVERSED]
         found |= {state.runs[place].rows.index: sure[place] for place in sorted(alike, key=lambda place: -sure[place])}
         turned |= set(alike)
-        x, state = trials[best]
+        x, state = following
         posterior = posterior_at(sizes, linearised(state), x)
 
 

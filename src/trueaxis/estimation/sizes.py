@@ -18,7 +18,9 @@ from trueaxis.measure.machine import FloatArray
 CLASS_FACTOR = 4.0  # by which a size may be other than expected, one standard deviation
 FIXED = 1.0  # of a size that is not estimated
 FLAT = 1e4  # times the sizes of [prior]: with no prior to speak of, no error of any machine is drawn towards zero
-COMPONENT_FACTOR = 1.6  # by which the sizes of components of one class differ
+# By which the sizes of components of one class differ. One size for all of a class costs 28 and 13 % of the error of
+# predictions on worlds 441 and 442.
+COMPONENT_FACTOR = 1.6
 IDEAL = 1e-9  # times the sizes of what is unknown of instruments: nothing is
 
 

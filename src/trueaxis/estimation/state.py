@@ -67,9 +67,15 @@ class State:
 
 
 def started(
-    layout: Layout, runs: tuple[MeasuredRun, ...], given: ErrorValues, stated_noise: Mapping[int, float]
+    layout: Layout,
+    runs: tuple[MeasuredRun, ...],
+    given: ErrorValues,
+    stated_noise: Mapping[int, float],
+    kept: tuple[tuple[Derivative, ...], ...] = (),
 ) -> State:
-    """Nothing known but the values at which effects are linearised; stated_noise: mm, of runs by index."""
+    """Nothing known but the values at which effects are linearised; stated_noise: mm, of runs by index; kept:
+    derivatives of these runs that are at hand.
+    """
     kinds = [own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs]
     unknowns, own = layout.start(), tuple(np.zeros(len(of_run)) for of_run in kinds)
     residual = residuals_of(layout, runs, unknowns, own, given)
@@ -91,7 +97,7 @@ def started(
         unknowns=unknowns,
         own=own,
         residual=tuple(residual),
-        kept=tuple(tuple(derivatives(layout, one.rows)) for one in runs) if stays else (),
+        kept=kept or (tuple(tuple(derivatives(layout, one.rows)) for one in runs) if stays else ()),
     )
 
 

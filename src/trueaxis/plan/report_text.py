@@ -120,7 +120,7 @@ def _column(value: float, unit: str) -> str:
 def _order(report: PlanReport) -> list[str]:
     if report.expected is None:
         return []
-    lines = ["", "order in which blocks can be solved (identify --method stepwise):"]
+    lines = ["", "order of blocks in identify --method stepwise (RANK in capitals: singular, not solved everywhere):"]
     if not report.blocks:
         lines[-1] += " none"
     for number, block in enumerate(report.blocks, 1):
