@@ -23,16 +23,16 @@ def test_a_five_axis_machine_needs_eleven_with_a_known_tool_and_eight_with_any(n
     of all together (Abbaszadeh-Mir et al. 2002).
     """
     found = sets(name)
-    assert found[PLACEMENTS[1][0]].complete == 11
-    assert found[PLACEMENTS[3][0]].complete == found[PLACEMENTS[3][0]].rank == 8
-    assert found[PLACEMENTS[3][0]].missing == ()
+    assert found[PLACEMENTS[1]].complete == 11
+    assert found[PLACEMENTS[3]].complete == found[PLACEMENTS[3]].rank == 8
+    assert found[PLACEMENTS[3]].missing == ()
 
 
 @pytest.mark.parametrize("name", ["dmu60p", "gantry_mill", "bridge_cmm", "cframe_mill"])
 def test_a_three_axis_machine_needs_three(name: str) -> None:
     found = sets(name)
-    assert found[PLACEMENTS[1][0]].complete == found[PLACEMENTS[3][0]].complete == 3
-    assert len(found[PLACEMENTS[1][0]].kept) + len(found[PLACEMENTS[1][0]].missing) == 3
+    assert found[PLACEMENTS[1]].complete == found[PLACEMENTS[3]].complete == 3
+    assert len(found[PLACEMENTS[1]].kept) + len(found[PLACEMENTS[1]].missing) == 3
 
 
 def test_the_papers_squarenesses_are_the_smallest_set() -> None:
@@ -48,7 +48,7 @@ def random_positions(name: str) -> np.ndarray:
 
 def test_displacements_of_two_axes_that_cancel() -> None:
     """dmu60p_5axis: EX0B is -EX0C, in words and on the exact model: X stands between nothing that turns."""
-    found = sets("dmu60p_5axis")[PLACEMENTS[0][0]]
+    found = sets("dmu60p_5axis")[PLACEMENTS[0]]
     assert [(one.name, one.stands_for) for one in found.redundant] == [("EX0B", "-1 EX0C")]
     positions, point = random_positions("dmu60p_5axis"), np.array([[3.0], [5.0], [-80.0]])
 
@@ -61,7 +61,7 @@ def test_displacements_of_two_axes_that_cancel() -> None:
 
 def test_a_displaced_a_axis_is_a_displaced_tool_on_a_trunnion() -> None:
     """trunnion_mill: no rotary axis stands between A and the tool: the tool moved the other way does as well."""
-    found = sets("trunnion_mill")[PLACEMENTS[2][0]]
+    found = sets("trunnion_mill")[PLACEMENTS[2]]
     spare = {one.name: one.stands_for for one in found.redundant}
     assert spare == dict.fromkeys(("EY0A", "EZ0A", "EX0C"), "a displaced tool")
     positions, point = random_positions("trunnion_mill"), np.array([[0.0], [0.0], [-50.0]])
