@@ -10,7 +10,7 @@ from scipy.stats import multivariate_normal
 
 from trueaxis.estimation.curve_prior import CurvePrior
 from trueaxis.estimation.evidence import FARTHEST, NO_GAIN, _batches, _point, _slope, averaged, best_sizes, posterior_at
-from trueaxis.estimation.instruments import OWN_SIZES
+from trueaxis.estimation.instruments import CLASSES
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.reduce import OwnBlock, Reduced
 from trueaxis.estimation.sizes import Sizes
@@ -37,7 +37,7 @@ class Problem:
         )
         self.sizes = Sizes(cast(Layout, layout), KINDS)
         self.jacobian = 30.0 * draw.standard_normal((3 * RUN, layout.count))
-        self.own = [draw.standard_normal((RUN, 2)) / np.array([OWN_SIZES[k] for k in kinds]) for kinds in KINDS]
+        self.own = [draw.standard_normal((RUN, 2)) / np.array([CLASSES[k].size for k in kinds]) for kinds in KINDS]
         self.readings = 20.0 * draw.standard_normal(3 * RUN)
         blocks, rest = [], []
         for index, own in enumerate(self.own):

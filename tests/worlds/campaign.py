@@ -4,7 +4,7 @@
     python -m tests.worlds.campaign --out DIR --table                                    # what is there as tables
 
 A machine is one line of JSON in a file of DIR (designs FIRST to FIRST + N - 1 write results-FIRST-N.jsonl); what is
-there already is not done again, and files of several processes or days are added up by --table. Kernels stay in
+there already is not done again, and files of several processes or days are added up by --table. Worlds stay in
 DIR/worlds, what the machines of a design share in the memory (about 100 MB each). The designs take turns, a few
 machines each, so that all have as many when time is up.
 """

@@ -116,13 +116,13 @@ def _summary(lines: Sequence[Line], each: Iterable[Figures]) -> Iterator[str]:
 
 
 def _by_design(designs: Mapping[int, Design], each: Mapping[int, Figures]) -> Iterator[str]:
-    yield from _head(
+    yield from head(
         "seed", "axes", "readings", "runs", "machines", "doing nothing, um", "estimate", "oracle", "estimate/oracle",
         "u", "coverage: smooth", "draws of a prior", "worse than nothing; most",
     )  # fmt: skip
     for seed, one in each.items():
         plan, axes = designs[seed].plan, len(designs[seed].machine.axes)
-        yield _row(
+        yield row(
             seed, axes, plan.count, len(plan.runs), one.machines, f"{one.true:.1f}", f"{one.error:.2f}",
             f"{one.oracle:.2f}", f"{one.ratio:.2f} ± {one.u_ratio:.2f}", f"{one.u:.2f}", f"{one.smooth:.3f}",
             f"{one.prior:.3f}", f"{one.worse:.0%}, {one.worst:.2f}",
@@ -131,7 +131,7 @@ def _by_design(designs: Mapping[int, Design], each: Mapping[int, Figures]) -> It
 
 def _by_ingredient(designs: Mapping[int, Design], of_design: Mapping[int, Sequence[Line]]) -> Iterator[str]:
     """Machines count relative to the true deviation of their design, so that no large machine outweighs the others."""
-    yield from _head(
+    yield from head(
         "ingredient", "share of designs", "mean square left", "estimate/oracle", "coverage: smooth", "draws of a prior",
         "worse than nothing",
     )  # fmt: skip
@@ -140,11 +140,11 @@ def _by_ingredient(designs: Mapping[int, Design], of_design: Mapping[int, Sequen
     for name in names:
         chosen = [seed for seed, design in designs.items() if design.ingredients[name]]
         if not chosen:
-            yield _row(name, "0 %", *[""] * 5)
+            yield row(name, "0 %", *[""] * 5)
             continue
         own = [_relative(line, scale[seed]) for seed in chosen for line in of_design[seed]]
         one = figures(own)
-        yield _row(
+        yield row(
             name, f"{len(chosen) / len(designs):.0%}", f"{one.left:.3f}", f"{one.ratio:.2f} ± {one.u_ratio:.2f}",
             f"{one.smooth:.3f}", f"{one.prior:.3f}", f"{one.worse:.1%}",
         )  # fmt: skip
@@ -155,13 +155,13 @@ def _relative(line: Line, scale: float) -> Line:
 
 
 def _by_given(lines: Sequence[Line]) -> Iterator[str]:
-    yield from _head(
+    yield from head(
         "[prior]", "machines", "mean square left", "estimate/oracle", "coverage: smooth", "draws of a prior",
         "worse than nothing; most",
     )  # fmt: skip
     for given in dict.fromkeys(line["given"] for line in lines):
         one = figures([line for line in lines if line["given"] == given])
-        yield _row(
+        yield row(
             given, one.machines, f"{one.left:.3f}", f"{one.ratio:.2f} ± {one.u_ratio:.2f}", f"{one.smooth:.3f}",
             f"{one.prior:.3f}", f"{one.worse:.1%}, {one.worst:.2f}",
         )  # fmt: skip
@@ -169,7 +169,7 @@ def _by_given(lines: Sequence[Line]) -> Iterator[str]:
 
 def _sizes(lines: Sequence[Line]) -> Iterator[str]:
     """By class and by how far [prior] is off: how far the estimated size is, and how often [prior] is said to be."""
-    yield from _head(
+    yield from head(
         "sizes of", "[prior] off by", "machines", f"estimated within {NEAR:g}", "estimated/true: 16 %, median, 84 %",
         "said to be off",
     )  # fmt: skip
@@ -184,13 +184,13 @@ def _sizes(lines: Sequence[Line]) -> Iterator[str]:
             near = np.mean(np.abs(np.log(estimated / true)) < np.log(NEAR))
             said = np.mean(np.abs(np.log(estimated / stated)) > np.log(FAR))
             beyond = f"{low:g} to {high:g}" if np.isfinite(high) else f"more than {low:g}"
-            yield _row(kind, beyond, true.size, f"{near:.0%}", spread, f"{said:.0%}")
+            yield row(kind, beyond, true.size, f"{near:.0%}", spread, f"{said:.0%}")
 
 
-def _head(*names: str) -> Iterator[str]:
-    yield _row(*names)
-    yield _row(*["---"] * len(names))
+def head(*names: str) -> Iterator[str]:
+    yield row(*names)
+    yield row(*["---"] * len(names))
 
 
-def _row(*cells: object) -> str:
+def row(*cells: object) -> str:
     return f"| {' | '.join(map(str, cells))} |"

@@ -21,7 +21,8 @@ class Effect:
     """size: amplitude in the first parameter of the kind (mm, rad, s and their quotients; of laser_cosine the angle).
 
     component: on which it acts, EXX; of a squareness the name of the location error that the spec leaves out; of
-    point_offset the letter of the shift; axis: the other axis of a cross_axis; runs: of effects of runs;
+    point_offset the letter of the shift; axis: the other axis of a cross_axis; runs: of effects of runs, and of a
+    ballbar_length that is of one session;
     end: of point_offset, target or reference; shape: seed of what the size does not say (phase, pitch, moment ...).
     """
 
@@ -46,6 +47,7 @@ class State:
     positions: Mapping[str, Array]
     directions: Mapping[str, Array]
     since: Mapping[str, Array]
+    turned: Mapping[str, Array]
     velocity: Mapping[str, Array]
     time: Array
     feed: Array
@@ -135,10 +137,17 @@ def _reversal_spike(effect: Effect, state: State) -> Array:
 
 def _reversal_spike_time(effect: Effect, state: State) -> Array:
     """Of the time since the reversal: none where the axis stands."""
-    since, speed = state.since[effect.component[2]], np.nan_to_num(state.feed) / 60.0
-    tau = effect.draw().uniform(0.1, 0.6)
-    passed = np.divide(since, speed, out=np.full_like(since, np.inf), where=(speed > 0) & np.isfinite(since))
-    return effect.size * state.way(effect) * np.exp(-passed / tau)
+    source, passed = effect.draw(), state.turned[effect.component[2]]
+    rise, tau = source.uniform(0.01, 0.03), source.uniform(0.1, 0.6)
+    return effect.size * state.way(effect) * (1.0 - np.exp(-passed / rise)) * np.exp(-passed / tau)
+
+
+def _reversal_spike_path(effect: Effect, state: State) -> Array:
+    """Of the way along the path since the reversal, whichever axis moves."""
+    source, speed = effect.draw(), np.nan_to_num(state.feed) / 60.0
+    passed = np.where(speed > 0, state.turned[effect.component[2]] * np.maximum(speed, 1e-9), np.inf)
+    rise, decay = source.uniform(0.1, 0.3), source.uniform(3.0, 20.0)
+    return effect.size * state.way(effect) * (1.0 - np.exp(-passed / rise)) * np.exp(-passed / decay)
 
 
 def _cross_axis(effect: Effect, state: State) -> Array:
@@ -225,7 +234,8 @@ def _reading_slope(effect: Effect, plan: Plan, along: Array, theta: Array) -> Ar
 
 
 def _ballbar_length(effect: Effect, plan: Plan, along: Array, theta: Array) -> Array:
-    return np.where(_of(plan, "ballbar"), effect.size * (1.0 + 0.02 * (plan.temperature - WARM)), 0.0)
+    own = of_runs(plan, effect.runs) if effect.runs else _of(plan, "ballbar")
+    return np.where(own, effect.size * (1.0 + 0.02 * (plan.temperature - WARM)), 0.0)
 
 
 def _ballbar_lobes(effect: Effect, plan: Plan, along: Array, theta: Array) -> Array:
@@ -261,6 +271,7 @@ _KNOWN: Mapping[str, Term] = {
     "servo_lag": _servo_lag,
     "reversal_spike": _reversal_spike,
     "reversal_spike_time": _reversal_spike_time,
+    "reversal_spike_path": _reversal_spike_path,
     "cross_axis": _cross_axis,
 }
 _UNKNOWN: Mapping[str, Term] = {

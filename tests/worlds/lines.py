@@ -127,7 +127,9 @@ def _track(
     dwell = source.uniform(2.0, 6.0)
     time = np.cumsum(dwell + longest / RAPID)
     velocity = dict.fromkeys(machine.axes, zero)
-    return Track(positions, directions, since, velocity, time, np.full(count, np.nan))
+    return Track(
+        positions, directions, since, dict.fromkeys(machine.axes, never), velocity, time, np.full(count, np.nan)
+    )
 
 
 def steps_taken(path: Array, start: float) -> Array:

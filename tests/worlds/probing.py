@@ -41,7 +41,8 @@ def draw_sphere(source: Source, machine: Machine, habits: Habits, name: str, fra
     base = source.uniform(3.0, 8.0)
     zero = dict.fromkeys(machine.axes, np.zeros(count))
     time = np.cumsum(base + longest / RAPID)
-    track = Track(positions, directions, since, zero, time, np.full(count, np.nan))
+    never = {axis: np.full(count, np.inf) for axis in positions}
+    track = Track(positions, directions, since, never, zero, time, np.full(count, np.nan))
     run = Run(name, "probe", ("tool", three(tool)), ("workpiece", three(ball)), frame, name, home)
     runs = []
     for k, letter in enumerate("XYZ"):

@@ -64,7 +64,7 @@ def exact_readings(design: Design, truths: Sequence[Truth], balls: Array | None 
     """Without shop, (m, n), mm, hidden effects included; balls: (m, runs, 3), mm, by how much references are off."""
     machine, plan = design.machine, design.plan
     balls = np.zeros((len(truths), len(plan.runs), 3)) if balls is None else balls
-    rows, homes = _state(machine, plan), _home_state(machine, plan)
+    rows, homes = row_state(machine, plan), home_state(machine, plan)
     no_run = np.arange(len(plan.runs))
     none = Off(np.zeros((1, len(plan.runs), 3)), np.zeros((1, len(plan.runs), 3)))
     ideal = _between(machine, plan.runs, plan.run, rows.positions, none, {}, {})
@@ -156,7 +156,7 @@ def reading_context(machine: Machine, plan: Plan) -> tuple[Array, Array]:
     its circle (0 for all else), rad; (n,) each.
     """
     none = Off(np.zeros((1, len(plan.runs), 3)), np.zeros((1, len(plan.runs), 3)))
-    homes = _home_state(machine, plan).positions
+    homes = home_state(machine, plan).positions
     here = _between(machine, plan.runs, plan.run, plan.positions, none, {}, {})[0]
     home = _between(machine, plan.runs, np.arange(len(plan.runs)), homes, none, {}, {})[0]
     directions = np.array([run.direction or (0.0, 0.0, 0.0) for run in plan.runs])[plan.run]
@@ -169,13 +169,13 @@ def reading_context(machine: Machine, plan: Plan) -> tuple[Array, Array]:
     return np.sum((here - home[plan.run]) * directions, axis=-1), theta
 
 
-def _state(machine: Machine, plan: Plan) -> State:
+def row_state(machine: Machine, plan: Plan) -> State:
     started = np.array([plan.time[plan.rows(index)[0]] for index in range(len(plan.runs))])[plan.run]
-    moving = (plan.directions, plan.since, plan.velocity)
+    moving = (plan.directions, plan.since, plan.turned, plan.velocity)
     return State(machine, plan.positions, *moving, plan.time, plan.feed, plan.soaked, started)
 
 
-def _home_state(machine: Machine, plan: Plan) -> State:
+def home_state(machine: Machine, plan: Plan) -> State:
     """One row per run: where it was zeroed, at rest, no axis come from anywhere, when the run began. Bars, which are
     not zeroed, have their first row there.
     """
@@ -187,4 +187,4 @@ def _home_state(machine: Machine, plan: Plan) -> State:
     count = len(first)
     zero, never = dict.fromkeys(machine.axes, np.zeros(count)), dict.fromkeys(machine.axes, np.full(count, np.inf))
     time = plan.time[first]
-    return State(machine, at, zero, never, zero, time, np.full(count, np.nan), plan.soaked[first], time)
+    return State(machine, at, zero, never, never, zero, time, np.full(count, np.nan), plan.soaked[first], time)

@@ -139,6 +139,15 @@ def _outliers(source: Source, plan: Plan) -> Indices:
     return np.unique(np.concatenate([rows, np.array(same, np.int64)]))
 
 
+def every_unknown(machine: Machine, plan: Plan) -> tuple[Unknown, ...]:
+    """What may be unknown about instruments whether or not a shop has it: to be taken as flat. Without creep and bars
+    that warm up, whose course in time is the shop's own.
+    """
+    source = np.random.default_rng(0)  # draws spreads, which do not count
+    makers = (_zeros, _drift, _slopes, _centres, _lengths, _scale, _cosines)
+    return tuple(unknown for make in makers for unknown in make(source, machine, plan))
+
+
 Maker = Callable[[Source, Machine, Plan], Iterator[Unknown]]
 
 

@@ -36,8 +36,21 @@ def truth_given(truth: Truth, at: Mapping[str, Array] | None = None) -> Given:
     return Given(found, dict(truth.located))
 
 
+Change = Callable[[Array], Array]
+
+
 def worn_at(truth: Truth, component: str, size: float, seed: int) -> Given:
     """The truth as it was before one component wore at one spot, by `size`, mm or rad."""
+    return before(truth, component, wear(truth, component, size, seed))
+
+
+def rescaled(truth: Truth, component: str, size: float) -> Given:
+    """The truth as it was before one curve grew, by `size` at its largest, mm or rad."""
+    return before(truth, component, growth(truth, component, size))
+
+
+def wear(truth: Truth, component: str, size: float, seed: int) -> Change:
+    """How a component changes that wears at one spot: positions -> mm or rad."""
     source = np.random.default_rng([seed, 31])
     low, high = truth.machine.travel(component[2])
     middle, half = source.uniform(0.2, 0.8), source.uniform(0.08, 0.2)
@@ -46,18 +59,19 @@ def worn_at(truth: Truth, component: str, size: float, seed: int) -> Given:
         off = np.abs((q - low) / (high - low) - middle) / half
         return np.asarray(size * 0.5 * (1.0 + np.cos(np.pi * np.minimum(off, 1.0))), float)
 
-    return _less(truth, component, bump)
+    return bump
 
 
-def rescaled(truth: Truth, component: str, size: float) -> Given:
-    """The truth as it was before one curve grew, by `size` at its largest, mm or rad."""
+def growth(truth: Truth, component: str, size: float) -> Change:
+    """How a component changes that grows all over its travel."""
     curve = truth.curves[component]
     q = np.linspace(*truth.machine.travel(component[2]), DENSE)
     largest = float(np.max(np.abs(curve(q))))
-    return _less(truth, component, lambda at: size / largest * curve(at))
+    return lambda at: size / largest * curve(at)
 
 
-def _less(truth: Truth, component: str, change: Callable[[Array], Array]) -> Given:
+def before(truth: Truth, component: str, change: Change) -> Given:
+    """The truth as it was before a component changed."""
     given = truth_given(truth)
     old = dict(given.motion_errors)
     q = np.array(old[component]["positions"])

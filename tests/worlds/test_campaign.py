@@ -8,6 +8,7 @@ import pytest
 
 from tests.worlds.campaign import KINDS, main, read_lines
 from tests.worlds.campaign_tables import figures, tables
+from tests.worlds.design import draw_design
 from tests.worlds.estimates import GIVEN
 
 SMALL = 36  # a design of three axes, 20 runs, ball bars alone
@@ -57,5 +58,6 @@ def test_a_campaign_goes_on_where_it_stopped(tmp_path: Path) -> None:
     assert all(one["converged"] for one in lines)
     text = "\n".join(tables(lines))
     assert "1 designs, 2 machines" in text
-    assert f"| {SMALL} | 2 |" in text
+    design = draw_design(SMALL)
+    assert f"| {SMALL} | {len(design.machine.axes)} | {design.plan.count} | {len(design.plan.runs)} | 2 |" in text
     assert json.loads(before.splitlines()[0])["sizes"].keys() >= {"translation", "rotation"}

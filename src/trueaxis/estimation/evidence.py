@@ -205,6 +205,11 @@ def posterior_at(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
     return _posterior(_point(sizes, reduced, _batches(reduced.blocks), x))
 
 
+def evidence_at(sizes: Sizes, reduced: Reduced, x: FloatArray) -> float:
+    """Logarithm of the marginal likelihood and of the prior of the sizes, but for a constant: see `best_sizes`."""
+    return _point(sizes, reduced, _batches(reduced.blocks), x).value - 0.5 * float(x @ x)
+
+
 def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
     """The posterior averaged over the sizes that the readings leave possible: their uncertainty is in it.
 

@@ -75,6 +75,7 @@ def derivatives(layout: Layout, rows: RunRows) -> Iterator[Derivative]:
         positions = np.ascontiguousarray(rows.positions[:, part])
         straight = layout.straightness[rows.index]
         own = own_columns(layout.model, rows.run, straight, positions, rows.passed[part])
+        own[:, list(layout.silent.get(rows.index, ()))] = 0.0
         # effects depend on more than on where the axes are
         place = np.arange(positions.shape[1]) if layout.effects.count else _places(positions)
         first = np.zeros(int(place.max()) + 1, dtype=np.int64)

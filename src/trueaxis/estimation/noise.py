@@ -70,10 +70,15 @@ class Whitening:
 
     def weighed(self, column: FloatArray) -> FloatArray:
         """(n,): the inverse of the covariance times a column of all rows."""
-        white = self(column[:, np.newaxis])
-        found, _ = dtbtrs(self._factor, white, uplo="L", trans="T")
-        found = np.asarray(found)[:, 0]
-        found[:-1] -= self._kept[1:] * found[1:]
+        return self.transposed(self(column[:, np.newaxis]))[:, 0]
+
+    def transposed(self, columns: FloatArray) -> FloatArray:
+        """The transpose of the inverse root times columns (n, k) of all rows."""
+        if columns.size == 0:
+            return columns.copy()
+        solved, _ = dtbtrs(self._factor, columns, uplo="L", trans="T")
+        found = np.asarray(solved)
+        found[:-1] -= self._kept[1:, np.newaxis] * found[1:]
         return found
 
     def weights(self) -> FloatArray:

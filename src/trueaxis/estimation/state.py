@@ -10,7 +10,7 @@ from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.noise_of_residuals import first_noise, noise_of_draws
-from trueaxis.estimation.outliers import spoilt
+from trueaxis.estimation.outliers import excess, spoilt
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import Reduced, reduced
 from trueaxis.estimation.residuals import residuals_of
@@ -21,7 +21,6 @@ from trueaxis.runtime.errors import ErrorValues
 
 NOTHING, LEAST_SHARE = 1e-3, 1e-3  # of a sum of squares in units of their variances; of a step
 DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
-HALF = 0.6745  # of a normal distribution lies within so many standard deviations
 KEPT = 50_000_000  # entries of derivatives that are kept: 400 MB, less than a million readings need without
 # of the posterior, from which the noise is taken: as many residuals as tell it to half a percent of that of one draw
 DRAWS, DRAWN = 8, 40_000
@@ -68,9 +67,15 @@ class State:
 
 
 def started(
-    layout: Layout, runs: tuple[MeasuredRun, ...], given: ErrorValues, stated_noise: Mapping[int, float]
+    layout: Layout,
+    runs: tuple[MeasuredRun, ...],
+    given: ErrorValues,
+    stated_noise: Mapping[int, float],
+    kept: tuple[tuple[Derivative, ...], ...] = (),
 ) -> State:
-    """Nothing known but the values at which effects are linearised; stated_noise: mm, of runs by index."""
+    """Nothing known but the values at which effects are linearised; stated_noise: mm, of runs by index; kept:
+    derivatives of these runs that are at hand.
+    """
     kinds = [own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs]
     unknowns, own = layout.start(), tuple(np.zeros(len(of_run)) for of_run in kinds)
     residual = residuals_of(layout, runs, unknowns, own, given)
@@ -92,7 +97,7 @@ def started(
         unknowns=unknowns,
         own=own,
         residual=tuple(residual),
-        kept=tuple(tuple(derivatives(layout, one.rows)) for one in runs) if stays else (),
+        kept=kept or (tuple(tuple(derivatives(layout, one.rows)) for one in runs) if stays else ()),
     )
 
 
@@ -113,7 +118,7 @@ def moved(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) 
     before = _misfit(state, posterior, own_scales)
     share = 1.0
     while share >= LEAST_SHARE:
-        if state.layout.effects.within(_stepped(state, posterior, share)[0][state.layout.of_effects]):
+        if stays_within(state, posterior, share):
             after = at_share(state, posterior, share)
             if _misfit(after, posterior, own_scales) <= before + NOTHING:
                 return after
@@ -127,6 +132,11 @@ def at_share(state: State, posterior: Posterior, share: float = 1.0) -> State:
     residual = tuple(residuals_of(state.layout, state.runs, unknowns, own, state.given))
     layout = state.layout.at(unknowns, state.given)
     return replace(state, layout=layout, unknowns=unknowns, own=own, residual=residual)
+
+
+def stays_within(state: State, posterior: Posterior, share: float = 1.0) -> bool:
+    """Whether a share of the step to the posterior mean leaves effects where their terms make sense."""
+    return state.layout.effects.within(_stepped(state, posterior, share)[0][state.layout.of_effects])
 
 
 def _stepped(state: State, posterior: Posterior, share: float) -> tuple[FloatArray, tuple[FloatArray, ...]]:
@@ -172,15 +182,6 @@ def without_outliers(state: State) -> State:
     readings = sum(one.reading.size for one in state.runs)
     good: list[BoolArray] = []
     for one, rest, scale in zip(state.runs, state.residual, state.scales.tolist(), strict=True):
-        exceeded = scale * _excess(rest, scale) if one.instrument in state.stated else scale
+        exceeded = scale * excess(rest, scale) if one.instrument in state.stated else scale
         good.append(~spoilt(state.noise[one.instrument], exceeded, one.rows.steps, rest, one.repeats, readings))
     return replace(state, runs=tuple(replace(one, good=now) for one, now in zip(state.runs, good, strict=True)))
-
-
-def _excess(residual: FloatArray, scale: float) -> float:
-    """By what residuals of a run, (n,), mm, exceed its stated noise, 1 at least.
-
-    A gross outlier pulls the values along, and with them good readings of its run: the largest residual goes first, the
-    others wait. A noise that is estimated is then as large by itself.
-    """
-    return max(1.0, float(np.median(np.abs(residual))) / (HALF * scale))

@@ -8,6 +8,7 @@ from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.power.grade import Name, Said
 from tests.kept import derived
 from trueaxis.diagnose.procedure import diagnose
+from trueaxis.diagnose.report.structures import check_name
 from trueaxis.diagnose.result import Diagnosis
 from trueaxis.effects.kind import Effect
 from trueaxis.measure.data import read_data
@@ -39,7 +40,7 @@ def said_of(found: Diagnosis) -> Said:
     sets = tuple((_name(c.effect), *(_name(rival.effect) for rival in c.rivals)) for c in found.causes)
     sizes = tuple(c.parameters[0].value for c in found.causes)
     u = tuple(c.parameters[0].u for c in found.causes)
-    return Said(found.verdict, sets, sizes, u, tuple(check.name for check in found.checks if check.fired))
+    return Said(found.verdict, sets, sizes, u, tuple(check_name(check) for check in found.checks if check.fired))
 
 
 def bounds_of(case: Case) -> tuple[Bound, ...]:

@@ -1,0 +1,96 @@
+"""Draw cases of worlds, put them before the diagnosis, grade what it says.
+
+    python -m tests.worlds.diagnosis --out DIR --first SEED --worlds N --cases K [--only KIND,...] [--processes P]
+    python -m tests.worlds.diagnosis --out DIR --table         # what is there, as Markdown
+    python -m tests.worlds.diagnosis --out DIR --failures      # each failure, its case and the ingredients of its world
+
+A case is a line of JSON in DIR; what is there already is not done again. The worlds take turns, a few cases each.
+"""
+
+import argparse
+import json
+import os
+import time
+from collections.abc import Sequence
+from multiprocessing import get_context
+from pathlib import Path
+
+THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
+os.environ.update(dict.fromkeys(THREADS, "1"))  # before NumPy is imported, here and in the processes that are spawned
+
+from tests.worlds.design import draw_design  # noqa: E402
+from tests.worlds.diagnosis.answers import said_by_command, said_of  # noqa: E402
+from tests.worlds.diagnosis.cases import KINDS, MACHINES_APART, bench_of  # noqa: E402
+from tests.worlds.diagnosis.lines import line_of  # noqa: E402
+from tests.worlds.diagnosis.tables import failures, tables  # noqa: E402
+
+ENGINES = {"process": said_of, "command": said_by_command}
+A_TURN = 25  # cases of a world before the next one's
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, metavar="DIR", required=True)
+    parser.add_argument("--first", type=int, default=1, metavar="SEED", help="of the first world (%(default)s)")
+    parser.add_argument("--worlds", type=int, default=40, metavar="N", help="%(default)s")
+    parser.add_argument("--cases", type=int, default=75, metavar="K", help="of each world (%(default)s)")
+    parser.add_argument("--most-readings", type=int, default=10**9, metavar="R", help="leave out worlds with more")
+    parser.add_argument("--only", default="", metavar="KIND,...", help=f"of {', '.join(KINDS)} (default: the mix)")
+    parser.add_argument("--engine", choices=ENGINES, default="process", help="%(default)s")
+    parser.add_argument("--processes", type=int, default=1, metavar="P", help="%(default)s")
+    parser.add_argument("--minutes", type=float, default=float("inf"), metavar="T", help="stop after this time")
+    parser.add_argument("--table", action="store_true")
+    parser.add_argument("--failures", action="store_true")
+    args = parser.parse_args(arguments)
+    only = tuple(kind for kind in args.only.split(",") if kind)
+    if set(only) - set(KINDS):
+        parser.error(f"--only: there are {', '.join(KINDS)}")
+    if args.table or args.failures:
+        print("\n".join((failures if args.failures else tables)(read_lines(args.out))))
+        return 0
+    until = time.monotonic() + 60.0 * args.minutes
+    seeds = [seed for seed in range(args.first, args.first + args.worlds) if _readings(seed) <= args.most_readings]
+    parts = [tuple(seeds[k :: args.processes]) for k in range(args.processes)]
+    work = [(args.out, part, min(args.cases, MACHINES_APART), only, args.engine, until) for part in parts if part]
+    args.out.mkdir(parents=True, exist_ok=True)
+    if len(work) == 1:
+        measure_worlds(*work[0])
+    else:
+        with get_context("spawn").Pool(len(work)) as pool:
+            pool.starmap(measure_worlds, work)
+    return 0
+
+
+def _readings(seed: int) -> int:
+    return draw_design(seed).plan.count
+
+
+def read_lines(folder: Path) -> list[dict[str, object]]:
+    """All cases in all files of a folder, in the order of worlds and cases."""
+    texts = (path.read_text() for path in sorted(folder.glob("cases-*.jsonl")))
+    found = [json.loads(line) for text in texts for line in text.splitlines()]
+    return sorted(found, key=lambda line: (line["world"], line["case"]))
+
+
+def measure_worlds(
+    folder: Path, seeds: Sequence[int], cases: int, only: tuple[str, ...], engine: str, until: float
+) -> None:
+    """Append a line for every case that is not there yet; until: of time.monotonic()."""
+    done = {(line["world"], line["case"]) for line in read_lines(folder)}
+    for start in range(0, cases, A_TURN):
+        for seed in seeds:
+            left = [k for k in range(start, min(start + A_TURN, cases)) if (seed, k) not in done]
+            if not left:
+                continue
+            bench = bench_of(seed)
+            with (folder / f"cases-{seed}.jsonl").open("a") as file:
+                for number in left:
+                    if time.monotonic() > until:
+                        return
+                    line = line_of(bench, number, folder / "worlds" / str(seed), only, ENGINES[engine])
+                    file.write(json.dumps(line) + "\n")
+                    file.flush()
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
