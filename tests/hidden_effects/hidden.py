@@ -118,6 +118,38 @@ def _reversal_spike(effect: Hidden, machine: Machine, state: State) -> Array:
         return effect.size * faster * state.directions[axis] * (1.0 - np.exp(-d / rise)) * np.exp(-d / decay)
 
 
+def _since_turn(axis: str, state: State) -> Array:
+    """(n,), s: time since the axis turned, half a sample before it was seen to; infinite where it has not."""
+    found = np.full(state.time.size, np.inf)
+    for run in np.unique(state.run):
+        rows = np.flatnonzero(state.run == run)
+        rows = rows[np.argsort(state.seq[rows], kind="stable")]
+        way, time = state.directions[axis][rows], state.time[rows]
+        turned = np.inf
+        for k in range(1, rows.size):
+            if way[k] * way[k - 1] < 0.0:
+                turned = 0.5 * (time[k] + time[k - 1])
+            if np.isfinite(turned):
+                found[rows[k]] = time[k] - turned
+    return found
+
+
+def _reversal_spike_time(effect: Hidden, machine: Machine, state: State) -> Array:
+    source, axis = effect.draw(), effect.component[2]
+    rise, tau = source.uniform(0.01, 0.03), source.uniform(0.3, 1.5)
+    passed = _since_turn(axis, state)
+    return effect.size * state.directions[axis] * (1.0 - np.exp(-passed / rise)) * np.exp(-passed / tau)
+
+
+def _reversal_spike_path(effect: Hidden, machine: Machine, state: State) -> Array:
+    source, axis = effect.draw(), effect.component[2]
+    rise, decay = source.uniform(0.1, 0.3), source.uniform(5.0, 30.0)
+    passed = _since_turn(axis, state)
+    known = np.isfinite(passed)
+    path = np.where(known, np.where(known, passed, 0.0) * np.nan_to_num(state.feed) / 60.0, np.inf)
+    return effect.size * state.directions[axis] * (1.0 - np.exp(-path / rise)) * np.exp(-path / decay)
+
+
 def _cross_axis(effect: Hidden, machine: Machine, state: State) -> Array:
     axis = effect.component[2]
     s, b = machine.share(axis, state.positions[axis]), machine.share(effect.axis, state.positions[effect.axis])
@@ -170,6 +202,8 @@ _COMPONENT: Mapping[str, Term] = {
     "drift": _drift,
     "servo_lag": _servo_lag,
     "reversal_spike": _reversal_spike,
+    "reversal_spike_time": _reversal_spike_time,
+    "reversal_spike_path": _reversal_spike_path,
     "cross_axis": _cross_axis,
 }
 _READING: Mapping[str, Callable[[Hidden, Plan, Array, Array], Array]] = {

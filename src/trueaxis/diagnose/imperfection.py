@@ -80,7 +80,7 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
         since = readings.context.since_reversal[rows.axes.index(cause.effect.component[-1])]
         for way in ways:
             yield share * signal * np.exp(-since / way)
-    if "T" in used:
+    if "T" in used and rows.time is not None and np.isfinite(rows.time).all():
         share, constants = LAG
         for constant in constants:
             late = replace(readings.context, temperature=_followed(readings, constant))

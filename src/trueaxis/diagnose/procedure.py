@@ -19,7 +19,7 @@ from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted, refit
 from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
-from trueaxis.diagnose.search import Each, Found, Ground, Search, search, with_rivals, without
+from trueaxis.diagnose.search import Each, Found, Ground, Search, likeliest, search, with_rivals, without
 from trueaxis.diagnose.signatures import Readings, readings_of
 from trueaxis.diagnose.stale import stale_values
 from trueaxis.diagnose.standing import refitted_columns, standing_effects
@@ -59,12 +59,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     readings = readings_of(model, null.rows)
     standing = standing_effects(readings)
     free = refitted_columns(readings, standing)
-    ground, found, causes = _searched(readings, free, null, options, standing)
-    if causes:
-        fresh = again(null, np.sum([one.signal for one in causes], axis=0), options.noise_um)
-        if _changed(null.noise, fresh.noise):
-            null = fresh
-        ground, found, causes = _searched(readings, free, null, options, (*standing, *causes), found.causes)
+    null, ground, found, causes = _beside_causes(readings, free, null, options, standing)
     values = null.values
     # neither looks at the readings: where there are threads they are worked out beside what follows
     audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground])
@@ -131,6 +126,27 @@ def _amplitudes(ground: Ground, causes: Sequence[Fitted]) -> tuple[tuple[tuple[A
 
 def _expected(model: MachineModel, rows: Rows) -> FloatArray:
     return expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
+
+
+def _beside_causes(
+    readings: Readings, free: FloatArray, null: Null, options: DiagnoseOptions, standing: Sequence[Fitted]
+) -> tuple[Null, Ground, Search, tuple[Fitted, ...]]:
+    """The search, and again with the noise that is left beside what was found; where nothing was, beside the likeliest.
+
+    Without repeats the noise takes up what nobody has named yet, and hides it.
+    """
+    ground, found, causes = _searched(readings, free, null, options, standing)
+    start = (found.causes,) if causes else tuple((one,) for one in likeliest(ground, found))
+    for tried in start:
+        known = refit(ground, tried)
+        fresh = again(null, np.sum([one.signal for one in known], axis=0), options.noise_um)
+        changed = _changed(null.noise, fresh.noise)
+        if not causes and not changed:
+            continue  # the noise is no reason why nothing was found
+        anew = _searched(readings, free, fresh if changed else null, options, (*standing, *known), tried)
+        if causes or anew[2]:
+            return (fresh if changed else null, *anew)
+    return null, ground, found, causes
 
 
 def _searched(

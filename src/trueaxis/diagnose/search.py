@@ -18,6 +18,7 @@ from trueaxis.effects.kind import Effect
 FALSE_ALARMS = 1e-4  # share of clean data in which a candidate reaches the threshold, were noise just as assumed
 RIVAL = 2.0  # decades of evidence within which a candidate remains in the running
 MOST_CAUSES = 4
+LIKELIEST = 3  # candidates below the threshold, beside which the noise is estimated anew
 FURTHER = 2.0  # decades more that a further cause needs: what the first one leaves is not noise alone
 ZOOM = 7  # points per zoom of a grid, twice
 WORTH_ZOOMING = 0.6  # share of the best statistic from which a candidate's grid is looked at more closely
@@ -114,6 +115,13 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
     causes.sort(key=lambda one: -one.scan.statistic)
     projection = _with(ground, causes)
     return Search(tuple(causes), first, projection, projection.rest(ground.values), ground.threshold)
+
+
+def likeliest(ground: Ground, found: Search) -> list[Found]:
+    """The few candidates with the best evidence, none of which reached the threshold: the noise may hold them."""
+    scans = sorted(found.first, key=lambda one: -one.evidence)[:LIKELIEST]
+    residual = ground.left(ground.base)
+    return [zoomed(ground, residual, one) for one in scans if one.evidence > 0.0]
 
 
 def without(ground: Ground, found: Search, index: int) -> Search:

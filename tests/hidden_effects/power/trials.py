@@ -18,7 +18,13 @@ TIMES = (0.3, 1.0, 3.0, 10.0)
 OUTSIDE_TIMES = 5.0
 LARGEST = {"point_offset": 20.0, "laser_cosine": 0.02, "servo_lag": 0.01}  # sizes that somebody would notice otherwise
 LARGEST_LINEAR, LARGEST_ANGULAR = 0.1, 3e-4  # mm, rad
-SHAPED = ("cyclic", "warm_up", "reversal_spike")  # the signature depends on more than the size
+SHAPED = (
+    "cyclic",
+    "warm_up",
+    "reversal_spike",
+    "reversal_spike_time",
+    "reversal_spike_path",
+)  # the signature depends on more than the size
 ROOTS = ("laser_cosine",)  # the readings go with the square of the parameter
 SPANS = {"thermal_expansion": 1800.0, "thermal_offset": 3.0, "drift": 2e4, "laser_scale": 1000.0}
 # mm K, K, s, mm: what a rate comes to in a campaign is bounded as other sizes are
