@@ -1,5 +1,8 @@
 """Every command with small inputs in a folder of its own, run as users run it: in a process."""
 
+import contextlib
+import io
+import json
 import os
 import shutil
 import subprocess
@@ -12,18 +15,31 @@ import numpy as np
 import polars as pl
 
 from tests.instrument_files.writers import rtl
-from tests.machines import DMU60P, ROOT
+from tests.machines import DMU60P, ROOT, serial_text
+from trueaxis.cli import main
 
 KERNELS = ROOT / "generated"
 ERRORS = ROOT / "machines" / "dmu60p_errors.json"
 PLAN = ROOT / "machines" / "dmu60p_runs"
 REGULAR = ROOT / "machines" / "dmu60p_regular_runs"
+STEPS = [0.0, 60.0, 120.0, 180.0, 240.0, 300.0, 360.0, 420.0, 480.0, 540.0]
 NC = "G90 G1 X270. Y350. Z150. F1000\nX280.\n"
+# a machine of one axis and its run, which is derived in no time
+SMALL = serial_text("", "X", X={"motion_errors": ["EXX"]}).replace('"test"', '"small"')
+SMALL_RUN = """schema = 1
+machine = "small"
+
+[[run]]
+id = "X-1"
+instrument = "laser"
+direction = [1.0, 0.0, 0.0]
+target = { on = "tool", point = [0.0, 0.0, 0.0] }
+"""
 PROGRAM = "import sys; from trueaxis.__main__ import main; sys.exit(main())"
 
 # name of a run -> its words; {out} is where it writes
 COMMANDS: Mapping[str, str] = {
-    "derive": "derive m.toml --out {out}/generated --runs dmu60p_runs",
+    "derive": "derive small.toml --out {out}/generated --runs small_runs",
     "predict": "predict m.toml --errors e.json --at points.parquet --out {out}/p.csv",
     "simulate": "simulate m.toml --errors e.json --data dmu60p_runs --out {out}/data --noise-um 0.01",
     "plan": "plan m.toml --data dmu60p_runs --report {out}/plan.json",
@@ -44,16 +60,24 @@ def prepare(folder: Path) -> None:
     (folder / "m.toml").write_bytes(DMU60P.read_bytes())
     (folder / "e.json").write_bytes(ERRORS.read_bytes())
     shutil.copytree(PLAN, folder / PLAN.name)
+    (folder / "small.toml").write_text(SMALL)
+    (folder / "small_runs").mkdir()
+    (folder / "small_runs" / "setup.toml").write_text(SMALL_RUN)
+    (folder / "small_runs" / "readings.csv").write_text("run,seq,X,reading\nX-1,0,0,\nX-1,1,100,\n")
     (folder / "part.nc").write_text(NC)
     pl.DataFrame({"X": [270.0], "Y": [350.0], "Z": [150.0]}).write_parquet(folder / "points.parquet")
     rows = [f"{t},{c},{d},{t + 0.001 * c * d}" for t in (0, 100, 200) for c in (1, 2, 3, 4, 5) for d in (1, -1)]
     (folder / "test.csv").write_text("\n".join(["target,cycle,direction,measured", *rows]) + "\n")
     (folder / "x.rtl").write_text(rtl([0.0, 100.0, 200.0], np.array([[0.0, 1.5, -2.0]]), axis="X"))
     regular = f"simulate m.toml --errors e.json --data {REGULAR} --out regular --noise-um 0.3"
-    identify = "identify m.toml --data data --out tables.json"
-    for words in (COMMANDS["simulate"].format(out="."), identify, regular):
-        done = run(folder, words)
-        assert done.returncode == 0, done.stderr
+    tables = {
+        name: {"basis": "table", "positions": STEPS, "values": [round(1e-8 * x**2, 4) for x in STEPS]}
+        for name in ("EXX", "EYX")
+    }
+    (folder / "tables.json").write_text(json.dumps({"schema": 1, "machine": "dmu60p", "motion_errors": tables}))
+    for words in (COMMANDS["simulate"].format(out="."), regular):
+        with contextlib.chdir(folder), contextlib.redirect_stdout(io.StringIO()):
+            assert main(words_of(words.split())) == 0
 
 
 def words_of(words: Sequence[str]) -> list[str]:

@@ -54,22 +54,28 @@ class ExactChain:
 
     def place(self, view: str, pose: Values, values: Values, point: Sequence[Any]) -> Any:
         """A point of one body in the frame of another, `tool_in_workpiece` and the like: (3,) of 40 digits."""
+        return placed(self.matrix(view, pose, values), point)
+
+    def matrix(self, view: str, pose: Values, values: Values) -> Any:
+        """The 4x4 matrix from one frame to the other."""
         seen, frame = view.split("_in_")
-        homogeneous = DIGITS.matrix([*point, 1])
-        at = self.to_bed(self.ends[frame], pose, values) ** -1 * self.to_bed(self.ends[seen], pose, values)
-        return (at * homogeneous)[:3]
+        moved = self.to_bed(self.ends[seen], pose, values)
+        return moved if frame == "bed" else self.to_bed(self.ends[frame], pose, values) ** -1 * moved
 
     def deviation(self, view: str, pose: Values, values: Values, point: Sequence[Any]) -> Any:
-        errors = set(self.components) | set(self.location_errors)
-        ideal = {name: value for name, value in values.items() if name not in errors}
-        return self.place(view, pose, values, point) - self.place(view, pose, ideal, point)
+        return self.place(view, pose, values, point) - self.place(view, pose, self._without_errors(values), point)
 
     def direction_deviation(self, pose: Values, values: Values, vector: Sequence[Any]) -> Any:
         """A vector of the tool frame, such as the tool axis, in the workpiece frame: actual minus ideal."""
         nowhere = [0, 0, 0]
         view = "tool_in_workpiece"
-        moved, still = self.deviation(view, pose, values, vector), self.deviation(view, pose, values, nowhere)
+        actual, ideal = (self.matrix(view, pose, each) for each in (values, self._without_errors(values)))
+        moved, still = (placed(actual, point) - placed(ideal, point) for point in (vector, nowhere))
         return moved - still
+
+    def _without_errors(self, values: Values) -> Values:
+        errors = set(self.components) | set(self.location_errors)
+        return {name: value for name, value in values.items() if name not in errors}
 
     def to_bed(self, number: int, pose: Values, values: Values) -> Any:
         result = DIGITS.eye(4)
@@ -83,7 +89,9 @@ class ExactChain:
         home = [values.get(p, 0) if isinstance(p, str) else p for p in body.get("position", [0, 0, 0])]
         pairs = body.get("position_errors", {})
         located = [values.get(pairs.get(f"E{letter}", ""), 0) for letter in _LETTERS]
-        result = translation(home) * self.error(located)
+        result = translation(home)
+        if any(located):
+            result = result * self.error(located)
         axis = body.get("moves")
         if axis is None:
             return result
@@ -94,7 +102,13 @@ class ExactChain:
             motion = turn(axis, way * DIGITS.pi / 180)
         listed = body.get("motion_errors", "all")
         names = [f"E{letter}{axis}" for letter in _LETTERS]
-        return result * motion * self.error([values.get(n, 0) if listed == "all" or n in listed else 0 for n in names])
+        errors = [values.get(name, 0) if listed == "all" or name in listed else 0 for name in names]
+        return result * motion * self.error(errors) if any(errors) else result * motion
+
+
+def placed(at: Any, point: Sequence[Any]) -> Any:
+    """A point, (3,), put through a 4x4 matrix."""
+    return (at * DIGITS.matrix([*point, 1]))[:3]
 
 
 def translation(by: Sequence[Any]) -> Any:

@@ -9,9 +9,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from tests.kept import kept
 from tests.machines import machine_of
 from trueaxis.derive.model import DerivedModel, derive_model
 from trueaxis.emit.numpy_source import numpy_source
+from trueaxis.emit.render import render
+from trueaxis.files import write_files
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -23,10 +26,23 @@ def model_of(text: str) -> DerivedModel:
 
 @cache
 def kernels_of(text: str) -> ModuleType:
-    model = model_of(text)
+    def write(folder: Path) -> None:
+        model = model_of(text)
+        (folder / "kernels.py").write_text(numpy_source(model.machine, model.routines))
+
     module = ModuleType("kernels")
-    exec(numpy_source(model.machine, model.routines), module.__dict__)
+    exec((kept("kernels", text, write) / "kernels.py").read_text(), module.__dict__)
     return module
+
+
+def emitted(text: str) -> Path:
+    """The folder of all files of a machine, in a folder of its name; nothing in it may be changed."""
+
+    def write(folder: Path) -> None:
+        model = model_of(text)
+        write_files({folder / model.machine.name / name: content for name, content in render(model).items()})
+
+    return kept("all files", text, write)
 
 
 def kernels_at(path: Path) -> ModuleType:

@@ -32,6 +32,11 @@ def modules() -> dict[str, Path]:
     return found
 
 
+@cache
+def parsed(module: str) -> ast.Module:
+    return ast.parse(modules()[module].read_text())
+
+
 def package_of(module: str) -> str:
     """`derive` of trueaxis.derive.chain, `files` of trueaxis.files."""
     return [*module.split("."), ""][1]
@@ -39,7 +44,6 @@ def package_of(module: str) -> str:
 
 def imported(module: str, *, lazily: bool) -> Iterator[str]:
     """Modules that a module's text imports, as full names; `lazily`: also inside functions. Type checking is no use."""
-    tree = ast.parse(modules()[module].read_text())
 
     def statements(node: ast.AST) -> Iterator[ast.AST]:
         for child in ast.iter_child_nodes(node):
@@ -50,7 +54,7 @@ def imported(module: str, *, lazily: bool) -> Iterator[str]:
             yield child
             yield from statements(child)
 
-    for node in statements(tree):
+    for node in statements(parsed(module)):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -128,13 +132,13 @@ print(sorted({{name.split(".")[0] for name in sys.modules}} & {SYMBOLIC!r}))
 def test_every_package_and_module_says_what_it_is() -> None:
     for folder in {path.parent for path in SOURCE.rglob("*.py")}:
         assert (folder / "__init__.py").is_file(), f"{folder} is no package"
-    for module, path in modules().items():
-        assert ast.get_docstring(ast.parse(path.read_text())), f"{module} has no docstring"
+    for module in modules():
+        assert ast.get_docstring(parsed(module)), f"{module} has no docstring"
 
 
 def test_public_functions_and_classes_have_docstrings() -> None:
-    for module, path in modules().items():
-        for node in ast.parse(path.read_text()).body:
+    for module in modules():
+        for node in parsed(module).body:
             if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
                 assert ast.get_docstring(node), f"{module}.{node.name} has no docstring"
 

@@ -1,13 +1,17 @@
 """The command line: exit codes, every fault on standard error, no traceback, help that helps."""
 
 import argparse
+import contextlib
+import io
 import subprocess
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import pytest
 
+from tests.command_lines import SMALL
 from tests.machines import DMU60P
 from tests.spec.test_faults import BASE
 from trueaxis import __version__
@@ -136,23 +140,37 @@ def test_a_traceback_is_shown_for_no_wrong_input(tmp_path: Path) -> None:
     assert done.stderr == f"trueaxis: {spec}: line 1: byte 0xff is not UTF-8; save the file as UTF-8\n"
 
 
+class Derived(NamedTuple):
+    folder: Path
+    shown: str
+
+
 @pytest.fixture(scope="module")
-def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("generated")
-    assert main(["derive", str(DMU60P), "--out", str(folder)]) == 0
-    return folder
+def paper(tmp_path_factory: pytest.TempPathFactory) -> Derived:
+    """The paper's machine."""
+    folder, shown = tmp_path_factory.mktemp("generated"), io.StringIO()
+    with contextlib.redirect_stdout(shown):
+        assert main(["derive", str(DMU60P), "--out", str(folder)]) == 0
+    return Derived(folder, shown.getvalue())
+
+
+@pytest.fixture
+def small(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Path:
+    """The spec of a machine of one axis, with its files in `generated`."""
+    spec = tmp_path / "small.toml"
+    spec.write_text(SMALL)
+    assert main(["derive", str(spec), "--out", str(tmp_path / "generated")]) == 0
+    capsys.readouterr()
+    return spec
 
 
 class TestDerive:
-    def test_it_writes_the_machines_files(self, written: Path) -> None:
-        names = sorted(path.name for path in (written / "dmu60p").iterdir())
+    def test_it_writes_the_machines_files(self, paper: Derived) -> None:
+        names = sorted(path.name for path in (paper.folder / "dmu60p").iterdir())
         assert names == ["equations.md", "kernels.c", "kernels.h", "kernels.py", "manifest.json"]
 
-    def test_it_shows_the_lower_body_array_and_the_order_of_systems(
-        self, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-    ) -> None:
-        assert main(["derive", str(DMU60P), "--out", str(tmp_path)]) == 0
-        shown = capsys.readouterr().out
+    def test_it_shows_the_lower_body_array_and_the_order_of_systems(self, paper: Derived) -> None:
+        shown = paper.shown
         assert "L^1  0  1  2  1  5  6" in shown
         assert "4. XZ-1x, XZ-2x -> EXZ, ECZ" in shown
         assert "\nX+ commands move the tool to X+ of the workpiece\n" in shown
@@ -161,21 +179,21 @@ class TestDerive:
         )
         assert f"{told}control counts the other way)\n" in shown
 
-    def test_check_is_0_where_nothing_differs(self, written: Path, capsys: pytest.CaptureFixture[str]) -> None:
-        assert main(["derive", str(DMU60P), "--out", str(written), "--check"]) == 0
+    def test_check_is_0_where_nothing_differs(self, small: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        assert main(["derive", str(small), "--out", str(small.parent / "generated"), "--check"]) == 0
         assert "is what" in capsys.readouterr().out
 
     def test_check_is_1_where_something_does_and_touches_nothing(
-        self, written: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+        self, small: Path, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        spec = tmp_path / "dmu60p.toml"
-        spec.write_text(DMU60P.read_text().replace('runs = "dmu60p_runs"', "").replace("540.0", "545.0"))
-        before = {path: path.read_bytes() for path in (written / "dmu60p").iterdir()}
-        assert main(["derive", str(spec), "--out", str(written), "--check"]) == 1
+        written = small.parent / "generated"
+        small.write_text(SMALL.replace("400.0", "405.0"))
+        before = {path: path.read_bytes() for path in (written / "small").iterdir()}
+        assert main(["derive", str(small), "--out", str(written), "--check"]) == 1
         shown = capsys.readouterr().out
         assert "(as derived now)" in shown
-        assert f"run: trueaxis derive {spec} --out {written}" in shown
-        assert {path: path.read_bytes() for path in (written / "dmu60p").iterdir()} == before
+        assert f"run: trueaxis derive {small} --out {written}" in shown
+        assert {path: path.read_bytes() for path in (written / "small").iterdir()} == before
 
     def test_a_folder_of_runs_that_is_not_there(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         spec = tmp_path / "dmu60p.toml"
@@ -184,20 +202,21 @@ class TestDerive:
         assert "key runs: there is no folder" in capsys.readouterr().err
         assert not (tmp_path / "out").exists()
 
-    def test_a_place_that_cannot_be_written_is_2(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-        (tmp_path / "file").write_text("")
-        assert main(["derive", str(DMU60P), "--out", str(tmp_path / "file")]) == 2
+    def test_a_place_that_cannot_be_written_is_2(self, small: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        file = small.parent / "file"
+        file.write_text("")
+        assert main(["derive", str(small), "--out", str(file)]) == 2
         shown = capsys.readouterr()
-        assert str(tmp_path / "file") in shown.err
+        assert str(file) in shown.err
         assert shown.err.count("\n") == 1
 
-    def test_predict_runs_on_what_it_wrote(self, written: Path, tmp_path: Path) -> None:
+    def test_predict_runs_on_what_it_wrote(self, paper: Derived, tmp_path: Path) -> None:
         (tmp_path / "e.json").write_text(
             '{"schema": 1, "machine": "dmu60p", "parameters": {"eps_xy": 1e-5}, "motion_errors": {}}'
         )
         (tmp_path / "points.csv").write_text("X,Y,Z\n100,0,0\n0,200,0\n")
         words = ["predict", str(DMU60P), "--errors", str(tmp_path / "e.json"), "--at", str(tmp_path / "points.csv")]
-        words += ["--out", str(tmp_path / "out.csv"), "--kernels", str(written)]
+        words += ["--out", str(tmp_path / "out.csv"), "--kernels", str(paper.folder)]
         assert main(words) == 0
         rows = np.genfromtxt(tmp_path / "out.csv", delimiter=",", names=True)
         # X turned by eps_xy about z: y = 100 eps at X = 100; at home the tool point lies on the axis of the turn.

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.command_lines import COMMANDS, command_line, prepare, run
+from tests.command_lines import COMMANDS, command_line, run
 from tests.machines import ROOT
 from trueaxis.import_path import without_current_folder
 from trueaxis.own_python import own_python
@@ -23,10 +23,9 @@ MODULES = sorted(
 
 
 @pytest.fixture(scope="module")
-def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("hostile")
-    prepare(folder)
-    for place in (folder, folder / "dmu60p_runs", folder / "data", folder / "out"):
+def hostile(prepared: Path) -> Path:
+    folders = [prepared / name for name in ("dmu60p_runs", "small_runs", "data", "out", "out/demo")]
+    for place in (prepared, *folders):
         place.mkdir(exist_ok=True)
         for name in MODULES:
             (place / f"{name}.py").write_text(EVIL)
@@ -35,7 +34,7 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
             (place / name).write_text("#!/bin/sh\necho compiler >> $EVIDENCE\nexit 1\n")
             (place / name).chmod(0o755)
         (place / "math.h").write_text("#error the header of a data folder\n")
-    return folder
+    return prepared
 
 
 @pytest.fixture
@@ -48,26 +47,26 @@ def evidence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 @pytest.mark.parametrize("name", COMMANDS)
 @pytest.mark.usefixtures("evidence")
-def test_no_command_runs_modules_of_its_folder(prepared: Path, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_command_runs_modules_of_its_folder(hostile: Path, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     # variables with empty entries, which mean the current folder, and a backend that is no module of ours
     monkeypatch.setenv("PATH", f":{os.environ['PATH']}:.")
-    monkeypatch.setenv("TRUEAXIS_CACHE", str(prepared / f"cache-{name}"))
+    monkeypatch.setenv("TRUEAXIS_CACHE", str(hostile / f"cache-{name}"))
     monkeypatch.setenv("CPATH", ":")
     monkeypatch.setenv("MPLBACKEND", "module://evil")
-    done = run(prepared, COMMANDS[name].format(out="out"))
+    done = run(hostile, COMMANDS[name].format(out="out"))
     assert done.returncode in (0, 1), done.stderr
     assert "cannot be compiled" not in done.stderr
     assert "Traceback" not in done.stderr
 
 
 @pytest.mark.usefixtures("evidence")
-def test_the_folder_of_a_module_run_is_left_out_too(prepared: Path, tmp_path: Path) -> None:
+def test_the_folder_of_a_module_run_is_left_out_too(hostile: Path, tmp_path: Path) -> None:
     """`python -m trueaxis`: what Python itself imports on the way is its own; the rest is not taken from here."""
     for name in MODULES:
         if name not in _imported_to_run_a_module():
             (tmp_path / f"{name}.py").write_text(EVIL)
     (tmp_path / "trueaxis.py").unlink()
-    words = [sys.executable, "-m", "trueaxis", "evaluate", str(prepared / "test.csv"), "--picture", "t.png"]
+    words = [sys.executable, "-m", "trueaxis", "evaluate", str(hostile / "test.csv"), "--picture", "t.png"]
     done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 
@@ -80,24 +79,20 @@ def _imported_to_run_a_module() -> set[str]:
 
 @pytest.mark.usefixtures("evidence")
 def test_an_empty_entry_of_the_import_path_means_no_folder(
-    prepared: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    hostile: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "polars.py").write_text(EVIL)
     (tmp_path / "numpy.py").write_text(EVIL)
     monkeypatch.setenv("PYTHONPATH", f":{ROOT / 'src'}")
-    at = f"--errors {prepared / 'e.json'} --at {prepared / 'points.parquet'}"
-    done = run(tmp_path, f"predict {prepared / 'm.toml'} {at} --out p.csv")
+    at = f"--errors {hostile / 'e.json'} --at {hostile / 'points.parquet'}"
+    done = run(tmp_path, f"predict {hostile / 'm.toml'} {at} --out p.csv")
     assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("evidence")
-def test_the_demonstration_runs_no_modules_of_its_folder(prepared: Path) -> None:
-    done = run(prepared, "demo --out out/demo")
-    assert done.returncode == 0, done.stderr
-    for name in MODULES:
-        (prepared / "out" / "demo" / f"{name}.py").write_text(EVIL)
-    done = run(prepared, "demo --out out/demo")
+def test_the_demonstration_runs_no_modules_of_its_folder(hostile: Path) -> None:
+    done = run(hostile, "demo --out out/demo")
     assert done.returncode == 0, done.stderr
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.command_lines import COMMANDS, KERNELS, command_line, leftovers, prepare, run, words_of
+from tests.command_lines import COMMANDS, KERNELS, command_line, leftovers, run, words_of
 from tests.machines import ROOT
 from trueaxis import staging
 from trueaxis.cli import main
@@ -24,13 +24,6 @@ from trueaxis.staging import staged_file, staged_folder, staged_name, sweep
 Program = Callable[[list[str]], tuple[int, str]]
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="modes, links and locks of POSIX")
-
-
-@pytest.fixture(scope="module")
-def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("outputs")
-    prepare(folder)
-    return folder
 
 
 @pytest.fixture
@@ -142,11 +135,11 @@ READERS = {
     "evaluate": ("test.csv",),
     "import": ("m.toml", "x.rtl"),
     "export": ("m.toml", "e.json"),
-    "derive": ("m.toml",),
+    "derive": ("small.toml",),
 }
 FIRST_OUTPUT = {
     "predict": "p.csv", "simulate": "data/setup.toml", "plan": "plan.json", "identify": "i.json", "fit": "f.json",
-    "compensate": "c.nc", "diagnose": "d/diagnosis.json", "evaluate": "t.json", "derive": "generated/dmu60p/kernels.py",
+    "compensate": "c.nc", "diagnose": "d/diagnosis.json", "evaluate": "t.json", "derive": "generated/small/kernels.py",
     "import": "imported/setup.toml", "export": "enc.ini",
 }  # fmt: skip
 

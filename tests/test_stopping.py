@@ -107,23 +107,16 @@ def campaign(trial: Trial, count: int, seed: int) -> tuple[Counter[str], list[st
     return tally, faults + [f"{trial.name}: {fault}" for fault in trial.cleared()]
 
 
-@pytest.fixture(scope="module")
-def inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("stopping")
-    prepare(folder)
-    return folder
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in COMMANDS if name != "init"])  # which refuses files of an earlier run
-def test_every_command_may_be_stopped_at_any_moment(inputs: Path, tmp_path: Path, name: str) -> None:
-    _, faults = campaign(Trial(inputs, name, tmp_path), 6, seed=2)
+def test_every_command_may_be_stopped_at_any_moment(prepared: Path, tmp_path: Path, name: str) -> None:
+    _, faults = campaign(Trial(prepared, name, tmp_path), 6, seed=2)
     assert faults == []
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 @pytest.mark.parametrize("name", ["compensate", "diagnose", "demo"])
-def test_the_code_names_the_signal(inputs: Path, tmp_path: Path, name: str, number: signal.Signals) -> None:
+def test_the_code_names_the_signal(prepared: Path, tmp_path: Path, name: str, number: signal.Signals) -> None:
     if signal.getsignal(number) == signal.SIG_IGN:
         pytest.skip(f"{number.name} is ignored here, as nohup has it, and so by what is started")
     if name == "compensate":  # a program that takes long
@@ -133,7 +126,7 @@ def test_the_code_names_the_signal(inputs: Path, tmp_path: Path, name: str, numb
     else:
         words = {**COMMANDS, "demo": "demo --out {out}"}[name].format(out=tmp_path / "out")
     with subprocess.Popen(
-        command_line(words), cwd=inputs, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+        command_line(words), cwd=prepared, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
     ) as process:
         time.sleep(1.5)
         process.send_signal(number)

@@ -10,20 +10,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.command_lines import COMMANDS, command_line, prepare, run
+from tests.command_lines import COMMANDS, command_line, run
 from trueaxis.cli import main
 from trueaxis.faults import Fault
 from trueaxis.plain_text import LONGEST, escaped, shown
 from trueaxis.told import NOT_DELIVERED, Told
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="streams are closed by a POSIX shell")
-
-
-@pytest.fixture(scope="module")
-def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("told")
-    prepare(folder)
-    return folder
 
 
 @given(st.text(st.characters(codec=None), max_size=50))
@@ -134,9 +127,9 @@ def test_wrong_input_is_2_though_nobody_hears_it(prepared: Path, tmp_path: Path,
 def test_a_reader_that_stops_early_changes_no_answer(prepared: Path, tmp_path: Path) -> None:
     """`derive --check` of another machine writes more than a pipe holds and answers 1."""
     assert run(prepared, COMMANDS["derive"].format(out=tmp_path)).returncode == 0
-    for path in (tmp_path / "generated" / "dmu60p").iterdir():
+    for path in (tmp_path / "generated" / "small").iterdir():
         path.write_text(("other " * 200 + "\n") * 100)
-    words = f"derive m.toml --out {tmp_path / 'generated'} --check"
+    words = f"{COMMANDS['derive'].format(out=tmp_path)} --check"
     with subprocess.Popen(command_line(words), cwd=prepared, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stderr is not None

@@ -61,7 +61,7 @@ def test_the_limit_is_that_of_the_largest_u_along_the_program(
     """EXX alone, with a slope known to 1 %: at X = 540, the end of the last cell of the program, its u is 54 nm."""
     errors = written(tmp_path, motion_errors={"EXX": line(1e-5, u=[1e-7])})
     assert compensate(tmp_path, errors, "--max-u", "0.0000541") == 0
-    assert "from home: 0.054 um" in capsys.readouterr().out
+    assert "from home, in one coordinate: 0.054 um" in capsys.readouterr().out
     assert compensate(tmp_path, errors, "--max-u", "0.0000539") == 1
 
 

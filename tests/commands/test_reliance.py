@@ -1,6 +1,7 @@
 """What rests on the readings and what does not, from `identify` to `fit` and `predict`, as a user runs them."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,11 @@ import pytest
 
 from tests.identify.test_command import ERRORS, KERNELS, MACHINE, STEPWISE, identify, simulated
 from trueaxis.cli import main
+from trueaxis.reporting.reliance import travel_sentences
+from trueaxis.runtime.covariance import digest_of_numbers
+from trueaxis.runtime.measured_range import BeyondMeasured
+from trueaxis.runtime.model import load_errors
+from trueaxis.spec import read_machine
 
 POINTS = "X,Y,Z,tool_z\n0,0,0,0\n300,0,0,0\n0,0,400,0\n540,700,600,0\n"
 
@@ -125,6 +131,13 @@ def test_use_beyond_the_measured_range_is_said(
     assert "3 of 4 positions lie beyond what was measured: EXX from X = 20 to 400 mm, used at X = 0 to 540" in said
 
 
+def test_tables_beyond_the_measured_range_are_told_without_counting_their_rows() -> None:
+    """Ends of the travel are rows of every table; where u holds beyond what was measured, u says all."""
+    beyond = BeyondMeasured(axis="X", components=("EXX",), low=20.0, high=400.0, lowest=0.0, highest=540.0, count=99)
+    (said,) = travel_sentences([beyond, replace(beyond, by_prior=True)])
+    assert said.startswith("EXX: measured from X = 20 to 400 mm, written for X = 0 to 540; the curve is continued")
+
+
 def test_a_misfit_is_predicted_with_a_warning_and_fitted_on_request_alone(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], regular: Path
 ) -> None:
@@ -202,10 +215,11 @@ def test_files_without_the_parts_are_read(tmp_path: Path, estimated: Path) -> No
         del curve["u_readings"], curve["u_prior"]
     with np.load(estimated.with_suffix(".npz")) as archive:
         arrays: dict[str, Any] = {key: np.array(archive[key]) for key in archive}
+    (tmp_path / "e.json").write_text(json.dumps(tree))
     head = json.loads(arrays["head"].tobytes())
     del head["prior_columns"]
+    head["sha256_of_values"] = digest_of_numbers(load_errors(tmp_path / "e.json", read_machine(MACHINE)))
     arrays["head"] = np.frombuffer(json.dumps(head).encode(), dtype=np.uint8)
-    (tmp_path / "e.json").write_text(json.dumps(tree))
     np.savez(tmp_path / "e.npz", allow_pickle=False, **arrays)
     tables = []
     for errors in (estimated, tmp_path / "e.json"):

@@ -9,11 +9,9 @@ from typing import Any
 import numpy as np
 
 from tests.compensate.analytic_machine import FloatArray
-from tests.exact_chain import DIGITS, ExactChain
-from tests.kernels import model_of
+from tests.exact_chain import DIGITS, ExactChain, placed
+from tests.kernels import emitted
 from tests.machines import serial_text
-from trueaxis.emit.render import render
-from trueaxis.files import write_files
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel, load_model
@@ -65,9 +63,10 @@ class FiveAxes:
                     DIGITS.mpf(0),
                 )
         view = "tool_in_workpiece"
-        origin = self.chain.place(view, pose, values, [0, 0, 0])
-        axis = self.chain.place(view, pose, values, [0, 0, 1]) - origin
-        return self.chain.place(view, pose, values, [float(v) for v in tool_point[:, 0]]), axis / DIGITS.norm(axis)
+        at = self.chain.matrix(view, pose, values)
+        origin = placed(at, [0, 0, 0])
+        axis = placed(at, [0, 0, 1]) - origin
+        return placed(at, [float(v) for v in tool_point[:, 0]]), axis / DIGITS.norm(axis)
 
     def off(
         self, commands: FloatArray, programmed: FloatArray, tool_point: FloatArray
@@ -83,12 +82,10 @@ class FiveAxes:
 
 @cache
 def _empty(text: str) -> MachineModel:
-    files = render(model_of(text))
     with TemporaryDirectory() as name:
-        folder = Path(name)
-        spec = folder / "test.toml"
-        write_files({spec: text, **{folder / "test" / file: content for file, content in files.items()}})
-        return load_model(spec, None, folder, backend="numpy")
+        spec = Path(name) / "test.toml"
+        spec.write_text(text)
+        return load_model(spec, None, emitted(text), backend="numpy")
 
 
 def constant(text: str, errors: Mapping[str, float]) -> MachineModel:

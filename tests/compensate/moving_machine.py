@@ -8,6 +8,7 @@ import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 
@@ -29,14 +30,15 @@ class Samples:
 @dataclass
 class MovingMachine:
     """play: axis -> half its width, mm, at a position; lag: axis -> time constant of the position loop, s; friction:
-    axis -> (mm by which the drive stays behind right after a reversal, mm over which that dies away); bent: component
-    error -> function of all positions (3, n).
+    axis -> (mm by which the drive stays behind right after a reversal, what that dies away over, by `fades`: mm of its
+    own way, s, or mm of the path); bent: component error -> function of all positions (3, n).
     """
 
     rigid: XyzMachine
     play: Mapping[str, Callable[[float], float]] = field(default_factory=dict)
     lag: Mapping[str, float] = field(default_factory=dict)
     friction: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    fades: Literal["way", "time", "path"] = "way"
     bent: Mapping[str, Callable[[FloatArray], FloatArray]] = field(default_factory=dict)
 
     def tool_path(self, samples: Samples) -> FloatArray:
@@ -51,9 +53,16 @@ class MovingMachine:
             if axis in self.play:
                 drive = drive + playing(drive, self.play[axis])
             if axis in self.friction:
-                drive = drive + sticking(drive, *self.friction[axis])
+                drive = drive + sticking(drive, *self.friction[axis], self._passed(samples, drive))
             errors[name] = errors.get(name, np.zeros_like(drive)) + drive - command
         return self.rigid.actual_with(samples.commands, np.zeros((3, 1)), errors)
+
+    def _passed(self, samples: Samples, drive: FloatArray) -> FloatArray:
+        """(n,): what has passed at each sample of what friction fades over."""
+        if self.fades == "time":
+            return samples.time
+        steps = np.diff(samples.commands if self.fades == "path" else drive[np.newaxis], axis=1, prepend=np.nan)
+        return np.asarray(np.cumsum(np.nan_to_num(np.sqrt((steps**2).sum(axis=0)))))
 
 
 def playing(command: FloatArray, half: Callable[[float], float]) -> FloatArray:
@@ -81,17 +90,21 @@ def lagging(command: FloatArray, time: FloatArray, constant: float) -> FloatArra
     return out
 
 
-def sticking(command: FloatArray, height: float, decay: float) -> FloatArray:
-    """Friction: after a reversal the slide rests until the drive has wound up by what it takes, then is let go."""
+def sticking(command: FloatArray, height: float, decay: float, passed: FloatArray) -> FloatArray:
+    """Friction: after a reversal the slide rests until the drive has wound up by what it takes, then is let go.
+
+    passed: (n,), what it fades over, counted from anywhere.
+    """
     out = np.zeros_like(command)
-    way, direction = math.inf, 0.0
+    way, direction, turn = math.inf, 0.0, -math.inf
     for index in range(1, command.size):
         step = float(command[index] - command[index - 1])
         if step:
             turned = step * direction < 0.0
             direction = math.copysign(1.0, step)
             way = abs(step) if turned else way + abs(step)
-        out[index] = -direction * min(way, height * math.exp(-way / decay))
+            turn = float(passed[index - 1]) if turned else turn
+        out[index] = -direction * min(way, height * math.exp(-(float(passed[index]) - turn) / decay))
     return out
 
 

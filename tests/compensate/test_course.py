@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trueaxis.compensate.course import Course, Standing, since_reversal, turnings
+from trueaxis.compensate.course import LONG, Course, Standing, since_reversal, turnings
 from trueaxis.compensate.path import Path
 from trueaxis.compensate.velocity import RAMP, at_vertices, cruising, ramps
 from trueaxis.effects.variables import FARTHEST
@@ -56,11 +56,29 @@ def test_a_cut_anywhere_leaves_no_trace(places: list[int], cut: int) -> None:
 def test_distance_since_the_reversal() -> None:
     way = path([[3.0], [5.0], [4.0], [1.0], [1.5]], [0.0])
     direction = np.array([[1.0, 1.0, -1.0, -1.0, 1.0]])
-    since, gone = since_reversal(way, direction, Standing.at(np.zeros(1)))
-    assert since[0].tolist() == [FARTHEST, FARTHEST + 3.0, 0.0, 1.0, 0.0]
-    assert gone[0].tolist() == [3.0, 2.0, 1.0, 3.0, 0.5]
-    carried, _ = since_reversal(way, direction, Standing(np.zeros(1), -np.ones(1), np.array([7.0]), np.zeros(1)))
-    assert carried[0, 0] == 0.0
+    still = Standing.at(np.zeros(1))
+    since, gone = since_reversal(way, direction, still, np.ones(5), [0])
+    assert since[0, 0].tolist() == [FARTHEST, FARTHEST + 3.0, 0.0, 1.0, 0.0]
+    assert gone[0, 0].tolist() == [3.0, 2.0, 1.0, 3.0, 0.5]
+    turned = Standing(np.zeros(1), -np.ones(1), np.full((3, 1), 7.0), np.zeros(1))
+    carried, _ = since_reversal(way, direction, turned, np.ones(5), [0])
+    assert carried[0, 0, 0] == 0.0
+
+
+def test_time_and_path_since_the_reversal_of_each_axis() -> None:
+    """X turns back at the third motion, Y at the fourth; C is no way in mm. The fifth takes nobody knows how long."""
+    way = path([[3.0, 4.0, 0.0], [6.0, 8.0, 9.0], [3.0, 12.0, 9.0], [0.0, 8.0, 9.0], [0.0, 0.0, 9.0]], [0.0, 0.0, 0.0])
+    direction = np.array([[1.0, 1, -1, -1, -1], [1, 1, 1, -1, -1], [0, 1, 1, 1, 1]])
+    duration = np.array([1.0, 2.0, 3.0, 4.0, 0.0])
+    since, gone = since_reversal(way, direction, Standing.at(np.zeros(3)), duration, [0, 1])
+    assert since[1, 0, 2:].tolist() == [0.0, 3.0, 7.0]
+    assert since[1, 1, 3:].tolist() == [0.0, 4.0]
+    assert since[2, 0, 2:].tolist() == [0.0, 5.0, 10.0]
+    assert since[2, 1, 3:].tolist() == [0.0, 5.0]
+    assert (since[:, 2] >= FARTHEST).all()
+    assert gone[2, 1].tolist() == [5.0, 5.0, 5.0, 5.0, 8.0]
+    assert gone[1, 0, :4].tolist() == duration[:4].tolist()
+    assert gone[1, 0, 4] == LONG
 
 
 def test_velocity_has_the_feed_along_the_linear_axes() -> None:
@@ -84,8 +102,13 @@ def test_only_smooth_passages_keep_their_velocity() -> None:
 
 def test_velocity_rises_over_the_ramp() -> None:
     still, full = np.zeros((1, 1)), np.full((1, 1), 10.0)
-    line = Course(np.ones((1, 1)), np.zeros((1, 1)), np.full((1, 1), 10.0), (still, full, still), ramps(np.ones(1)))
+    gone = np.array([[[10.0]], [[1.0]], [[20.0]]])
+    line = Course(np.ones((1, 1)), np.zeros((3, 1, 1)), gone, (still, full, still), ramps(np.ones(1)))
     place = np.array([0.0, 0.5 * RAMP, RAMP, 0.5, 1.0 - 0.5 * RAMP, 1.0])
     at = line.context(np.zeros(6, dtype=np.int64), place, 0.0, 20.0)
     assert at.velocity[0] == pytest.approx([0.0, 5.0, 10.0, 10.0, 5.0, 0.0])
     assert at.since_reversal[0] == pytest.approx(10.0 * place)
+    assert at.time_since[0] == pytest.approx(place)
+    assert at.path_since[0] == pytest.approx(20.0 * place)
+    cut = line.cut(np.zeros(1, dtype=np.int64), np.array([0.25]), np.array([0.75]))
+    assert (cut.since[:, 0, 0].tolist(), cut.gone[:, 0, 0].tolist()) == ([2.5, 0.25, 5.0], [5.0, 0.5, 10.0])

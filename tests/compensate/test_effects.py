@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
@@ -56,12 +56,13 @@ def cyclic(positions: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class Case:
-    """play, lag, friction, bent: of MovingMachine; effects: what the model is told."""
+    """play, lag, friction, fades, bent: of MovingMachine; effects: what the model is told."""
 
     effects: Mapping[Effect, Mapping[str, float]]
     play: Mapping[str, Callable[[float], float]] = field(default_factory=dict)
     lag: Mapping[str, float] = field(default_factory=dict)
     friction: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    fades: Literal["way", "time", "path"] = "way"
     bent: Mapping[str, Callable[[FloatArray], FloatArray]] = field(default_factory=dict)
     feed: float = 1000.0
     blocks: tuple[int, int] = (2400, 2460)
@@ -69,7 +70,7 @@ class Case:
     @property
     def machine(self) -> MovingMachine:
         rigid = XyzMachine({name: polynomial(*c) for name, c in coefficients().items()}, SQUARENESS)
-        return MovingMachine(rigid, self.play, self.lag, self.friction, self.bent)
+        return MovingMachine(rigid, self.play, self.lag, self.friction, self.fades, self.bent)
 
 
 PLAY = {"X": lambda _: 0.005, "Y": lambda _: 0.005}
@@ -101,6 +102,16 @@ CASES = {
         {Effect("reversal_spike", "EXX"): SPIKE, Effect("reversal_spike", "EYY"): SPIKE},
         friction={"X": (0.006, 0.5), "Y": (0.006, 0.5)},
     ),
+    "reversal_spike_time": Case(
+        {Effect("reversal_spike_time", f"E{axis}{axis}"): {"height": -0.006, "tau": 0.7} for axis in "XY"},
+        friction={"X": (0.006, 0.7), "Y": (0.006, 0.7)},
+        fades="time",
+    ),
+    "reversal_spike_path": Case(
+        {Effect("reversal_spike_path", f"E{axis}{axis}"): {"height": -0.006, "decay": 12.0} for axis in "XY"},
+        friction={"X": (0.006, 12.0), "Y": (0.006, 12.0)},
+        fades="path",
+    ),
     "play, lag and screw": Case(
         {**BACKLASH, **CYCLIC, Effect("servo_lag", "EXX"): {"tau": 0.001}},
         play=PLAY,
@@ -112,7 +123,9 @@ CASES = {
 
 
 @pytest.mark.parametrize("code", ["G2", "G3"])
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if CASES[name].fades != "way" else name for name in CASES]
+)
 def test_the_circle_is_as_round_as_words_allow(bench: Bench, name: str, code: str) -> None:
     case = CASES[name]
     program = circle(code, case.feed)

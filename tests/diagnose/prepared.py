@@ -1,7 +1,6 @@
 """Hidden-effect data as the stages of the diagnosis take them, and grounds to search on whose noise is known."""
 
 import tempfile
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -14,7 +13,7 @@ from tests.hidden_effects.data import Data
 from tests.hidden_effects.design import Design
 from tests.kernels import kernels_of
 from tests.machines import machine_of
-from trueaxis.diagnose.base import base_of
+from trueaxis.diagnose.base import Base, base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.freedom import Freedom, freedom_of
 from trueaxis.diagnose.projection import Projection, orthonormal
@@ -22,7 +21,8 @@ from trueaxis.diagnose.result import NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Readings, readings_of
-from trueaxis.diagnose.whiten import Whitening, whitening
+from trueaxis.diagnose.whiten import SETTLED, RunNoise, Whitening, whitening
+from trueaxis.estimation.noise import Noise
 from trueaxis.measure.data import MeasuredData, read_data
 from trueaxis.runtime.errors import read_errors
 from trueaxis.runtime.kernels import Kernels
@@ -32,7 +32,9 @@ FloatArray = npt.NDArray[np.float64]
 
 SIGMA = 3e-4  # mm
 SMALL = Design(lines=2, repeats=2, targets=21, samples=72)
-WHITE = NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 1e6, "given")
+WHITE = Noise(SIGMA)
+SLOW = Noise(SIGMA, SIGMA / 2, 4.5)
+MANY = 1e6  # degrees of freedom of a noise that is known
 
 
 @dataclass(frozen=True)
@@ -75,41 +77,78 @@ class Field:
     """Where values can be planted: readings with signatures, base and whitening for a noise that is known."""
 
     readings: Readings
-    columns: FloatArray
+    null: Base
     whitening: Whitening
     base: Projection
     freedom: Freedom
 
+    @property
+    def columns(self) -> FloatArray:
+        return self.null.columns
+
     def ground(self, values: FloatArray) -> Ground:
         """Of readings less what is expected, (n,), mm."""
-        effects = candidates(self.readings.model, self.readings.rows)
-        white = self.whitening(values)
-        return Ground(self.readings, effects, self.whitening, self.base, self.base, white, self.freedom, lambda _: None)
+        return Ground(
+            readings=self.readings,
+            effects=candidates(self.readings.model, self.readings.rows),
+            whitening=self.whitening,
+            plain=self.base,
+            base=self.base,
+            wide=self.base,
+            values=self.whitening(values),
+            freedom=self.freedom,
+            progress=lambda _: None,
+        )
+
+    def without_own(self) -> FloatArray:
+        """(n, k): every unknown of every run's instrument, written out over all rows."""
+        found = []
+        for run, own in zip(self.null.runs, self.null.own, strict=True):
+            block = np.zeros((self.readings.rows.size, own.shape[1]))
+            block[run.rows.at] = own
+            found.append(block)
+        return np.hstack(found)
 
 
 @cache
-def field(design: Design = SMALL, noise: NoiseOf = WHITE, machine: str = "table_mill") -> Field:
+def field(design: Design = SMALL, noise: Noise = WHITE, machine: str = "table_mill", settles: float = 0.0) -> Field:
     """Of a design, with the same noise in every run."""
     given = prepared(Case(seed=1, machine=machine, design=design, noise="none", given="exact"))
-    rows = given.rows
-    return field_of(given.model, rows, [noise for _ in rows.present])
+    return field_of(given.model, given.rows, noise, settles)
 
 
-def field_of(model: MachineModel, rows: Rows, noise: Sequence[NoiseOf]) -> Field:
-    readings = readings_of(model, rows)
-    columns = base_of(model, rows).columns
-    white = whitening(rows.run, noise)
-    return Field(readings, columns, white, Projection(orthonormal(white(columns))), freedom_of(white))
+def field_of(model: MachineModel, rows: Rows, noise: Noise = WHITE, settles: float = 0.0) -> Field:
+    null = base_of(model, rows)
+    runs = [run_noise(noise, run.rows.steps, run.rows.passed, settles) for run in null.runs]
+    white = whitening(rows.run, runs, null.own)
+    names = dict.fromkeys(run.instrument for run in null.runs)
+    told = [NoiseOf(name, noise.white, noise.slow, 0.0, settles, MANY, "given") for name in names]
+    base = Projection(orthonormal(white(null.columns)))
+    return Field(readings_of(model, rows), null, white, base, freedom_of(rows, white.sigma, told))
 
 
-def dense_covariance(noise: NoiseOf, size: int) -> FloatArray:
-    """(size, size), mm^2: white, first-order autocorrelated and a random slope, written out entry by entry."""
-    lag = np.abs(np.subtract.outer(np.arange(size), np.arange(size)))
-    way = np.arange(size) / max(size - 1, 1) - 0.5
-    correlated = noise.correlated**2 * noise.correlation**lag
-    return np.asarray(noise.white**2 * np.eye(size) + correlated + noise.slope**2 * np.outer(way, way))
+def run_noise(
+    noise: Noise, steps: FloatArray, passed: FloatArray, settles: float = 0.0, scale: float = 1.0
+) -> RunNoise:
+    return RunNoise(noise=noise, scale=scale, steps=steps, settles=settles, settling=np.exp(-passed / SETTLED))
 
 
-def drawn_noise(source: np.random.Generator, noise: NoiseOf, size: int, count: int = 1) -> FloatArray:
-    """(size, count): runs of noise, by the Cholesky factor of their dense covariance."""
-    return np.asarray(np.linalg.cholesky(dense_covariance(noise, size)) @ source.standard_normal((size, count)))
+def dense_covariance(run: RunNoise) -> FloatArray:
+    """(n, n), mm^2: white, slow and settling noise of a run, written out entry by entry."""
+    at = np.cumsum(np.concatenate([[0.0], run.steps[1:]]))
+    lag = np.abs(np.subtract.outer(at, at))
+    noise = run.noise
+    stationary = noise.white**2 * np.eye(at.size) + noise.slow**2 * np.exp(-lag / noise.lasts)
+    return np.asarray(run.scale**2 * stationary + run.settles**2 * np.outer(run.settling, run.settling))
+
+
+def drawn_noise(source: np.random.Generator, run: RunNoise, count: int = 1) -> FloatArray:
+    """(n, count): noise of a run, by the Cholesky factor of its dense covariance."""
+    root = np.linalg.cholesky(dense_covariance(run))
+    return np.asarray(root @ source.standard_normal((root.shape[0], count)))
+
+
+def noise_of(where: Field, seed: int) -> FloatArray:
+    """(n,), mm, run by run."""
+    source = np.random.default_rng(seed)
+    return np.concatenate([drawn_noise(source, run)[:, 0] for run in where.whitening.runs])

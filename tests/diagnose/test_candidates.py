@@ -22,7 +22,7 @@ def found(design: Design, machine: str = "table_mill") -> tuple[Effect, ...]:
 
 
 def test_lasers_alone_on_three_axes() -> None:
-    """Along: 3 components; across: 6; rotations: 9. Two lines per axis, twice each."""
+    """Along: 3 components; across: 6; rotations: 9. Two lines per axis, twice each. No zero, no slope of any run."""
     counts = Counter(one.kind for one in found(replace(SMALL, ball_bar=False)))
     every, along = 18, 3
     assert counts == {
@@ -35,6 +35,8 @@ def test_lasers_alone_on_three_axes() -> None:
         "drift": every,
         "servo_lag": along,
         "reversal_spike": along,
+        "reversal_spike_time": along,
+        "reversal_spike_path": along,
         "cross_axis": 2 * every,
         "laser_cosine": 6,
         "laser_scale": 1,
@@ -120,6 +122,10 @@ def test_grids_stay_within_what_the_readings_can_tell() -> None:
         elif searched == ["moment"]:
             mine = rows.of_run(next(i for i, run in enumerate(rows.runs) if run.id in effect.runs))
             assert rows.time[mine][1] < values.min() < values.max() < rows.time[mine][-2]
+        elif searched == ["reversal_time"]:  # of half a circle at either feed
+            assert 1e-3 < values.min() < values.max() < 5.0
+        elif searched == ["reversal_path"]:
+            assert 0.1 < values.min() < values.max() < 50.0
         else:
             assert effect.component is not None
             travel = float(np.ptp(rows.positions[rows.axes.index(effect.component[2])]))

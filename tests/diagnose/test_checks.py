@@ -10,7 +10,8 @@ from scipy.stats import kstest
 
 from tests.diagnose.prepared import SIGMA, SMALL, WHITE, Field, field
 from trueaxis.diagnose.checks import run_checks, structures
-from trueaxis.diagnose.result import Check
+from trueaxis.diagnose.report.structures import check_name
+from trueaxis.diagnose.result import Check, StructureClass
 from trueaxis.diagnose.rows import Rows
 
 FloatArray = npt.NDArray[np.float64]
@@ -33,7 +34,7 @@ def test_p_values_are_uniform_but_for_the_number_of_checks() -> None:
     count = len(list(structures(where.readings.rows, where.readings.reading.theta)))
     # of p values multiplied by their number those below 1 are known: of each check one in so many, evenly spread
     of_classes = ("lines of", "circles of")
-    told = np.array([[one.p_value for one in checks if one.name.startswith(of_classes)] for checks in draws])
+    told = np.array([[one.p_value for one in checks if check_name(one).startswith(of_classes)] for checks in draws])
     assert told.shape[1] > 20
     below = told[told < 0.999]
     assert below.size == pytest.approx(told.size / count, abs=4 * np.sqrt(told.size / count))
@@ -84,22 +85,16 @@ def test_each_class_fires_for_its_structure(name: str) -> None:
     shape = np.where(wanted, PLANTED[name](rows, theta), 0.0)
     assert np.ptp(shape) > 0.0
     checks = checked(where, noise(where, 5) + 10 * SIGMA * shape / np.abs(shape).max())
-    by_name = {one.name: one for one in checks}
+    by_name = {check_name(one): one for one in checks}
     assert by_name[name].fired
     assert by_name[name].rms > 0.0
     # nothing that has no axis in common with it does
-    assert not [one.name for one in checks if one.fired and axes_of(one.name) and not axes_of(name) & axes_of(one.name)]
+    fired = [check_name(one) for one in checks if one.fired]
+    assert not [one for one in fired if axes_of(one) and not axes_of(name) & axes_of(one)]
 
 
-def test_a_run_that_is_three_times_as_noisy_is_told() -> None:
-    where = field(SMALL, WHITE)
-    values = noise(where, 8)
-    values[where.readings.rows.of_run(3)] *= 3.0
-    assert "runs, noise" in [one.name for one in checked(where, values) if one.fired]
-
-
-def fired_in(where: Field, values: FloatArray) -> list[str]:
-    return [one.name for one in checked(where, values) if one.fired]
+def fired_in(where: Field, values: FloatArray) -> list[StructureClass]:
+    return [one.structure for one in checked(where, values) if one.fired]
 
 
 def test_a_run_that_hums_is_told_and_named() -> None:
@@ -107,13 +102,13 @@ def test_a_run_that_hums_is_told_and_named() -> None:
     values = noise(where, 9)
     mine = where.readings.rows.of_run(2)
     values[mine] += 1.8 * SIGMA * np.sin(0.9 * np.arange(mine.stop - mine.start))
-    (found,) = [one for one in checked(where, values) if one.name == "runs, one period"]
+    (found,) = [one for one in checked(where, values) if one.structure is StructureClass.ONE_PERIOD]
     assert found.fired
-    assert f"run {where.readings.rows.runs[2].id} " in found.meaning
+    assert found.place == where.readings.rows.runs[2].id
     # a drift of the same size is the noise of a run
     values = noise(where, 9)
     values[mine] += 1.8 * SIGMA * np.linspace(-1.0, 1.0, mine.stop - mine.start)
-    assert "runs, one period" not in fired_in(where, values)
+    assert StructureClass.ONE_PERIOD not in fired_in(where, values)
 
 
 def test_what_no_class_has_is_more_than_repeats_differ_by() -> None:
@@ -121,11 +116,11 @@ def test_what_no_class_has_is_more_than_repeats_differ_by() -> None:
     where = field(SMALL, WHITE)
     rows = where.readings.rows
     at_target = np.random.default_rng(4).standard_normal(int(rows.target.max()) + 1)[rows.target]
-    assert "all readings, lack of fit" in fired_in(where, noise(where, 7) + 0.9 * SIGMA * at_target)
-    assert "all readings, lack of fit" not in fired_in(where, noise(where, 7))
+    assert StructureClass.LACK_OF_FIT in fired_in(where, noise(where, 7) + 0.9 * SIGMA * at_target)
+    assert StructureClass.LACK_OF_FIT not in fired_in(where, noise(where, 7))
 
 
 def test_what_the_base_can_take_up_fires_nothing() -> None:
     where = field(SMALL, WHITE)
     smooth = where.columns @ (1e-3 * np.random.default_rng(2).standard_normal(where.columns.shape[1]))
-    assert not [one.name for one in checked(where, noise(where, 6) + smooth) if one.fired]
+    assert not fired_in(where, noise(where, 6) + smooth)

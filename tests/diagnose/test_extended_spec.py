@@ -22,6 +22,8 @@ FOUND = (
     Effect("cross_axis", "EZX", axis="Y"),
     Effect("laser_cosine", runs=("X1", 'the "long" one', "a\\b\x7f")),
     Effect("point_offset", runs=("X1",), end="reference"),
+    Effect("reading_zero", runs=("X1",)),
+    Effect("reversal_spike_path", "EXX"),
     Effect("squareness", "EC0X"),
 )
 TABLES: list[dict[str, Any]] = [
@@ -29,6 +31,8 @@ TABLES: list[dict[str, Any]] = [
     {"kind": "cross_axis", "component": "EZX", "axis": "Y"},
     {"kind": "laser_cosine", "runs": ["X1", 'the "long" one', "a\\b\x7f"]},
     {"kind": "point_offset", "runs": ["X1"], "end": "reference"},
+    {"kind": "reading_zero", "runs": ["X1"]},
+    {"kind": "reversal_spike_path", "component": "EXX"},
     {"kind": "squareness", "component": "EC0X"},
 ]
 

@@ -6,13 +6,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.diagnose.prepared import Prepared, prepared
+from tests.diagnose.prepared import SIGMA, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
+from trueaxis.diagnose.null import null_of
 from trueaxis.diagnose.procedure import diagnose
 from trueaxis.diagnose.result import Diagnosis
 from trueaxis.measure.data import MeasuredData
+from trueaxis.measure.reading_model import expected_readings
 
 CASE = Case(
     seed=3, design=Design(lines=1, repeats=1, targets=41, samples=160), effects=(Hidden("cyclic", "EXX", size=2e-3),)
@@ -46,14 +48,29 @@ def test_of_readings_whose_noise_nobody_knows_nothing_is_said(run: str, count: i
     one = found(run, count)
     assert one.verdict == "no_discrepancy"
     assert one.causes == ()
-    assert [each.origin for each in one.noise] == ["unknown: too few readings"]
+    (noise,) = one.noise
+    assert noise.origin == ("unknown" if count < 8 else "courses")
+    assert noise.freedom <= max(count - 3, 1)  # the zero, the creep and a slope of the run tell nothing of it
 
 
 def test_one_circle_without_repeats_may_show_a_period_as_its_course_tells_the_noise() -> None:
     one = found("XY-F1000-ccw", 160)
     assert [cause.effect.label for cause in one.causes] == ["cyclic EXX"]
-    assert one.noise[0].origin.startswith("nothing is repeated")
+    assert one.noise[0].origin == "courses"
 
 
 def test_one_line_names_nothing_that_is_not_there() -> None:
     assert {cause.effect.label for cause in found("X1", 82).causes} <= {"cyclic EXX"}
+
+
+@pytest.mark.parametrize("kind", ["white", "correlated"])
+def test_the_noise_of_circles_that_nothing_repeats_is_not_taken_for_larger_than_it_is(kind: str) -> None:
+    """Slow noise beyond the bends of a course cannot be told from the course: the slowest that the likelihood allows
+    was twice the noise that is there.
+    """
+    given = prepared(Case(seed=7, design=Design(lines=1, repeats=1), noise=kind, given="exact"))
+    rows = given.rows
+    values = rows.reading - expected_readings(given.model, rows.runs, rows.run, rows.positions, rows.context)
+    (bar,) = [one for one in null_of(given.model, rows, values, None).noise if one.instrument == "ballbar"]
+    assert bar.origin == "courses"
+    assert bar.sigma == pytest.approx(SIGMA, rel=0.15)

@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.diagnose.prepared import field
-from trueaxis.diagnose.imperfection import imperfection, imperfections, taken_up
+from trueaxis.diagnose.imperfection import imperfection, imperfections
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.signatures import Readings, parameter_signature
 from trueaxis.effects.kind import Effect
@@ -172,21 +172,3 @@ def test_nothing_that_a_change_of_size_would_do_is_chance(name: str) -> None:
     assert np.abs(signal @ found.beside).max() < 1e-9 * (signal @ signal)
     lost = found.columns - found.beside
     assert np.linalg.matrix_rank(lost, tol=1e-6 * np.linalg.norm(lost)) == (2 if name == "cyclic" else 1)
-
-
-def test_what_is_taken_up_is_the_mean_given_the_readings_of_what_may_be_besides() -> None:
-    """By conditioning a Gaussian: columns of standard deviation 1 beside white noise."""
-    cause = fitted(Effect("thermal_offset", "EXX"), [4e-3])
-    columns = besides(cause)
-    source = np.random.default_rng(3)
-    noise = 3e-4
-    left = columns @ source.standard_normal(columns.shape[1]) + noise * source.standard_normal(columns.shape[0])
-    covariance = columns @ columns.T
-    expected = covariance @ np.linalg.solve(covariance + noise**2 * np.eye(left.size), left)
-    found = taken_up(readings(), [cause], lambda each: each / noise, left)
-    assert found == pytest.approx(expected, abs=1e-9)
-    assert np.std(left - found) < 1.05 * noise < 0.5 * np.std(left)
-    assert not taken_up(readings(), [], lambda each: each, left).any()
-    # noise that repeats do not show at all: as the columns do best
-    best = columns @ np.linalg.lstsq(columns, left, rcond=None)[0]
-    assert taken_up(readings(), [cause], lambda each: each / 1e-12, left) == pytest.approx(best, abs=1e-9)

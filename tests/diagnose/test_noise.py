@@ -1,183 +1,179 @@
-"""Noise from repeats, by Monte Carlo: noise of known kinds is drawn by other means and must be found again."""
+"""Noise from repeats in any order, by Monte Carlo: noise of known kinds is drawn by other means and found again."""
 
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
-import numpy.typing as npt
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from statsmodels.regression.mixed_linear_model import MixedLM
 from statsmodels.tsa.arima_process import arma_generate_sample
 
-from tests.diagnose.prepared import SIGMA, SMALL, Prepared, prepared
+from tests.diagnose.prepared import SIGMA, FloatArray, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnose.noise import Contrast, contrasts, estimate_noise
-from trueaxis.diagnose.noise_of_runs import noise_of_runs
+from trueaxis.diagnose.base import Base, base_of
+from trueaxis.diagnose.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
 from trueaxis.diagnose.result import NoiseOf
 from trueaxis.diagnose.rows import Rows
-from trueaxis.diagnose.signatures import readings_of
 
-FloatArray = npt.NDArray[np.float64]
-DRAWS = 24
+DRAWS = 6
+CORRELATION = 0.8
+DESIGN = Design(lines=2, repeats=3, targets=21, ball_bar=False)
 
 
 @cache
-def measured(design: Design) -> tuple[Prepared, Rows, FloatArray]:
-    given = prepared(Case(seed=1, design=design, noise="none", given="exact"))
-    rows = given.rows
-    return given, rows, readings_of(given.model, rows).reading.theta
+def measured(design: Design = DESIGN) -> tuple[Rows, Base]:
+    given_case = prepared(Case(seed=1, design=design, noise="none", given="exact"))
+    return given_case.rows, base_of(given_case.model, given_case.rows)
 
 
-def drawn(rows: Rows, seed: int, correlated: float = 0.0, correlation: float = 0.8, slope: float = 0.0) -> FloatArray:
-    """(n,) mm: standard deviation SIGMA, of whose variance a share is correlated, and slopes of runs."""
+def drawn(rows: Rows, seed: int, slow: float = 0.0) -> FloatArray:
+    """(n,) mm: standard deviation SIGMA, of whose variance a share is slow; zero and creep of every run, large."""
     source = np.random.default_rng(seed)
     found = np.empty(rows.size)
     for index in rows.present:
         mine = rows.of_run(index)
         size = mine.stop - mine.start
         chain = arma_generate_sample(
-            [1.0, -correlation], [1.0], size, np.sqrt(1.0 - correlation**2), distrvs=source.standard_normal, burnin=200
+            [1.0, -CORRELATION], [1.0], size, np.sqrt(1.0 - CORRELATION**2), distrvs=source.standard_normal, burnin=200
         )
-        found[mine] = SIGMA * (np.sqrt(1.0 - correlated) * source.standard_normal(size) + np.sqrt(correlated) * chain)
-        found[mine] += slope * source.standard_normal() * (np.arange(size) / (size - 1) - 0.5)
+        found[mine] = SIGMA * (np.sqrt(1.0 - slow) * source.standard_normal(size) + np.sqrt(slow) * chain)
+        found[mine] += 10.0 * SIGMA * (source.normal() + source.normal() * np.arange(size) / size)
     return found
 
 
-def estimates(instrument: str, correlated: float, slope: float) -> list[NoiseOf]:
-    _, rows, theta = measured(Design())
-    every = (contrasts(rows, drawn(rows, seed, correlated, slope=slope), theta) for seed in range(DRAWS))
-    found = [estimate_noise(one, instrument) for one in every]
-    return [one for one in found if one is not None]
+def noise_of(values: FloatArray, rows: Rows, base: Base, instrument: str = "laser") -> NoiseOf:
+    _, noise = noise_of_runs(rows, base, values, None)
+    return next(one for one in noise if one.instrument == instrument)
 
 
-def slow(white: float, correlated: float, correlation: float) -> float:
-    """Spectral density at frequency 0 of white and AR(1) noise."""
-    return white**2 + correlated**2 * (1.0 + correlation) / (1.0 - correlation)
+@pytest.mark.parametrize("slow", [0.0, 0.6])
+def test_noise_is_found_whatever_the_model_gets_wrong(slow: float) -> None:
+    """A misfit of 100 times the noise that all repeats share; zeros and creep of 10 times."""
+    rows, base = measured()
+    misfit = 100.0 * SIGMA * np.random.default_rng(3).standard_normal(int(rows.target.max()) + 1)[rows.target]
+    found = [noise_of(drawn(rows, seed, slow) + misfit, rows, base) for seed in range(DRAWS)]
+    assert {one.origin for one in found} == {REPEATS}
+    share = np.array([(one.correlated / one.sigma) ** 2 for one in found])
+    assert share.mean() == pytest.approx(slow, abs=0.25)
+    white = np.array([one.white for one in found])
+    assert white.mean() == pytest.approx(np.sqrt(1.0 - slow) * SIGMA, rel=0.12)
 
 
-@pytest.mark.parametrize("instrument", ["laser", "ballbar"])
-@pytest.mark.parametrize("correlated", [0.0, 0.2, 0.6])
-@pytest.mark.parametrize("slope", [0.0, 2 * SIGMA])
-def test_noise_is_found_again(instrument: str, correlated: float, slope: float) -> None:
-    found = estimates(instrument, correlated, slope)
-    assert len(found) == DRAWS
-    # the slow end of what repeats allow is taken, which costs some per cent
-    assert 0.97 * SIGMA < np.mean([one.sigma for one in found]) < 1.12 * SIGMA
-    assert np.mean([one.white for one in found]) == pytest.approx(np.sqrt(1.0 - correlated) * SIGMA, rel=0.08)
-    truth = slow(np.sqrt(1.0 - correlated) * SIGMA, np.sqrt(correlated) * SIGMA, 0.8)
-    enough = [slow(one.white, one.correlated, one.correlation) > 0.9 * truth for one in found]
-    assert np.mean(enough) > 0.85  # at 90 % confidence
+def test_of_noise_that_repeats_allow_the_slowest_is_taken() -> None:
+    rows, base = measured()
+    found = [noise_of(drawn(rows, seed, 0.3), rows, base) for seed in range(DRAWS)]
+
+    def slowness(white: float, slow: float, correlation: float) -> float:
+        """Spectral density at frequency 0."""
+        return white**2 + slow**2 * (1.0 + correlation) / (1.0 - correlation)
+
+    truth = slowness(np.sqrt(0.7) * SIGMA, np.sqrt(0.3) * SIGMA, CORRELATION)
+    enough = [slowness(one.white, one.correlated, one.correlation) > 0.8 * truth for one in found]
+    assert np.mean(enough) >= 0.8, [(one.white, one.correlated, one.correlation) for one in found]
 
 
-@pytest.mark.parametrize("instrument", ["laser", "ballbar"])
-def test_the_slope_of_runs_has_no_bias_worth_speaking_of(instrument: str) -> None:
-    found = [one.slope for one in estimates(instrument, 0.2, 2 * SIGMA)]
-    assert np.sqrt(np.mean(np.square(found))) == pytest.approx(2 * SIGMA, rel=0.15)
-    small = [one.slope for one in estimates(instrument, 0.2, 0.0)]
-    assert np.sqrt(np.mean(np.square(small))) < 0.3 * SIGMA
+@pytest.mark.parametrize("order", ["cycles", "passes", "poses"])
+def test_repeats_are_known_in_any_order(order: str) -> None:
+    """The same readings of 12 targets, five times each, in one run."""
+    rows, base = measured()
+    run = base.runs[0]
+    size, targets = run.rows.at.size, 12
+    number = np.arange(size)
+    target = {
+        "cycles": number % targets,
+        "passes": np.abs((number % (2 * targets)) - targets + 0.5).astype(int),
+        "poses": np.repeat(np.arange(targets), -(-size // targets))[:size],
+    }[order]
+    numbers = rows.target.copy()
+    numbers[run.rows.at] = numbers.max() + 1 + target
+    values = drawn(rows, 5) + 50.0 * SIGMA * np.random.default_rng(1).standard_normal(numbers.max() + 1)[numbers]
+    changed = Rows(**{name: getattr(rows, name) for name in rows.__slots__} | {"target": numbers})
+    found = noise_of(values, changed, base)
+    assert found.origin == REPEATS
+    assert found.sigma == pytest.approx(SIGMA, rel=0.25)
 
 
-def test_degrees_of_freedom_are_those_of_the_differences() -> None:
-    _, rows, theta = measured(Design())
-    found = estimate_noise(contrasts(rows, drawn(rows, 0), theta), "laser")
-    assert found is not None
-    # 12 lines of 82 readings, two differences each, of which offset and slope are taken away
-    assert found.freedom == 12 * 2 * (82 - 2)
-    assert found.slope_freedom == pytest.approx(9.6)  # two fifths of 24 slopes: the largest ones are left out
+def test_white_noise_is_that_of_a_mixed_model() -> None:
+    """By statsmodels' REML, the targets as fixed effects, zeros of runs taken for random ones far apart."""
+    rows, base = measured(Design(lines=1, repeats=3, targets=11, ball_bar=False))
+    source = np.random.default_rng(4)
+    values = SIGMA * source.standard_normal(rows.size)
+    number = np.unique(rows.target, return_inverse=True)[1]
+    fixed = np.eye(number.max() + 1)[number]
+    passed = np.concatenate([run.rows.passed - 0.5 for run in base.runs])
+    random = np.stack([np.ones(rows.size), passed], axis=1)
+    apart = values + (100.0 * SIGMA * source.standard_normal((len(rows.runs), 2))[rows.run] * random).sum(axis=1)
+    expected = MixedLM(1e3 * apart, fixed, rows.run, exog_re=random).fit(reml=True, method=["powell"])
+    found = noise_of(apart, rows, base)
+    assert found.sigma == pytest.approx(1e-3 * np.sqrt(expected.scale), rel=0.1)
 
 
-def same(one: tuple[Contrast, ...], other: tuple[Contrast, ...], instrument: str) -> None:
-    pairs = [(a, b) for a, b in zip(one, other, strict=True) if a.instrument == instrument]
-    assert pairs
-    for a, b in pairs:
-        assert a.values == pytest.approx(b.values, abs=1e-15)
+def test_outliers_do_not_move_it() -> None:
+    rows, base = measured()
+    values = drawn(rows, 7)
+    clean = noise_of(values, rows, base)
+    values[np.random.default_rng(2).choice(rows.size, 12, replace=False)] += 40.0 * SIGMA
+    assert noise_of(values, rows, base).sigma == pytest.approx(clean.sigma, rel=0.15)
 
 
-def test_what_repeats_have_in_common_is_not_noise() -> None:
-    """A misfit of 10 um, as wild as can be: a number of its own for each target, feed and direction."""
-    _, rows, theta = measured(SMALL)
-    noise = drawn(rows, 4)
-    misfit = 1e-2 * np.random.default_rng(9).standard_normal(int(rows.target.max()) + 1)
-    same(contrasts(rows, noise, theta), contrasts(rows, noise + misfit[rows.target], theta), "laser")
+def test_a_run_with_more_noise_is_told_from_the_others() -> None:
+    rows, base = measured()
+    values = drawn(rows, 8)
+    noisy = base.runs[3].rows.at
+    values[noisy] += 3.0 * SIGMA * np.random.default_rng(9).standard_normal(noisy.size)
+    runs, _ = noise_of_runs(rows, base, values, None)
+    scales = np.array([one.scale for one in runs])
+    assert scales.argmax() == 3
+    assert scales[3] > 1.6  # of sqrt(10), as far as its readings tell
+    assert np.delete(scales, 3) == pytest.approx(1.0, abs=0.35)
 
 
-def test_offsets_and_slopes_of_runs_are_not_taken_for_white_noise() -> None:
-    _, rows, theta = measured(Design())
-    noise = drawn(rows, 4)
-    moved = noise.copy()
-    source = np.random.default_rng(2)
-    for index in rows.present:
-        mine = rows.of_run(index)
-        moved[mine] += 5e-3 * source.normal() + 2e-3 * source.normal() * np.linspace(-0.5, 0.5, mine.stop - mine.start)
-    for instrument in ("laser", "ballbar"):
-        without = estimate_noise(contrasts(rows, noise, theta), instrument)
-        with_them = estimate_noise(contrasts(rows, moved, theta), instrument)
-        assert without is not None
-        assert with_them is not None
-        assert with_them.sigma == pytest.approx(without.sigma, rel=1e-6)
-        assert with_them.slope == pytest.approx(2e-3, rel=0.6)
+def test_without_repeats_the_course_of_each_run_tells() -> None:
+    rows, base = measured(Design(lines=2, repeats=1, targets=41, samples=180, feeds=(1000.0,)))
+    smooth = 30.0 * SIGMA * np.sin(rows.positions.sum(axis=0) / 300.0)
+    found = noise_of(smooth + drawn(rows, 1), rows, base)
+    assert found.origin == COURSES
+    assert found.white == pytest.approx(SIGMA, rel=0.35)  # slow noise the course has taken away, any is allowed
 
 
-def test_servo_lag_is_not_taken_for_noise_of_circles() -> None:
-    """Circles whose only repeats are at another feed: the lag's second harmonic differs, and is taken away."""
-    _, rows, theta = measured(Design())
-    assert rows.feed is not None
-    noise = drawn(rows, 4)
-    lag = np.where(np.isnan(rows.feed), 0.0, 1e-6 * rows.feed * np.sin(2.0 * np.nan_to_num(theta)))
-    without = estimate_noise(contrasts(rows, noise, theta), "ballbar")
-    with_lag = estimate_noise(contrasts(rows, noise + lag, theta), "ballbar")
-    assert without is not None
-    assert with_lag is not None
-    assert with_lag.sigma == pytest.approx(without.sigma, rel=1e-6)
+def test_noise_that_is_given_is_taken() -> None:
+    rows, base = measured()
+    runs, noise = noise_of_runs(rows, base, drawn(rows, 0), 0.7)
+    assert {(one.white, one.correlated, one.origin) for one in noise} == {(0.7e-3, 0.0, STATED)}
+    assert {one.sigma for one in runs} == {0.7e-3}
 
 
-def test_without_repeats_the_course_of_each_run_tells_the_noise() -> None:
-    given, rows, theta = measured(replace(Design(), repeats=1, feeds=(1000.0,)))
-    assert estimate_noise(contrasts(rows, drawn(rows, 0), theta), "laser") is None
-    smooth = 5e-3 * np.sin(rows.positions.sum(axis=0) / 200.0)  # two swings per line
-    reading = readings_of(given.model, rows).reading
-    found = noise_of_runs(rows, reading, smooth + drawn(rows, 0), None)
-    for one in found:
-        assert one.white == pytest.approx(SIGMA, rel=0.1)
-        assert one.origin != "repeats"
+def test_too_few_readings_tell_none() -> None:
+    rows, _ = measured()
+    first = np.isin(np.arange(rows.size), np.arange(3))
+    few = rows.only(first)
+    case = prepared(Case(seed=1, design=DESIGN, noise="none", given="exact"))
+    (found,) = noise_of_runs(few, base_of(case.model, few), np.array([1e-3, -1e-3, 1e-3]), None)[1]
+    assert (found.origin, found.freedom) == (UNKNOWN, 1.0)
+    assert found.sigma == pytest.approx(1e-3)
 
 
-def test_a_noise_that_is_given_holds() -> None:
-    given, rows, _ = measured(SMALL)
-    found = noise_of_runs(rows, readings_of(given.model, rows).reading, drawn(rows, 0), 0.7)
-    assert len(found) == len(rows.runs)
-    assert {(one.white, one.correlated, one.slope) for one in found} == {(0.7e-3, 0.0, 0.0)}
+@given(st.sampled_from([1e-5, 5e-5, 1e-4, 2e-4, 1e-3]), st.lists(st.integers(-300, 300), min_size=40, max_size=60))
+def test_the_step_of_a_display_is_seen(step: float, numbers: list[int]) -> None:
+    """Readings that fill the steps; a coarser step of which all were multiples would be as right."""
+    readings = step * np.array([*numbers, 0, 1, 2, 3])
+    assert display_step(readings) == pytest.approx(step)
 
 
-def tilted(slopes: FloatArray, source: np.random.Generator) -> NoiseOf:
-    """What repeats of runs with these slopes (mm over a run) come to, readings of 1 um beside them."""
-    ramp = np.linspace(-0.5, 0.5, 40)
-    nuisance = np.stack([np.ones(40), ramp], axis=1)
-    noise = 1e-3 * source.standard_normal((slopes.size, 40))
-    values = noise + slopes[:, np.newaxis] * ramp
-    found = estimate_noise([Contrast("laser", one, nuisance, across_runs=True) for one in values], "laser")
-    assert found is not None
-    return found
+def test_a_display_finer_than_any_is_none() -> None:
+    assert display_step(np.random.default_rng(0).normal(size=50)) == 0.0
+    assert display_step(np.zeros(50)) == 0.0
 
 
-def test_slopes_of_a_third_of_the_runs_hardly_count() -> None:
-    """What warms tilts the runs of one axis by ten times as much: the slope is still that of the others."""
-    source = np.random.default_rng(31)
-    size = 20e-3
-    even, uneven = [], []
-    for _ in range(40):
-        slopes = size * source.standard_normal(24)
-        even.append(tilted(slopes, source).slope)
-        slopes[:8] += 10.0 * size * np.sign(slopes[:8])
-        uneven.append(tilted(slopes, source).slope)
-    assert np.sqrt(np.mean(np.square(even))) == pytest.approx(size, rel=0.12)
-    assert np.sqrt(np.mean(np.square(uneven))) < 2.0 * size  # their mean square would say 6 sizes
-
-
-def test_slopes_are_not_said_to_be_surer_than_they_are() -> None:
-    """Degrees of freedom of an estimate: 2 / (relative variance), by simulation."""
-    source = np.random.default_rng(32)
-    found = [tilted(0.1 * source.standard_normal(24), source) for _ in range(300)]
-    squares = np.array([one.slope**2 for one in found])
-    told = 2.0 * squares.mean() ** 2 / squares.var()
-    assert 0.6 * told < found[0].slope_freedom < 1.1 * told
+@pytest.mark.parametrize("repeats", [1, 4])
+def test_repeats_of_a_coarse_display_are_no_proof(repeats: int) -> None:
+    """Repeats equal to the last digit: the mean of a target is off by the rounding of one reading, however many."""
+    rows, base = measured(Design(lines=2, repeats=repeats, targets=21, ball_bar=False))
+    smooth = np.sin(rows.positions.sum(axis=0) / 37.0) * 5e-3
+    step = 1e-3
+    rounded = step * np.round((smooth + 1e-5 * np.random.default_rng(1).standard_normal(rows.size)) / step)
+    shown = Rows(**{name: getattr(rows, name) for name in rows.__slots__} | {"reading": rounded})
+    found = noise_of(rounded, shown, base)
+    assert found.sigma >= 0.99 * step / np.sqrt(12.0)

@@ -13,27 +13,22 @@ from scipy.stats import chi2
 from tests.hidden_effects import write_case
 from tests.machines import ROOT
 from trueaxis.cli import main
-from trueaxis.diagnose import (
-    checks_of_repeats,
-    checks_of_runs,
-    gain,
-    imperfection,
-    noise,
-    procedure,
-    screening,
-    search,
-    verdict,
-)
+from trueaxis.diagnose import checks_of_runs, gain, imperfection, noise_fit, search, stale, verdict
 from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnose.base import DEGREE
+from trueaxis.diagnose.report.structures import check_name
+from trueaxis.diagnose.result import Check, StructureClass
+from trueaxis.estimation import outliers
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE
+from trueaxis.estimation.instruments import CLASSES
 
 PAGE = (ROOT / "docs" / "diagnosis.md").read_text()
 README = (ROOT / "README.md").read_text()
-NAMES = {3.0: "three", 4.0: "four", 5.0: "five"}
 SHARES = {0.5: "half", 1.0: "all"}
+AFTER = {2: "three"}
+WORDS = {0.05: "twenty"}
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
-CASES = re.compile(r"^\| (nothing further|`--\S+.*?`) \| `(\w+)` \| (.*) \|$", re.MULTILINE)
+CASES = re.compile(r"^\| (`--\S+.*?`) \| `(\w+)` \| (.*) \|$", re.MULTILINE)
 
 
 def blocks(page: str) -> list[list[str]]:
@@ -123,7 +118,7 @@ def test_figures_in_the_text_are_those_of_the_example(example: tuple[Path, list[
 def test_other_data_get_the_verdict_of_the_table(
     example: tuple[Path, list[str]], tmp_path: Path, options: str, expected: str, said: str
 ) -> None:
-    words = "" if options == "nothing further" else options.strip("`")
+    words = options.strip("`")
     with contextlib.chdir(tmp_path):
         run(f"python -m tests.hidden_effects.write_case example --seed 7 {words}")
         line = blocks(PAGE)[0][-1].replace("example/kernels", str(example[0] / "kernels"))
@@ -132,13 +127,22 @@ def test_other_data_get_the_verdict_of_the_table(
     assert printed.startswith(f"{expected}: ")
     gain_of, floor = told["gain"]["rms_um"], told["gain"]["floor_um"]
     figures = {f"{value:.3f}" for value in (gain_of["given"], gain_of["refitted"], floor)}
+    figures |= {f"{1e3 * abs(one['value']):.2f}" for one in told["stale"][:1]}
     assert {text for text in NUMBER.findall(said) if "." in text} <= figures
+    if expected == "recalibrate":
+        assert len(told["stale"]) == 9
+        assert "nine errors have changed, EYY by" in said
+        assert told["stale"][0]["component"] == "EYY"
+    if expected == "no_discrepancy":
+        assert told["stale"] == []
     if expected == "ambiguous":
-        assert {told["causes"][0]["effect"], told["causes"][0]["cannot_be_told_from"][0]["effect"]} == {
-            "laser_scale",
-            "ballbar_length",
+        (cause,) = told["causes"]
+        (rival,) = cause["cannot_be_told_from"]
+        assert {(one["effect"], one["component"]) for one in (cause, rival)} == {
+            ("backlash", "EYX"),
+            ("backlash", "EAX"),
         }
-        assert "step gauge" in told["causes"][0]["separating"]
+        assert "straightness of X in Y" in cause["separating"]
     if expected == "unexplained_structure":
         assert "lines of X, between directions" in said
         assert "lines of X, between directions" in [one["check"] for one in told["checks"] if one["fired"]]
@@ -156,8 +160,15 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        f"more than {screening.FAR:g} robust standard deviations",
-        f"within {100 * chi2.cdf(2.0 * noise.ALLOWED, 1):.0f} % confidence",
+        "farther from the null model than noise takes any of all readings in one data set of "
+        f"{WORDS[outliers.EXPECTED]}",
+        f"What their repeats share, more than {SHARES[outliers.SHARED]} of it, is structure and stays, "
+        f"as do {AFTER[outliers.NEIGHBOURS]} in a row",
+        f"The scale of a laser ({1e6 * CLASSES['laser scale'].size:g} um/m) and its cosine "
+        f"({1e6 * CLASSES['laser cosine'].size:g} um/m)",
+        f"in one of {1 / stale.FALSE_ALARMS:.0f} data sets".replace("100000", "100 000"),
+        "the change exceeds twice its standard uncertainty" if stale.CHANGED == 2.0 else "?",
+        f"within {100 * chi2.cdf(2.0 * noise_fit.ALLOWED, 1):.0f} % confidence",
         f"polynomial of degree {DEGREE},",
         f"sqrt({DETECTION:g} / lambda)",
         f"sqrt({ISOLATION:g} / (lambda (1 - R^2)))",
@@ -170,13 +181,19 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
         f"second harmonic of {100 * imperfection.HARMONIC:g} %",
         f"{100 * imperfection.OTHERWISE[0]:g} % of what a constant {imperfection.OTHERWISE[1]} times",
         f"times their number is below {checks_of_runs.FALSE_ALARMS}",
-        f"{NAMES[checks_of_runs.NOISY]} times the variance of the others",
-        f"worse than the others, by {SHARES[checks_of_repeats.MORE - 1.0]} the variance and more",
         f"(p > {verdict.HOMOGENEOUS:.0e})".replace("e-04", "e-4"),
         f"is {100 * verdict.PRACTICALLY_ALL:g} % of all that is beyond noise; or {100 * verdict.NEARLY_ALL:g} %",
         f"The last {100 * gain.HELD:g} % of the repeats",
-        f"p < {procedure.STALE}, and new values lower the held-out RMS by {100 * procedure.WORTH:g} % or more",
     ],
 )
 def test_constants_in_the_text_are_those_of_the_code(text: str) -> None:
     assert text in " ".join(PAGE.split())
+
+
+def test_every_class_of_structure_is_listed_with_its_id() -> None:
+    section = PAGE.partition("\n## Checks\n")[2].partition("\n## ")[0]
+    listed = re.findall(r"^\| `(\w+)` \| (axis|plane|run|instrument) \|", section, re.MULTILINE)
+    assert [name for name, _ in listed] == [one.value for one in StructureClass]
+    nouns = {"axis": "lines of", "plane": "circles of", "run": "run", "instrument": "readings of the"}
+    for name, place in listed:
+        assert check_name(Check(StructureClass(name), "?", 1.0, fired=False, rms=0.0)).startswith(nouns[place])

@@ -79,8 +79,8 @@ def test_offsets_of_runs_slopes_of_components_and_centres_are_in_the_base() -> N
             centres[mine] = 5e-3 * np.cos(theta[mine] - 0.3)
     scale = whole.readings.sensitivity[whole.readings.model.components.index("EXX")] * rows.positions[0] * 1e-5
     for planted in (offsets, centres, scale):
-        white = whole.whitening(planted)
-        assert np.linalg.norm(whole.base.rest(white)) < 1e-6 * np.linalg.norm(white)
+        left = whole.base.rest(whole.whitening(planted))
+        assert np.linalg.norm(left) < 1e-6 * np.linalg.norm(planted / whole.whitening.sigma)
 
 
 class TestSoft:

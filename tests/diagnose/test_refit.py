@@ -7,16 +7,15 @@ import numpy.typing as npt
 import pytest
 from scipy.optimize import least_squares
 
-from tests.diagnose.prepared import SIGMA, SMALL, WHITE, Field, drawn_noise, field
+from tests.diagnose.prepared import SIGMA, SLOW, SMALL, WHITE, Field, field, noise_of
 from trueaxis.diagnose.amplitudes import amplitudes_of
 from trueaxis.diagnose.refit import Fitted, refit
-from trueaxis.diagnose.result import NoiseOf
 from trueaxis.diagnose.search import Found, Ground, scan_all, zoomed
 from trueaxis.diagnose.signatures import parameter_signature
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.noise import Noise
 
 FloatArray = npt.NDArray[np.float64]
-CORRELATED = NoiseOf("laser", SIGMA, SIGMA / 2, 0.8, SIGMA, 1e6, "given", slope_freedom=12.0)
 PLANTED = {
     "linear": ((Effect("backlash", "EXX"), [2e-3]),),
     "phase and pitch": ((Effect("cyclic", "EYY"), [1.5e-3, 0.7, 23.0]),),
@@ -26,10 +25,8 @@ PLANTED = {
 }
 
 
-def planted(where: Field, causes: tuple[tuple[Effect, list[float]], ...], of: NoiseOf, seed: int) -> Ground:
-    source = np.random.default_rng(seed)
-    sizes = np.diff(where.whitening.starts)
-    values = np.concatenate([drawn_noise(source, of, int(size))[:, 0] for size in sizes])
+def planted(where: Field, causes: tuple[tuple[Effect, list[float]], ...], seed: int) -> Ground:
+    values = noise_of(where, seed)
     for effect, parameters in causes:
         values = values + parameter_signature(where.readings, effect, np.array(parameters))[0]
     return where.ground(values)
@@ -41,16 +38,16 @@ def found_of(ground: Ground, effects: list[Effect]) -> list[Found]:
     return [zoomed(ground, residual, scan) for scan in scan_all(ground, residual, effects)]
 
 
-def fitted(where: Field, name: str, of: NoiseOf, seed: int) -> tuple[Ground, tuple[Fitted, ...]]:
-    ground = planted(where, PLANTED[name], of, seed)
+def fitted(where: Field, name: str, seed: int) -> tuple[Ground, tuple[Fitted, ...]]:
+    ground = planted(where, PLANTED[name], seed)
     return ground, refit(ground, found_of(ground, [effect for effect, _ in PLANTED[name]]))
 
 
 @pytest.mark.parametrize("name", PLANTED)
-@pytest.mark.parametrize("of", [WHITE, CORRELATED], ids=["white", "correlated"])
-def test_values_and_uncertainties_are_those_of_scipy(name: str, of: NoiseOf) -> None:
+@pytest.mark.parametrize("of", [WHITE, SLOW], ids=["white", "slow"])
+def test_values_and_uncertainties_are_those_of_scipy(name: str, of: Noise) -> None:
     where = field(SMALL, of)
-    ground, causes = fitted(where, name, of, 1)
+    ground, causes = fitted(where, name, 1)
     truth = np.concatenate([parameters for _, parameters in PLANTED[name]])
     ends = np.cumsum([len(parameters) for _, parameters in PLANTED[name]])[:-1]
 
@@ -76,11 +73,11 @@ def test_values_and_uncertainties_are_those_of_scipy(name: str, of: NoiseOf) -> 
 
 @pytest.mark.parametrize("name", PLANTED)
 def test_two_standard_uncertainties_cover_the_truth_as_often_as_they_should(name: str) -> None:
-    where = field(SMALL, CORRELATED)
+    where = field(SMALL, SLOW, settles=SIGMA)
     truth = np.concatenate([parameters for _, parameters in PLANTED[name]])
     z = []
     for seed in range(60):
-        _, causes = fitted(where, name, CORRELATED, 100 + seed)
+        _, causes = fitted(where, name, 100 + seed)
         found = np.concatenate([one.values for one in causes])
         z.append((found - truth) / np.concatenate([one.u for one in causes]))
     inside = np.mean(np.abs(z) < 2.0, axis=0)
@@ -95,11 +92,11 @@ def test_no_causes_no_fit() -> None:
 
 
 def test_amplitudes_of_set_ups_are_one_where_the_cause_is_one() -> None:
-    where = field(SMALL, CORRELATED)
+    where = field(SMALL, SLOW, settles=SIGMA)
     rows = where.readings.rows
     p = []
     for seed in range(40):
-        ground, causes = fitted(where, "linear", CORRELATED, 200 + seed)
+        ground, causes = fitted(where, "linear", 200 + seed)
         groups, of_one = amplitudes_of(ground, causes, 0)
         p.append(of_one)
         assert len(groups) > 2
@@ -109,9 +106,7 @@ def test_amplitudes_of_set_ups_are_one_where_the_cause_is_one() -> None:
     effect, parameters = PLANTED["linear"][0]
     signal = parameter_signature(where.readings, effect, np.array(parameters))[0]
     ballbar = np.array([run.instrument == "ballbar" for run in rows.runs])[rows.run]
-    source = np.random.default_rng(0)
-    sizes = np.diff(where.whitening.starts)
-    values = np.concatenate([drawn_noise(source, CORRELATED, int(size))[:, 0] for size in sizes])
+    values = noise_of(where, 7)
     ground = where.ground(values + signal * np.where(ballbar, 2.0, 1.0))
     causes = refit(ground, found_of(ground, [effect]))
     assert amplitudes_of(ground, causes, 0)[1] < 1e-4
@@ -130,10 +125,10 @@ def test_a_parameter_that_no_reading_tells_has_no_uncertainty() -> None:
 
 def test_a_time_constant_that_is_hardly_told_does_not_make_the_fit_worse() -> None:
     """Undamped steps overflow here: the amplitude is just found, its time constant is not."""
-    where = field(replace(SMALL, lines=4, repeats=3), CORRELATED)
+    where = field(replace(SMALL, lines=4, repeats=3), SLOW, settles=SIGMA)
     effect = Effect("warm_up", "EYY")
     for seed in range(12):
-        ground = planted(where, ((effect, [8e-3, 4000.0]),), CORRELATED, seed)
+        ground = planted(where, ((effect, [8e-3, 4000.0]),), seed)
         (start,) = found_of(ground, [effect])
         (one,) = refit(ground, [start])
         before = float(np.sum(ground.base.rest(ground.values) ** 2)) - start.scan.statistic
@@ -146,7 +141,7 @@ def test_a_pitch_stays_by_the_one_that_the_search_found() -> None:
     """Half a period over the range of the axis farther off it would be another: in noise a fit may well go there."""
     where = field()
     for seed in range(5):
-        ground = where.ground(drawn_noise(np.random.default_rng(seed), WHITE, where.readings.rows.size)[:, 0])
+        ground = where.ground(noise_of(where, seed))
         (start,) = found_of(ground, [Effect("cyclic", "EXX")])
         (one,) = refit(ground, [start])
         pitch = dict(zip([each.name for each in one.kind.parameters], one.values, strict=True))["pitch"]

@@ -10,7 +10,6 @@ from scipy.stats import chi2
 from tests.diagnose.prepared import SIGMA, field, prepared
 from tests.hidden_effects.case import Case
 from trueaxis.diagnose import scan
-from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.rows import rows_of
 from trueaxis.diagnose.search import Ground, search, without
 from trueaxis.diagnose.signatures import parameter_signature, signature_of
@@ -48,7 +47,7 @@ def test_threshold_is_that_of_all_candidates() -> None:
 
 
 def test_without_one_cause_the_others_stay_and_its_part_is_left() -> None:
-    parts = [signal(effect, evidence) for effect, evidence in ((X, 90.0), (Y, 60.0), (Z, 40.0))]
+    parts = [signal(effect, evidence) for effect, evidence in ((X, 160.0), (Y, 100.0), (Z, 90.0))]
     found = search(ground(*parts))
     assert [one.scan.effect for one in found.causes] == [X, Y, Z]
     assert np.linalg.norm(found.residual) < 1e-6
@@ -68,8 +67,7 @@ def test_candidates_are_compared_as_if_the_noise_were_known() -> None:
     known = scan.prepared(signature, where.whitening, where.base)
     found = {}
     for freedom in (1e6, 12.0):
-        vague = replace(where.freedom, of_readings=freedom)
-        assert isinstance(vague, Freedom)
+        vague = replace(where.freedom, of_rows=np.full(values.size, freedom))
         found[freedom] = scan.scanned(signature, known, scan.residual_of(where.whitening, where.base, values, vague))
     assert found[12.0].preference == found[1e6].preference == pytest.approx(30.0, abs=1e-3)
     assert found[12.0].evidence < 0.5 * found[1e6].evidence

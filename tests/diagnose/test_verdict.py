@@ -6,18 +6,22 @@ from scipy.stats import norm
 
 from tests.diagnose.prepared import SIGMA, field
 from trueaxis.diagnose.refit import Fitted, refit
-from trueaxis.diagnose.result import Check
+from trueaxis.diagnose.result import Check, Stale, StructureClass
 from trueaxis.diagnose.search import search
 from trueaxis.diagnose.signatures import parameter_signature
 from trueaxis.diagnose.verdict import explained_share, names_stand, verdict_of
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 
-DIRECTION, TEMPERATURE, PERIOD = "direction of travel", "with temperature", "periods"
+DIRECTION, TEMPERATURE, RIPPLE = (
+    StructureClass.LINE_DIRECTION,
+    StructureClass.LINE_TEMPERATURE,
+    StructureClass.CIRCLE_RIPPLE,
+)
 
 
-def check(name: str, fired: bool = True, excess: float = 0.0) -> Check:
-    return Check(name, "", 1e-9 if fired else 0.5, fired, 1e-4, excess)
+def check(structure: StructureClass, fired: bool = True, excess: float = 0.0) -> Check:
+    return Check(structure, "X", 1e-9 if fired else 0.5, fired, 1e-4, excess)
 
 
 def cause(kind: str, component: str = "EXX") -> Fitted:
@@ -31,24 +35,23 @@ def cause(kind: str, component: str = "EXX") -> Fitted:
         (0.50, "backlash", [], 0.5, True),  # no check fires: nothing is left that could be told
         (0.95, "backlash", [], 1e-5, False),  # not one size everywhere
         (0.98, "backlash", [], 1e-5, True),  # but practically all is explained
-        (0.98, "backlash", [PERIOD], 0.5, True),
-        (0.98, "backlash", [PERIOD, TEMPERATURE], 1e-9, True),
+        (0.98, "backlash", [RIPPLE], 0.5, True),
+        (0.98, "backlash", [RIPPLE, TEMPERATURE], 1e-9, True),
         (0.93, "backlash", [DIRECTION], 0.5, True),  # what is left is of its own class
         (0.93, "backlash", [DIRECTION], 1e-5, False),
-        (0.93, "backlash", [PERIOD], 0.5, False),
-        (0.93, "backlash", [DIRECTION, PERIOD], 0.5, False),
+        (0.93, "backlash", [RIPPLE], 0.5, False),
+        (0.93, "backlash", [DIRECTION, RIPPLE], 0.5, False),
         (0.93, "thermal_offset", [TEMPERATURE], 0.5, True),
         (0.93, "thermal_offset", [DIRECTION], 0.5, False),
         (0.93, "squareness", [DIRECTION], 0.5, False),  # without an expression: of no class
         (0.88, "backlash", [DIRECTION], 0.5, False),
-        (0.97, "backlash", [PERIOD], 0.5, True),
-        (0.93, "backlash", ["lines of X, in the course of a run"], 0.5, True),
-        (0.93, "backlash", ["lines of X, course of repeats"], 0.5, False),  # repeats have the same lost motion
-        (0.93, "drift", ["lines of X, course of repeats"], 0.5, True),
+        (0.97, "backlash", [RIPPLE], 0.5, True),
+        (0.93, "backlash", [StructureClass.LINE_COURSE], 0.5, True),
+        (0.93, "drift", [TEMPERATURE], 0.5, True),
     ],
 )
-def test_names_stand(share: float, kind: str, fired: list[str], homogeneous_p: float, stand: bool) -> None:
-    checks = [*(check(name) for name in fired), check("feed", fired=False)]
+def test_names_stand(share: float, kind: str, fired: list[StructureClass], homogeneous_p: float, stand: bool) -> None:
+    checks = [*(check(name) for name in fired), check(StructureClass.CIRCLE_FEED, fired=False)]
     assert names_stand(share, [cause(kind)], checks, [homogeneous_p]) is stand
 
 
@@ -67,8 +70,8 @@ def test_share_is_that_of_the_squares_beyond_noise() -> None:
     explained = np.sum(where.base.rest(where.whitening(causes[0].signal)) ** 2)
     left = 0.25 * explained
     # a least-squares fit leaves what is orthogonal to it: squares of the readings less squares left are its own
-    assert explained_share(ground, found, causes, [check(PERIOD, excess=left)], [0.5]) == pytest.approx(0.8, rel=1e-3)
-    assert explained_share(ground, found, causes, [check(PERIOD, fired=False, excess=left)], [0.5]) > 0.99
+    assert explained_share(ground, found, causes, [check(RIPPLE, excess=left)], [0.5]) == pytest.approx(0.8, rel=1e-3)
+    assert explained_share(ground, found, causes, [check(RIPPLE, fired=False, excess=left)], [0.5]) > 0.99
     assert explained_share(ground, found, (), [], []) == 0.0
     # of a size that differs from place to place, what it has more at one of them is left: its squared deviation
     without = explained_share(ground, found, causes, [], [0.5])
@@ -79,13 +82,14 @@ def test_share_is_that_of_the_squares_beyond_noise() -> None:
 
 def test_verdicts() -> None:
     where = field()
+    stale = [Stale("EYY", 100.0, 200.0, 1e-3, 1e-4, "mm", 1e-9)]
     column = parameter_signature(where.readings, Effect("backlash", "EXX"), np.ones(1))[0]
     noise = SIGMA * np.random.default_rng(7).standard_normal(column.size)
     named, nothing = (search(where.ground(size * column + noise)) for size in (6e-3, 0.0))
-    assert verdict_of(named, True, [], False) == "explained"
-    assert verdict_of(named, False, [], True) == "unexplained_structure"
-    assert verdict_of(nothing, False, [check(PERIOD)], True) == "unexplained_structure"
+    assert verdict_of(named, True, [], ()) == "explained"
+    assert verdict_of(named, False, [], stale) == "unexplained_structure"
+    assert verdict_of(nothing, False, [check(RIPPLE)], stale) == "unexplained_structure"
     # beside effects that the machine has already a remainder of their own class is no news
-    assert verdict_of(nothing, True, [check(PERIOD)], False) == "no_discrepancy"
-    assert verdict_of(nothing, True, [], True) == "recalibrate"
-    assert verdict_of(nothing, True, [], False) == "no_discrepancy"
+    assert verdict_of(nothing, True, [check(RIPPLE)], ()) == "no_discrepancy"
+    assert verdict_of(nothing, True, [], stale) == "recalibrate"
+    assert verdict_of(nothing, True, [], ()) == "no_discrepancy"

@@ -3,118 +3,128 @@
 import numpy as np
 import pytest
 import statsmodels.api as sm
-from hypothesis import given
-from hypothesis import strategies as st
-from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg import block_diag
 
-from tests.diagnose.prepared import dense_covariance, drawn_noise
-from trueaxis.diagnose.result import NoiseOf
-from trueaxis.diagnose.whiten import Whitening, solved, tridiagonal, whitened, whitening
+from tests.diagnose.prepared import FloatArray, dense_covariance, drawn_noise, run_noise
+from trueaxis.diagnose.whiten import RunNoise, Whitening, whitening
+from trueaxis.estimation.noise import Noise
 
 NOISES = {
-    "white": NoiseOf("laser", 3e-4, 0.0, 0.0, 0.0, 1e6, ""),
-    "correlated": NoiseOf("laser", 3e-4, 2e-4, 0.8, 0.0, 1e6, ""),
-    "correlated alone": NoiseOf("laser", 0.0, 2e-4, 0.95, 0.0, 1e6, ""),
-    "white with slopes": NoiseOf("laser", 3e-4, 0.0, 0.0, 5e-4, 1e6, ""),
-    "everything": NoiseOf("laser", 3e-4, 2e-4, 0.8, 5e-4, 1e6, ""),
-    "uncorrelated after all": NoiseOf("laser", 3e-4, 2e-4, 0.0, 5e-4, 1e6, ""),
+    "white": (Noise(3e-4), 0.0, 1.0),
+    "slow": (Noise(3e-4, 2e-4, 4.5), 0.0, 1.0),
+    "settling": (Noise(3e-4), 5e-4, 1.0),
+    "everything, noisier": (Noise(3e-4, 2e-4, 4.5), 5e-4, 2.5),
 }
 
 
-@pytest.mark.parametrize("noise", NOISES.values(), ids=NOISES.keys())
-@pytest.mark.parametrize("size", [1, 2, 37])
-def test_inner_products_are_those_of_the_inverse_covariance(noise: NoiseOf, size: int) -> None:
+def run_of(name: str, size: int, seed: int = 0) -> RunNoise:
+    """At uneven times."""
+    noise, settles, scale = NOISES[name]
+    steps = np.random.default_rng(seed).uniform(0.5, 1.5, size)
+    return run_noise(noise, steps, np.linspace(0.0, 1.0, size), settles, scale)
+
+
+def own_of(size: int, seed: int = 0) -> FloatArray:
+    """Zero, creep and a course of no particular shape."""
+    return np.stack(
+        [np.ones(size), np.linspace(-0.5, 0.5, size), np.random.default_rng(seed).normal(size=size)], axis=1
+    )
+
+
+def whitening_of(*sizes: int) -> Whitening:
+    names = list(NOISES)
+    runs = [run_of(names[k % len(names)], size, k) for k, size in enumerate(sizes)]
+    numbers = np.repeat(3 * np.arange(len(sizes)), sizes)
+    return whitening(numbers, runs, [own_of(size, k) for k, size in enumerate(sizes)])
+
+
+def dense(white: Whitening) -> tuple[FloatArray, FloatArray]:
+    """Covariance of all readings, and the unknowns of all runs, (n, k)."""
+    return block_diag(*map(dense_covariance, white.runs)), block_diag(*white.own)
+
+
+@pytest.mark.parametrize("name", NOISES)
+@pytest.mark.parametrize("size", [5, 37])
+def test_inner_products_are_those_of_generalised_least_squares(name: str, size: int) -> None:
+    """What is left of columns after the run's own unknowns, in the metric of the inverse covariance."""
+    run, own = run_of(name, size), own_of(size)
     columns = np.random.default_rng(3).normal(size=(size, 4))
-    found = whitened(noise, columns)
-    covariance = dense_covariance(noise, size)
-    if size == 1:
-        covariance = covariance - noise.slope**2 * 0.25  # one reading has no slope
-    expected = columns.T @ cho_solve(cho_factor(covariance), columns)
-    assert found.T @ found == pytest.approx(expected, rel=1e-9)
+    found = whitening(np.zeros(size, dtype=np.int64), [run], [own])(columns)
+    inverse = np.linalg.inv(dense_covariance(run))
+    expected = columns.T @ (inverse - inverse @ own @ np.linalg.solve(own.T @ inverse @ own, own.T @ inverse)) @ columns
+    assert found.T @ found == pytest.approx(expected, rel=1e-7, abs=1e-9 * np.abs(expected).max())
 
 
-@given(
-    white=st.floats(0.05, 3.0),
-    correlated=st.floats(0.0, 3.0),
-    correlation=st.floats(0.0, 0.99),
-    slope=st.floats(0.0, 5.0),
-    size=st.integers(2, 60),
-)
-def test_the_noise_becomes_the_unit_matrix(
-    white: float, correlated: float, correlation: float, slope: float, size: int
-) -> None:
-    noise = NoiseOf("laser", white, correlated, correlation, slope, 1e6, "")
-    root = np.asarray(np.linalg.cholesky(dense_covariance(noise, size)), dtype=np.float64)
-    found = whitened(noise, root)
-    assert found @ found.T == pytest.approx(np.eye(size), abs=1e-8)
-
-
-def of_three_runs() -> tuple[Whitening, list[tuple[int, NoiseOf]]]:
-    runs = [(20, NOISES["everything"]), (33, NOISES["correlated"]), (20, NOISES["everything"])]
-    run = np.repeat([0, 2, 5], [size for size, _ in runs])
-    return whitening(run, [noise for _, noise in runs]), runs
+def test_noise_becomes_white_beside_the_unknowns_of_the_run() -> None:
+    """Its covariance is the projection that takes these away."""
+    run, own = run_of("everything, noisier", 40), own_of(40)
+    white = whitening(np.zeros(40, dtype=np.int64), [run], [own])
+    root = np.linalg.cholesky(dense_covariance(run))
+    found = white(np.asarray(root))
+    covariance = found @ found.T
+    assert covariance @ covariance == pytest.approx(covariance, abs=1e-9)
+    assert np.trace(covariance) == pytest.approx(40 - 3, abs=1e-9)
+    assert np.abs(white(own)).max() < 1e-9 * np.abs(run.whitened(own)).max()
+    assert white.own_count.tolist() == [3]
 
 
 def test_runs_are_independent_of_each_other() -> None:
-    white, runs = of_three_runs()
-    size = sum(count for count, _ in runs)
-    columns = np.random.default_rng(1).normal(size=(size, 3))
-    covariance = np.zeros((size, size))
-    first = 0
-    for count, noise in runs:
-        covariance[first : first + count, first : first + count] = dense_covariance(noise, count)
-        first += count
+    white = whitening_of(20, 33, 20)
+    columns = np.random.default_rng(1).normal(size=(73, 3))
     found = white(columns)
-    assert found.T @ found == pytest.approx(columns.T @ np.linalg.solve(covariance, columns), rel=1e-9)
     assert white.part(np.arange(20, 73), columns[20:]) == pytest.approx(found[20:], rel=1e-12)
+    alone = whitening(np.zeros(33, dtype=np.int64), [white.runs[1]], [white.own[1]])
+    assert alone(columns[20:53]) == pytest.approx(found[20:53], rel=1e-9)
 
 
 def test_no_columns_are_none_whitened() -> None:
-    for white in (of_three_runs()[0], whitening(np.repeat([0, 1], [450, 20]), [NOISES["everything"]] * 2)):
+    for white in (whitening_of(20, 33), whitening_of(450, 20)):
         nothing = np.zeros((int(white.starts[-1]), 0))
         assert white(nothing).shape == white.back(nothing).shape == nothing.shape
-    assert whitened(NOISES["everything"], np.zeros((18, 0))).shape == (18, 0)
-
-
-@pytest.mark.parametrize("transposed", [False, True])
-@pytest.mark.parametrize("columns", [0, 1, 7])
-@pytest.mark.parametrize("size", [1, 2, 450])
-def test_a_banded_factor_is_taken_back(size: int, columns: int, transposed: bool) -> None:
-    """By the dense matrix."""
-    factor = tridiagonal(NOISES["everything"], size)
-    dense = np.diag(factor[0]) + np.diag(factor[1, : size - 1], -1)
-    known = np.random.default_rng(2).normal(size=(size, columns))
-    given = (dense.T if transposed else dense) @ known
-    assert solved(factor, given, transposed=transposed) == pytest.approx(known, rel=1e-9, abs=1e-12)
 
 
 def test_back_is_the_transpose() -> None:
     """Short runs by matrices, a long one by recursions: the product of b and a whitened, for any a and b."""
-    long = whitening(np.repeat([0, 1], [450, 20]), [NOISES["everything"], NOISES["everything"]])
-    for white in (of_three_runs()[0], long):
+    for white in (whitening_of(20, 33, 20, 25), whitening_of(450, 470, 20, 455)):
         source = np.random.default_rng(4)
         a, b = source.normal(size=(2, int(white.starts[-1]), 3))
-        assert white.back(b).T @ a == pytest.approx(b.T @ white(a), rel=1e-10)
+        assert white.back(b).T @ a == pytest.approx(b.T @ white(a), rel=1e-8)
 
 
-def test_ramps_are_the_share_that_slopes_have_in_the_noise() -> None:
-    white, _ = of_three_runs()
-    ramps = white.ramps()
-    with_slope = NOISES["everything"]
-    covariance = dense_covariance(with_slope, 20)
-    way = with_slope.slope * np.linspace(-0.5, 0.5, 20)
-    assert ramps[:20] @ ramps[:20] == pytest.approx(way @ np.linalg.solve(covariance, way), rel=1e-9)
-    assert not ramps[20:53].any()
+def test_long_runs_are_as_short_ones() -> None:
+    """The same run by the recursions and by a matrix."""
+    white = whitening_of(450, 20, 30, 460)
+    columns = np.random.default_rng(6).normal(size=(960, 2))
+    found = white(columns)
+    for place in (0, 3):
+        here = slice(int(white.starts[place]), int(white.starts[place + 1]))
+        assert white._operator(place) @ columns[here] == pytest.approx(found[here], rel=1e-7, abs=1e-9)
+
+
+def test_of_some_rows_it_is_that_of_their_covariance() -> None:
+    white = whitening_of(20, 33, 20)
+    keep = np.random.default_rng(2).random(73) < 0.6
+    keep[53:] = False
+    columns = np.random.default_rng(7).normal(size=(73, 3))[keep]
+    some = white.only(keep)
+    assert some.starts.tolist() == [0, keep[:20].sum(), keep[:53].sum()]
+    covariance, own = dense(white)
+    covariance, own = covariance[np.ix_(keep, keep)], own[keep][:, :6]
+    inverse = np.linalg.inv(covariance)
+    expected = columns.T @ (inverse - inverse @ own @ np.linalg.solve(own.T @ inverse @ own, own.T @ inverse)) @ columns
+    assert some(columns).T @ some(columns) == pytest.approx(expected, rel=1e-6)
 
 
 def test_least_squares_on_whitened_readings_are_generalised_least_squares() -> None:
-    noise, size = NOISES["everything"], 60
+    """By statsmodels, with the unknowns of the run as columns."""
+    run, own = run_of("everything, noisier", 60), own_of(60)
     source = np.random.default_rng(8)
-    design = np.vander(np.linspace(-1.0, 1.0, size), 5)
-    values = design @ source.normal(size=5) * 1e-3 + drawn_noise(source, noise, size)[:, 0]
-    expected = sm.GLS(values, design, sigma=dense_covariance(noise, size)).fit()
-    white = whitened(noise, design)
-    found, rss = np.linalg.lstsq(white, whitened(noise, values), rcond=None)[:2]
-    assert found == pytest.approx(expected.params, rel=1e-7)
-    assert np.linalg.inv(white.T @ white) == pytest.approx(expected.normalized_cov_params, rel=1e-7)
-    assert rss[0] == pytest.approx(expected.ssr, rel=1e-9)
+    design = np.vander(np.linspace(-1.0, 1.0, 60), 6)[:, :4]
+    values = design @ source.normal(size=4) * 1e-3 + drawn_noise(source, run)[:, 0]
+    expected = sm.GLS(values, np.hstack([design, own]), sigma=dense_covariance(run)).fit()
+    white = whitening(np.zeros(60, dtype=np.int64), [run], [own])
+    found, rss = np.linalg.lstsq(white(design), white(values), rcond=None)[:2]
+    assert found == pytest.approx(expected.params[:4], rel=1e-6)
+    left = white(design)
+    assert np.linalg.inv(left.T @ left) == pytest.approx(expected.normalized_cov_params[:4, :4], rel=1e-6)
+    assert rss[0] == pytest.approx(expected.ssr, rel=1e-8)

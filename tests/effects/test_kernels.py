@@ -126,7 +126,10 @@ def drawn(kind: Kind, n: int) -> tuple[FloatArray, FloatArray]:
     sizes = {"direction": 1.0, "s": 1.0, "s_b": 1.0, "T": 5.0, "theta": 3.0}
     rows = [rng.uniform(-1, 1, n) * sizes.get(name, 100.0) for name in context_of(kind)]
     context = np.array(
-        [np.abs(row) if name in ("d", "s", "t") else row for name, row in zip(context_of(kind), rows, strict=True)]
+        [
+            np.abs(row) if name in ("d", "d_time", "d_path", "s", "t") else row
+            for name, row in zip(context_of(kind), rows, strict=True)
+        ]
     )
     return context, np.array([SIZES[one.unit] * rng.uniform(0.5, 1.5) for one in kind.parameters])
 

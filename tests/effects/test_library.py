@@ -1,17 +1,25 @@
 """Every kind of the library is what its record says, and its term is the one that the literature and physics give."""
 
 import math
+from dataclasses import dataclass
 
 import pytest
 
 from trueaxis.effects.domain import undefined_at
 from trueaxis.effects.evaluate import evaluate
 from trueaxis.effects.expression import names, parse
-from trueaxis.effects.kind import Kind
+from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME, KINDS
 from trueaxis.effects.linearity import is_linear
-from trueaxis.effects.placement import allows, context_of, direction_of, variables_of
+from trueaxis.effects.placement import allows, concerns, context_of, direction_of, reads, variables_of
 from trueaxis.effects.variables import FARTHEST, VARIABLES
+
+
+@dataclass(frozen=True)
+class Run:
+    id: str
+    instrument: str
+
 
 WITH_TERMS = [kind for kind in KINDS if kind.expression]
 
@@ -38,13 +46,14 @@ class TestEveryTerm:
         assert linear or [parameter.role for parameter in kind.parameters] == ["root"]
 
     def test_it_has_a_value_everywhere(self, kind: Kind) -> None:
-        choices = {"along": (-500.0, 0.0, 500.0), "theta": (-3.0, 0.0, 3.0)}
+        choices = {"along": (-500.0, 0.0, 500.0), "theta": (-3.0, 0.0, 3.0), "along_line": (-500.0, 0.0, 500.0)}
         parameters = {parameter.name: (0.01, 1.0, 500.0) for parameter in kind.parameters} | choices
         assert undefined_at(parse(kind.expression), (-300.0, 0.0, 400.0), parameters) is None
 
 
 # By hand: a machine of 500 mm at q = 125 mm.
 AT = {"q": 125.0, "s": 0.25, "s_b": 0.5, "direction": -1.0, "v": 20.0, "d": 3.0, "t": 60.0, "T": 2.0}
+AT |= {"d_time": 0.5, "d_path": 4.0}
 VALUES = [
     ("backlash", {"width": 0.006}, {}, -0.003),
     ("backlash_slope", {"change": 0.004}, {}, 0.001),
@@ -57,11 +66,17 @@ VALUES = [
     ("servo_lag", {"tau": 1e-4}, {}, -0.002),
     ("reversal_spike", {"height": 0.004, "decay": 3.0}, {}, -0.004 / math.e),
     ("reversal_spike", {"height": 0.004, "decay": 3.0}, {"d": FARTHEST}, 0.0),
+    ("reversal_spike_time", {"height": 0.004, "tau": 0.5}, {}, -0.004 / math.e),
+    ("reversal_spike_time", {"height": 0.004, "tau": 0.5}, {"d_time": FARTHEST}, 0.0),
+    ("reversal_spike_path", {"height": 0.004, "decay": 2.0}, {}, -0.004 / math.e**2),
+    ("reversal_spike_path", {"height": 0.004, "decay": 2.0}, {"d_path": FARTHEST}, 0.0),
     ("cross_axis", {"k": 0.016}, {}, 0.001),
     ("laser_cosine", {"angle": 0.002}, {"along": 500.0}, -0.001),  # 500 (cos 0.002 - 1)
     ("laser_scale", {"k": 1e-6}, {"along": 500.0}, 5e-4),
     ("laser_step", {"jump": 0.002, "t_0": 60.0}, {}, 0.002),
     ("laser_step", {"jump": 0.002, "t_0": 60.1}, {}, 0.0),
+    ("reading_zero", {"zero": 0.003}, {}, 0.003),
+    ("reading_slope", {"slope": 2e-5}, {"along_line": -200.0}, -0.004),
     ("ballbar_length", {"length": 0.003}, {}, 0.003),
     ("ballbar_lobes", {"amplitude": 0.002, "phase": 0.0}, {"theta": math.pi / 3}, -0.002),
 ]
@@ -94,8 +109,35 @@ def test_directions(component: str, direction: str) -> None:
     assert allows(BY_NAME["cyclic"], component) is (direction != "turn")
 
 
+@pytest.mark.parametrize(
+    ("kind", "by"),
+    [
+        ("reading_zero", {"laser", "probe", "ballbar"}),
+        ("reading_slope", {"laser", "probe"}),
+        ("laser_scale", {"laser"}),
+        ("ballbar_centre", {"ballbar"}),
+        ("backlash", {"laser", "probe", "ballbar"}),
+    ],
+)
+def test_an_effect_is_in_the_readings_of_its_instruments_and_runs(kind: str, by: set[str]) -> None:
+    runs = [Run(f"{name}-{k}", name) for name in ("laser", "probe", "ballbar") for k in (1, 2)]
+    assert {one.instrument for one in runs if reads(BY_NAME[kind], one.instrument)} == by
+    assert {one.id for one in runs if concerns(BY_NAME[kind], Effect(kind), one)} == {
+        f"{n}-{k}" for n in by for k in (1, 2)
+    }
+    named = Effect(kind, runs=("probe-2", "ballbar-1"))
+    assert {one.id for one in runs if concerns(BY_NAME[kind], named, one)} == {
+        one for one in named.runs if one.split("-")[0] in by
+    }
+
+
+def test_what_every_set_up_has_some_of_is_a_nuisance() -> None:
+    assert {kind.name for kind in KINDS if kind.nuisance} == {"reading_zero", "reading_slope"}
+
+
 def test_context_rows() -> None:
     assert context_of(BY_NAME["reversal_spike"]) == ("direction", "d")
     assert context_of(BY_NAME["ballbar_length"]) == ("theta",)  # of none, it takes the number of readings
+    assert context_of(BY_NAME["reading_zero"]) == ("along",)
     assert context_of(BY_NAME["point_offset"]) == ()
     assert context_of(Kind("own", "component", "c", (), "")) == ("q",)

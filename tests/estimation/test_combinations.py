@@ -1,4 +1,4 @@
-"""What is told together alone."""
+"""What is known only in combination."""
 
 from dataclasses import replace
 
@@ -67,5 +67,13 @@ def test_in_words() -> None:
     assert "only their difference, to 0.8 urad" in combination_text(turned)
     third = Part("slope", "EBX", -754.3, "rad/mm")
     three = replace(one, parts=(*parts, third), alone=(*one.alone, 0.0512e-6))
-    assert ": only eps_xy + the slope of EYX - 754 x the slope of EBX, to 0.8 urad" in combination_text(three)
-    assert combination_text(three).endswith("38.7 urad and 0.0512 urad/mm)")
+    assert combination_text(three) == (
+        "eps_xy + the slope of EYX - 754 x the slope of EBX: to 0.8 urad (by themselves: eps_xy to 40.6 urad, the "
+        "slope of EYX to 38.7 urad and the slope of EBX to 0.0512 urad/mm)"
+    )
+    scale = Part("instrument", "laser scale", -1.0, "1")
+    apart = Combination((Part("slope", "EXX", 1.0, "1"), scale), 0.2e-6, (1.1e-6, 1.0e-6))
+    expected_text = (
+        "the slope of EXX and laser scale: only their difference, to 0.2 ppm (by themselves to 1.1 ppm and 1 ppm)"
+    )
+    assert combination_text(apart) == expected_text

@@ -11,13 +11,16 @@ from tests.diagnose.prepared import SMALL, prepared
 from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.hidden import Hidden
-from tests.identify.effect_data import SIGMA, Row, Term, five_axis, measured, model_with
+from tests.identify.effect_data import SIGMA, Row, Term, five_axis, measured, model_with, plan
 from tests.kernels import kernels_of
 from tests.machines import machine_of
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects import start as start_module
 from trueaxis.estimation.estimate import estimate
+from trueaxis.estimation.giving_way import giving_way
+from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations, observations
+from trueaxis.estimation.runs import measured_runs
 from trueaxis.faults import InputError
 from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 from trueaxis.identify.paper.method import identify_paper
@@ -335,3 +338,86 @@ def test_lost_motion_of_a_rotary_axis_in_degrees_and_radians() -> None:
     found = identify_estimated(model, observations("readings.csv", [run], rows), EstimateOptions("known", known))
     assert found.values.effects[0].parameters["width"] == pytest.approx(width, rel=1e-3)
     assert found.report.effects[0].parameters[0].unit == "rad"
+
+
+ZERO, BAR_ZERO = Effect("reading_zero", runs=("X-1",)), Effect("reading_zero", runs=("xy+1F500",))
+SLOPE = Effect("reading_slope", runs=("X-2",))
+
+
+def test_what_an_instrument_has_of_the_shape_gives_way_to_zeros_and_slopes_of_runs() -> None:
+    """Else a zero is as uncertain as that of any laser, 3 um."""
+    data = measured(
+        {},
+        [
+            lambda row: 40e-3 if row.run.id == "X-1" else 0.0,
+            lambda row: -15e-3 if row.run.id == "xy+1F500" else 0.0,
+            lambda row: 3e-4 * row.at["X"] if row.run.id == "X-2" else 0.0,
+        ],
+        seed=11,
+    )
+    found = identify_estimated(model_with(ZERO, BAR_ZERO, SLOPE), data, OPTIONS)
+    for effect, truth in (ZERO, {"zero": 40e-3}), (BAR_ZERO, {"zero": -15e-3}), (SLOPE, {"slope": 3e-4}):
+        assert max(off_by(found, effect, truth)) < 4.0
+        assert small(found, effect, 0.03)
+    assert found.values.effects[0].u["zero"] < 1e-3
+
+
+def silenced(*effects: Effect) -> dict[str, tuple[int, ...]]:
+    """Own unknowns that give way, by run; X-3 is made a run of straightness."""
+    data, model = measured(), model_with(*effects)
+    runs = tuple(replace(run, direction=(0.0, 1.0, 0.0)) if run.id == "X-3" else run for run in data.runs)
+    data = replace(data, runs=runs)
+    unknowns = start_module.sought_effects(model, data, KNOWN).at_once
+    layout = giving_way(layout_of(model, data, KNOWN, unknowns), measured_runs(data))
+    return {runs[index].id: columns for index, columns in layout.silent.items()}
+
+
+def test_an_unknown_of_a_run_gives_way_to_an_effect_of_that_run_alone() -> None:
+    assert silenced(BACKLASH) == {}
+    assert silenced(ZERO, BAR_ZERO, SLOPE) == {"X-1": (0,), "xy+1F500": (0,)}
+    of_straightness = [Effect(kind, runs=("X-3",)) for kind in ("reading_zero", "reading_slope")]
+    assert silenced(*of_straightness) == {"X-3": (0, 2)}
+    assert silenced(Effect("reading_zero", runs=("X-1", "X-2"))) == {}
+    assert silenced(Effect("reading_zero", runs=("X-1", "X-2")), ZERO) == {"X-1": (0,)}
+
+
+def since_reversals() -> dict[float, tuple[float, float]]:
+    """Of X, by the time of the reading: time and way of X and Y and Z together since the reading before it turned."""
+    runs, rows = plan()
+    assert rows.time is not None
+    found = {}
+    for index, run in enumerate(runs):
+        way, turn = 0.0, None if run.length else (np.inf, 0.0)
+        before = None
+        for n in np.flatnonzero(rows.run == index):
+            here, at, sense = float(rows.time[n]), rows.positions[:, n], float(rows.directions[0, n])
+            if before is not None:
+                if sense * before[2] < 0.0:
+                    turn = (before[0], way)
+                way += float(np.linalg.norm(at - before[1]))
+            before = (here, at, sense or (before[2] if before else 0.0))
+            passed = np.inf if turn is None or np.isinf(turn[0]) else here - turn[0]
+            found[here] = passed, np.inf if turn is None else way - turn[1]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "truth"),
+    [("path", "decay", 150.0), pytest.param("time", "tau", 20.0, marks=pytest.mark.slow)],
+)
+def test_a_spike_over_time_or_path_comes_back(kind: str, name: str, truth: float) -> None:
+    """Four times what the grid ends with: before the first reversal nothing has passed that a grid could go by."""
+    since, effect = since_reversals(), Effect(f"reversal_spike_{kind}", "EXX")
+
+    def spike(row: Row) -> float:
+        time, way = since.get(row.time, (0.0, 0.0))
+        return 0.01 * row.direction["X"] * float(np.exp(-(way if kind == "path" else time) / truth))
+
+    data = measured({"EXX": spike}, seed=13)
+    some = np.array([kind == "time" or run.id.startswith(("X-", "xy")) for run in data.runs])[data.run]
+    found = estimate(model_with(effect), data.of(np.flatnonzero(some)), KNOWN)
+    assert found.converged
+    u = np.linalg.norm(found.spread[found.layout.of_effects], axis=1)
+    assert (u < 0.2 * np.array([0.01, truth])).all()
+    for of, value, each in zip(("height", name), (0.01, truth), u, strict=True):
+        assert abs(found.values.effects[0].parameters[of] - value) < 4.0 * each

@@ -9,11 +9,12 @@ from scipy.optimize import minimize
 from scipy.stats import multivariate_normal
 
 from trueaxis.estimation.curve_prior import CurvePrior
-from trueaxis.estimation.evidence import FARTHEST, NO_GAIN, _batches, _evidence, averaged, best_sizes
-from trueaxis.estimation.instruments import OWN_SIZES
+from trueaxis.estimation.evidence import FARTHEST, NO_GAIN, _batches, _point, _slope, averaged, best_sizes, posterior_at
+from trueaxis.estimation.instruments import CLASSES
 from trueaxis.estimation.layout import Layout
-from trueaxis.estimation.reduce import OwnBlock, Reduced, triangle_of
+from trueaxis.estimation.reduce import OwnBlock, Reduced
 from trueaxis.estimation.sizes import Sizes
+from trueaxis.estimation.triangle import triangle_of
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.bases import travel_basis
 
@@ -36,15 +37,13 @@ class Problem:
         )
         self.sizes = Sizes(cast(Layout, layout), KINDS)
         self.jacobian = 30.0 * draw.standard_normal((3 * RUN, layout.count))
-        self.own = [draw.standard_normal((RUN, 2)) / np.array([OWN_SIZES[k] for k in kinds]) for kinds in KINDS]
+        self.own = [draw.standard_normal((RUN, 2)) / np.array([CLASSES[k].size for k in kinds]) for kinds in KINDS]
         self.readings = 20.0 * draw.standard_normal(3 * RUN)
         blocks, rest = [], []
         for index, own in enumerate(self.own):
             rows = slice(index * RUN, (index + 1) * RUN)
             t = triangle_of([np.column_stack([own, self.jacobian[rows], self.readings[rows]])])
-            blocks.append(
-                OwnBlock(index=index, kinds=KINDS[index], own=t[:2, :2], others=t[:2, 2:-1], readings=t[:2, -1])
-            )
+            blocks.append(OwnBlock(kinds=KINDS[index], own=t[:2, :2], others=t[:2, 2:-1], readings=t[:2, -1]))
             rest.append(t[2:, 2:])
         n = layout.count
         folded = triangle_of([*rest, np.zeros((n + 1, n + 1))])
@@ -54,7 +53,7 @@ class Problem:
         )  # fmt: skip
 
     def value(self, x: FloatArray) -> float:
-        return _evidence(self.sizes, self.reduced, _batches(self.reduced.blocks), x)[0]
+        return _point(self.sizes, self.reduced, _batches(self.reduced.blocks), x).value
 
     def dense(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Prior standard deviations, and the covariance of the readings."""
@@ -79,7 +78,7 @@ def test_it_is_the_density_of_the_readings(seed: int) -> None:
 def test_its_derivative_is_that_of_differences(seed: int) -> None:
     problem, draw = Problem(seed), np.random.default_rng(seed)
     x = 0.6 * draw.standard_normal(problem.sizes.spread.size)
-    slope = _evidence(problem.sizes, problem.reduced, _batches(problem.reduced.blocks), x)[1]
+    slope = _slope(problem.sizes, _point(problem.sizes, problem.reduced, _batches(problem.reduced.blocks), x))
     for place in range(x.size):
         step = np.eye(x.size)[place] * 1e-5
         assert slope[place] == pytest.approx((problem.value(x + step) - problem.value(x - step)) / 2e-5, abs=1e-5)
@@ -88,7 +87,7 @@ def test_its_derivative_is_that_of_differences(seed: int) -> None:
 def test_mean_and_covariance_are_those_of_the_normal_distribution() -> None:
     problem = Problem(1)
     x = np.full(problem.sizes.spread.size, 0.2)
-    posterior = _evidence(problem.sizes, problem.reduced, _batches(problem.reduced.blocks), x)[2]
+    posterior = posterior_at(problem.sizes, problem.reduced, x)
     scale, covariance = problem.dense(x)
     gain = (problem.jacobian * scale**2).T @ np.linalg.inv(covariance)
     np.testing.assert_allclose(posterior.mean, gain @ problem.readings, atol=1e-9)
@@ -121,8 +120,7 @@ def test_the_sizes_are_those_that_plain_values_lead_to(seed: int) -> None:
     x, posterior = best_sizes(problem.sizes, problem.reduced, np.zeros(count))
     assert cost(x) < other.fun + 10.0 * NO_GAIN
     np.testing.assert_allclose(x, other.x, atol=0.1)
-    batches = _batches(problem.reduced.blocks)
-    np.testing.assert_array_equal(posterior.mean, _evidence(problem.sizes, problem.reduced, batches, x)[2].mean)
+    np.testing.assert_array_equal(posterior.mean, posterior_at(problem.sizes, problem.reduced, x).mean)
 
 
 @pytest.mark.parametrize("travel", [(-100.0, 300.0), (0.0, 500.0), (-900.0, -200.0)])

@@ -11,7 +11,7 @@ from tests.plan.data import folder, model
 from tests.plan.promise import NOISE, TOOL, outcomes, prior_sizes, ratio, shop
 from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.expected import expected, expected_posterior, informing_rows
-from trueaxis.estimation.instruments import OWN_SIZES, own_kinds
+from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.observations import Observations
@@ -33,7 +33,7 @@ def dense(layout: Layout, observed: Observations) -> tuple[FloatArray, FloatArra
     """(n, n) of the shared unknowns in units of their prior: the posterior by one matrix of all, own ones included."""
     blocks, owns = [], []
     for one in measured_runs(observed):
-        size = np.array([OWN_SIZES[kind] for kind in own_kinds(one.rows.run, layout.straightness[one.rows.index])])
+        size = np.array([CLASSES[kind].size for kind in own_kinds(one.rows.run, layout.straightness[one.rows.index])])
         parts = [(own * size / NOISE, others / NOISE) for _, own, others in pieces(layout, one.rows)]
         owns.append(np.vstack([own for own, _ in parts]))
         blocks.append(np.vstack([others for _, others in parts]) * (prior_sizes(layout) / layout.sizes))

@@ -12,8 +12,9 @@ from trueaxis.estimation.gauge import covariance_of, levelling
 from trueaxis.estimation.judgement import determined_by, judged_component, judged_location
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.parts import parted_root
-from trueaxis.estimation.reduce import Reduced, triangle_of
+from trueaxis.estimation.reduce import Reduced
 from trueaxis.estimation.sizes import Sizes
+from trueaxis.estimation.triangle import triangle_of
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.uncertainty import home_of, tool_uncertainty
 

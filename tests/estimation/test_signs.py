@@ -1,5 +1,6 @@
 """A run that was read with the wrong sign is named, and no other data set is suspected."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +10,7 @@ from tests.estimation.test_effects import KNOWN
 from tests.generator.dmu60p import cubic_errors
 from tests.identify.data import mixed_data
 from tests.identify.effect_data import model_with
+from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.observations import Observations
 from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 
@@ -25,10 +27,44 @@ def test_data_as_they_should_be_are_no_misfit(readings: Observations) -> None:
 
 
 def test_a_reversed_run_is_named(readings: Observations) -> None:
-    of_run = np.array([run.id == "X-2" for run in readings.runs])[readings.run]
-    wrong = replace(readings, reading=np.where(of_run, -readings.reading, readings.reading))
-    found = identify_estimated(model_with(), wrong, EstimateOptions(known=KNOWN))
+    found = identify_estimated(model_with(), turned(readings, "X-2"), EstimateOptions(known=KNOWN))
     assert found.values.fit is not None
     assert found.values.fit.state == "misfit"
-    assert found.values.fit.runs[0] == "X-2"
+    assert found.values.fit.runs == ("X-2",)
     assert "as if its sign were reversed" in found.report.quality.reason
+
+
+def test_a_reversed_run_that_the_noise_has_taken_is_named(readings: Observations) -> None:
+    """Nine runs: the estimate takes what X-3 makes of them for slow noise, by which the run is as likely as not."""
+    few = part(readings, [run.id for run in readings.runs[:9]])
+    found = identify_estimated(model_with(), turned(few, "X-3"), EstimateOptions(known=KNOWN))
+    assert found.values.fit is not None
+    assert found.values.fit.runs == ("X-3",)
+
+
+def test_two_reversed_runs_are_named(readings: Observations) -> None:
+    found = identify_estimated(model_with(), turned(readings, "X-1", "Y-5"), EstimateOptions(known=KNOWN))
+    assert found.values.fit is not None
+    assert set(found.values.fit.runs) == {"X-1", "Y-5"}
+
+
+@pytest.mark.parametrize(("wrong", "named"), [((), ()), (("X-2",), ("X-2",))])
+def test_noise_that_is_stated_too_small_names_no_other_run(
+    readings: Observations, wrong: tuple[str, ...], named: tuple[str, ...]
+) -> None:
+    """A third of what it is: every logarithm of a ratio of likelihoods is nine times too large."""
+    found = estimate(model_with(), turned(readings, *wrong), KNOWN, dict.fromkeys(range(len(readings.runs)), 1e-4))
+    assert tuple(readings.runs[index].id for index in found.reversed) == named
+
+
+def turned(data: Observations, *runs: str) -> Observations:
+    """With the sign of runs reversed."""
+    wrong = np.array([run.id in runs for run in data.runs])[data.run]
+    return replace(data, reading=np.where(wrong, -data.reading, data.reading))
+
+
+def part(data: Observations, runs: Sequence[str]) -> Observations:
+    """The readings of some runs."""
+    rows = np.array([run.id in runs for run in data.runs])[data.run]
+    seq = None if data.seq is None else data.seq[rows]
+    return replace(data, run=data.run[rows], positions=data.positions[:, rows], reading=data.reading[rows], seq=seq)

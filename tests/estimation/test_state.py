@@ -80,7 +80,7 @@ def test_steps_end_at_a_ball_that_is_far_from_where_it_was_set_up() -> None:
     state, _, _ = begun(data, SQUARE)
     layout = replace(state.layout, sizes=np.where(np.arange(state.layout.count) < state.layout.of_machine, 1e-9, 100.0))
     sizes = Sizes(layout, state.own_kinds)
-    state = replace(state, layout=layout)
+    state = replace(state, layout=layout, kept=())
     x = np.zeros(sizes.spread.size)
     passed = []
     for _ in range(12):

@@ -9,7 +9,7 @@ from typing import Any
 
 import mpmath
 
-NAMES = ("s", "q", "t", "T", "v", "d", "direction", "a", "p")
+NAMES = ("s", "q", "t", "T", "v", "d", "d_time", "d_path", "direction", "a", "p")
 FUNCTIONS: Mapping[str, Callable[[Any], Any]] = {
     "sin": mpmath.sin,
     "cos": mpmath.cos,

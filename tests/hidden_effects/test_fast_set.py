@@ -14,8 +14,7 @@ from tests.hidden_effects.power.tally import Result
 from tests.hidden_effects.power.trials import SCENARIOS, Trial
 
 WORKERS = min(2, os.cpu_count() or 1)
-# in one process of those that share the tests out: each would do all the trials
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("fast_set")]
+pytestmark = pytest.mark.slow
 
 
 def trials_of(scenario: str, count: int = 1) -> Iterator[Trial]:
@@ -32,7 +31,7 @@ def of_one_machine() -> Iterator[Trial]:
             yield trial
 
 
-@pytest.fixture(scope="session")  # tests of other modules may come between
+@pytest.fixture(scope="module")
 def results() -> list[Result]:
     separated = islice(trials_of("separated"), 6)
     trials = [

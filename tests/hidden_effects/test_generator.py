@@ -20,6 +20,7 @@ from tests.hidden_effects.machines import FIVE_AXES, GANTRY, MACHINES, TABLE_MIL
 from tests.hidden_effects.readings import Truth, ideal_along, polar_angle
 from tests.hidden_effects.schedule import plan_runs
 from tests.hidden_effects.state import Plan
+from tests.kept import derived
 from trueaxis.cli import main
 from trueaxis.measure.data import read_data
 from trueaxis.spec import read_machine
@@ -71,8 +72,7 @@ def test_without_effects_the_package_simulates_the_same_readings(machine: Machin
     design = replace(SMALL, straightness=True, diagonals=True, gauge=True)
     case = Case(7, machine.name, design, noise="none", given="exact", nuisance=False)
     generate(case).write(tmp_path)
-    spec, kernels = str(tmp_path / "machine.toml"), str(tmp_path / "generated")
-    assert main(["derive", spec, "--out", kernels]) == 0
+    spec, kernels = str(tmp_path / "machine.toml"), str(derived(tmp_path / "machine.toml"))
     data, out, errors = (str(tmp_path / name) for name in ("data", "out", "errors.json"))
     arguments = ["simulate", spec, "--errors", errors, "--data", data, "--out", out, "--replace", "--kernels", kernels]
     assert main(arguments) == 0

@@ -96,3 +96,15 @@ def test_good_set_ups_and_errors_of_a_tenth_of_a_millimetre_are_taken(tmp_path: 
     out.mkdir()
     for number, data in enumerate((bar(tmp_path / "bar"), bar(tmp_path / "off", y=-348.0), line(tmp_path / "l", 5e-3))):
         assert main([*commands(data, out)["plan"], *KERNELS]) in (0, 1), number
+
+
+def test_missing_dimensions_are_one_fault(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every run of a machine with rotary axes contradicts dimensions of zero: one cause, not one for each run."""
+    machine = str(ROOT / "machines" / "dmu60p_5axis.toml")
+    data = str(ROOT / "tests" / "plan" / "five_axis_runs")
+    assert main(["plan", machine, "--data", data, "--report", str(tmp_path / "p.json"), *KERNELS]) == 2
+    first, second = capsys.readouterr().err.strip().split("\n")
+    assert "dimensions not given: q_Cx, q_Cy" in first
+    assert "bar-xy, bar-xz, bar-yz" in first
+    assert "--known" in first
+    assert "run bar-xy: the balls are" in second

@@ -111,6 +111,20 @@ def test_a_plan_without_readings_is_refused(tmp_path: Path, capsys: pytest.Captu
     assert "there is no reading in it" in capsys.readouterr().err
 
 
+def test_runs_that_are_not_read_yet_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    data = simulated(tmp_path, "dmu60p_regular_runs")
+    head, *rows = (data / "readings.csv").read_text().splitlines()
+    empty = [row if not row.startswith(("Z-9,", "X-1,")) else row.rpartition(",")[0] + "," for row in rows]
+    first = next(index for index, row in enumerate(rows) if row.startswith("X-1,"))
+    empty[first] = rows[first]
+    (data / "readings.csv").write_text("\n".join([head, *empty]) + "\n")
+    capsys.readouterr()
+    assert identify(data, tmp_path / "e.json") == 0
+    shown = " ".join(capsys.readouterr().out.split())
+    assert "NOTE: no reading yet in Z-9: the others alone are used" in shown
+    assert "NOTE: readings are missing in X-1 (27 of 28 rows): the others alone are used" in shown
+
+
 def test_the_example_of_known_dimensions_is_taken(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     page = (ROOT / "docs" / "files.md").read_text().split("### What is known beforehand")[1]
     (tmp_path / "known.json").write_text(page.split("```json")[1].split("```")[0])

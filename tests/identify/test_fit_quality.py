@@ -14,7 +14,7 @@ from trueaxis.cli import main
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
 from trueaxis.identify.estimated import EstimateOptions, identify_estimated
-from trueaxis.identify.fit_quality import NotConvergedError, Residuals, quality, stands_still, with_reversed
+from trueaxis.identify.fit_quality import NotConvergedError, Residuals, quality, stands_still
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.weighting import NoiseModel
@@ -291,13 +291,3 @@ def test_a_coarse_display_is_no_copy() -> None:
     coarse = Observations("data", RUNS, run, positions, np.round(draw.normal(0.0, 3e-4, count), 4))
     assert copied_runs(coarse).size == 0
     assert copied_runs(replace(coarse, reading=np.repeat(draw.normal(size=100), 3))).tolist() == [0]
-
-
-def test_a_sign_is_judged_by_the_noise_that_the_residuals_show() -> None:
-    """With a stated noise ten times too small every logarithm of a likelihood ratio is a hundred times too large."""
-    quiet = quality(residuals(1e-3, 1e-3), RUNS)
-    loud = quality(residuals(1e-2, 1e-2), RUNS)
-    assert with_reversed(quiet, {"a": 200.0}).fit.runs == ("a",)
-    assert with_reversed(loud, {"a": 200.0}) == loud
-    assert "stated too small" in loud.reason
-    assert with_reversed(loud, {"a": 5000.0}).fit.runs == ("a",)

@@ -96,7 +96,7 @@ def test_all_polynomials_are_one_generalised_least_squares(machine: Machine) -> 
     root[:DEGREE, :DEGREE], root[DEGREE:-1, :DEGREE] = each, -each
     root[DEGREE:-1, DEGREE : 2 * DEGREE] = 1e-5 * np.eye(DEGREE)
     root[-1] = 1e-6 * draw.normal(size=3 * DEGREE)
-    rough = 3e-5 * draw.normal(size=DEGREE)
+    rough = 3e-6 * draw.normal(size=DEGREE)
     errors, covariance = estimate_of({"EXX": cubic() + rough, "EYX": 0.5 * cubic()}, root)
     fits, _ = fit_legendre(errors, covariance, machine, max_order=3, alpha=0.9)
     assert all(fit.after.powers for fit in fits.values())

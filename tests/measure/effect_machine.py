@@ -22,19 +22,22 @@ from trueaxis.files import write_files
 
 FloatArray = npt.NDArray[np.float64]
 
+SPIKES = ("reversal_spike", "reversal_spike_time", "reversal_spike_path")
 TRAVEL = (-300.0, 500.0)
 EFFECTS: tuple[dict[str, Any], ...] = (
     *({"kind": "backlash", "component": name} for name in ("EXX", "EYX", "EYY")),
     *({"kind": "servo_lag", "component": name} for name in ("EXX", "EYY")),
     *(
         {"kind": name, "component": "EXX"}
-        for name in ("cyclic", "thermal_expansion", "warm_up", "drift", "reversal_spike", "table_sag")
+        for name in ("cyclic", "thermal_expansion", "warm_up", "drift", *SPIKES, "table_sag")
     ),
     {"kind": "cross_axis", "component": "EXX", "axis": "Y"},
     {"kind": "squareness", "component": "EC0Y"},
     {"kind": "laser_cosine", "runs": ["X1"]},
     {"kind": "laser_step", "runs": ["X1"]},
     {"kind": "laser_scale"},
+    {"kind": "reading_zero", "runs": ["X1", "ccw"]},
+    {"kind": "reading_slope", "runs": ["X1"]},
     {"kind": "point_offset", "runs": ["X1"], "end": "target"},
     {"kind": "ballbar_centre", "runs": ["ccw"]},
     {"kind": "ballbar_length"},

@@ -9,10 +9,11 @@ import pytest
 from tests.generator.dmu60p import dmu60p
 from tests.measure.adapter import GeneratorModel
 from trueaxis.measure.approach import approach_directions
-from trueaxis.measure.context import context_of, distance_since_reversal, path_velocity
+from trueaxis.measure.context import context_of, path_velocity
 from trueaxis.measure.reading_context import polar_angle, reading_context_of
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import PointOn, Run
+from trueaxis.measure.since_reversal import distance_since_reversal, duration_by_feed, time_since_reversal
 
 INF, NAN = np.inf, np.nan
 AXES = ("X", "Y", "Z")
@@ -60,6 +61,37 @@ def test_the_way_since_a_reversal_starts_where_the_axis_turned_and_a_dwell_adds_
     assert (context.home.since_reversal == INF).all()
 
 
+def test_time_and_path_since_a_reversal_are_of_each_axis() -> None:
+    """By ball bar X turns back at row 2, Y at row 3; the path is that of both."""
+    path = [[0, 3, 6, 3, 0, -3.0], [0, 4, 8, 12, 8, 4.0], [0] * 6]
+    runs = (bar("a"), laser("b"))
+    time = [5.0, 6, 8, 9, 11, 14]
+    for feed, known in ([NAN] * 6, time), ([300.0] * 6, [NAN] * 6), ([300.0] * 6, [5.0, 6, NAN, 9, 11, 14]):
+        found = context_of(runs, readings(runs, [path, path], time=known * 2, feed=feed * 2))
+        assert found.path_since[0, :6].tolist() == [INF, INF, INF, 5, 10, 15]
+        assert found.path_since[1, :6].tolist() == [INF, INF, INF, INF, 5, 10]
+        by_feed = [INF, INF, INF, 1, 2, 3]  # 5 mm at 5 mm/s
+        told = found.time_since[0, :6].tolist()
+        assert told == ([INF, INF, INF, 1, 3, 6] if known is time else by_feed)
+        assert found.time_since[1, 4:6].tolist() == ([1, 2] if np.isnan(known[3]) else [2, 5])
+        # laser: a run begins with a reversal beyond its first target, since nobody knows when; axes stand in between
+        assert found.path_since[0, 6:].tolist() == [INF, 5, 10, 5, 10, 15]
+        assert np.isinf(found.time_since[0, 6:9]).all()
+        assert np.isnan(found.time_since[0, 9:]).all() == np.isnan(known[2])
+        assert found.home is not None
+        assert (found.home.time_since == INF).all()
+
+
+def test_nothing_tells_the_time_since_a_reversal_while_a_table_turns_alone() -> None:
+    axes = ("X", "C")
+    path = np.array([[0, 0, 0, 5.0], [0, 10, 5, 5.0]])
+    duration = duration_by_feed(axes, path, np.full(4, 600.0))
+    assert np.isnan(duration).tolist() == [False, True, True, False]
+    found = time_since_reversal(np.array([[0, 0, 0, 1.0], [0, 1, -1, -1]]), np.full(4, NAN), duration)
+    assert np.isnan(found[1, 2:]).all()
+    assert (found[0] == INF).all()
+
+
 def test_directions_that_are_given_turn_the_axis_where_they_change() -> None:
     given = np.array([[1, 0, -1, -1, 1.0]])
     path = np.array([[5, 9, 9, 8, 8.0]])
@@ -81,7 +113,7 @@ def test_an_order_of_rows_changes_nothing() -> None:
     cut = {name: getattr(whole, name)[..., shuffled] for name in ("run", "seq", "positions", "directions", "reading")}
     cut |= {name: getattr(whole, name)[shuffled] for name in ("time", "feed", "temperature")}
     one, other = context_of(runs, whole).of(shuffled), context_of(runs, replace(whole, **cut))
-    for name in ("directions", "velocity", "since_reversal", "time", "temperature"):
+    for name in ("directions", "velocity", "since_reversal", "time_since", "path_since", "time", "temperature"):
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
     assert one.home is not None
     assert other.home is not None

@@ -27,7 +27,9 @@ def spec(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return write_machine(tmp_path_factory.mktemp("machine"))
 
 
-def circles(spec: Path, work: Path, *effects: dict[str, Any], **curves: Any) -> tuple[FloatArray, FloatArray]:
+def circles(
+    spec: Path, work: Path, *effects: dict[str, Any], drop: tuple[str, ...] = (), **curves: Any
+) -> tuple[FloatArray, FloatArray]:
     """Readings of a circle about the origin run counter-clockwise and clockwise, each by rising polar angle."""
     setup = "".join(
         f'[[run]]\nid = "{name}"\ninstrument = "ballbar"\nlength = {RADIUS}\n'
@@ -49,6 +51,7 @@ def circles(spec: Path, work: Path, *effects: dict[str, Any], **curves: Any) -> 
         "time_s": np.arange(2 * count, dtype=float),
         "temperature_c": np.full(2 * count, 21.0),
     }
+    columns = {name: values for name, values in columns.items() if name not in drop}
     found = simulated(spec, work, setup, columns, effects, **curves)
     return found[1:count], found[count + 1 :][::-1]
 
@@ -76,6 +79,7 @@ CIRCLES: dict[str, tuple[list[dict[str, Any]], Callable[[FloatArray, float], Any
     ),
     "length": ([effect("ballbar_length", length=SIZE)], lambda t, _: np.full_like(t, SIZE)),
     "lobes": ([effect("ballbar_lobes", amplitude=SIZE, phase=0.3)], lambda t, _: SIZE * np.cos(3 * t + 0.3)),
+    "zero of one run": ([effect("reading_zero", zero=SIZE)], lambda t, turn: (turn > 0) * np.full_like(t, SIZE)),
     "centre of one run": (
         [effect("ballbar_centre", x=SIZE, y=-3e-3, z=0.0)],
         lambda t, turn: (turn > 0) * (3e-3 * np.sin(t) - SIZE * np.cos(t)),
@@ -110,6 +114,32 @@ def test_a_reversal_spike_dies_away_over_its_way(spec: Path, tmp_path: Path) -> 
     expected = SIZE * np.exp(-(x[at : at + 40] - x[at - 1]) / 5.0) * np.cos(ANGLES[at : at + 40])
     np.testing.assert_allclose(ccw[at : at + 40], expected, rtol=0, atol=SECOND_ORDER)
     assert abs(ccw[:at]).max() < 1e-12  # no reversal before
+
+
+@pytest.mark.parametrize("kind", ["reversal_spike_time", "reversal_spike_path"])
+@pytest.mark.parametrize("told", ["time_s", "feed"])
+def test_a_spike_over_time_or_path_dies_away_with_the_arc(spec: Path, tmp_path: Path, kind: str, told: str) -> None:
+    """R times the angle since the reversal of X, at 50 mm/s: times of a second per sample are what they say."""
+    parameters = {"height": SIZE, "tau": 0.3} if kind == "reversal_spike_time" else {"height": SIZE, "decay": 15.0}
+    drop = ("feed",) if told == "time_s" else ("time_s",)
+    ccw, _ = circles(spec, tmp_path, effect(kind, "EXX", **parameters), drop=drop)
+    at = np.searchsorted(ANGLES, np.pi)
+    step = np.radians(0.5) * RADIUS
+    arc = 2.0 * RADIUS * np.sin(np.radians(0.25)) * (np.arange(40) + 1.0)  # along the chords
+    passed = arc if kind == "reversal_spike_path" else (np.arange(40) + 1.0 if told == "time_s" else arc / 50.0)
+    over = parameters.get("tau", parameters.get("decay", 0.0))
+    expected = SIZE * np.exp(-passed / over) * np.cos(ANGLES[at : at + 40])
+    np.testing.assert_allclose(ccw[at : at + 40], expected, rtol=0, atol=SECOND_ORDER)
+    assert abs(ccw[:at]).max() < 1e-12
+    assert step == pytest.approx(arc[0], rel=1e-4)
+
+
+def test_a_spike_over_time_needs_times_or_a_feed(spec: Path, tmp_path: Path) -> None:
+    spike = effect("reversal_spike_time", "EXX", height=SIZE, tau=0.3)
+    with pytest.raises(InputError, match=r"column time_s \(or, by ball bar, feed\).*reversal_spike_time EXX"):
+        circles(spec, tmp_path, spike, drop=("time_s", "feed"))
+    with pytest.raises(InputError, match=r"column time_s \(or, by ball bar, feed\).*row 5 of run \"X1\""):
+        line(spec, tmp_path, spike, drop="time_s")
 
 
 HOME = -100.0
@@ -159,6 +189,15 @@ LINES: Hand = {
         # from home on as if it had turned there, and from where it turns back
         SIZE * np.r_[0.0, np.exp(-(X[1:5] - HOME) / 100.0), -np.exp(-(401.0 - X[5:]) / 100.0)],
     ),
+    "reversal spike over time": (
+        [effect("reversal_spike_time", "EXX", height=SIZE, tau=20.0)],
+        # nobody knows since when it stands at home: nothing is left of that reversal
+        SIZE * np.r_[np.zeros(5), -np.exp(-(TIME[5:] - TIME[4]) / 20.0)],
+    ),
+    "reversal spike over the path": (
+        [effect("reversal_spike_path", "EXX", height=SIZE, decay=100.0)],
+        SIZE * np.r_[0.0, np.exp(-(X[1:5] - HOME) / 100.0), -np.exp(-(401.0 - X[5:]) / 100.0)],
+    ),
     "servo lag of standing axes": ([effect("servo_lag", "EXX", tau=1e-3)], np.zeros(9)),
     "cross axis": (
         # home has Y = 0, the line Y = 200
@@ -169,6 +208,8 @@ LINES: Hand = {
 }
 OF_ONE_RUN: Hand = {
     "cosine": ([effect("laser_cosine", angle=3e-3)], -(3e-3**2) / 2 * (X - HOME)),
+    "zero": ([effect("reading_zero", zero=SIZE)], np.full(9, SIZE)),
+    "slope": ([effect("reading_slope", slope=3e-5)], 3e-5 * (X - HOME)),
     "step": ([effect("laser_step", jump=SIZE, t_0=72.0)], np.where(np.arange(9) > 3, SIZE, 0.0)),
 }
 

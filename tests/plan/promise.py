@@ -18,7 +18,7 @@ from tests.plan.data import model
 from tests.worlds.estimates import world
 from trueaxis.estimation.curve_prior import CurvePrior
 from trueaxis.estimation.estimate import estimate
-from trueaxis.estimation.instruments import OWN_SIZES, own_kinds
+from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.residuals import residuals_of
@@ -80,7 +80,7 @@ def readings(layout: Layout, observed: Observations, unknowns: FloatArray, given
     draw = np.random.default_rng(seed)
     runs = measured_runs(observed)
     kinds = [own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs]
-    own = [np.array([OWN_SIZES[kind] for kind in of_run]) * draw.standard_normal(len(of_run)) for of_run in kinds]
+    own = [np.array([CLASSES[kind].size for kind in of_run]) * draw.standard_normal(len(of_run)) for of_run in kinds]
     found = np.zeros(observed.reading.size)
     for one, left in zip(runs, residuals_of(layout, runs, unknowns, own, given), strict=True):
         found[one.rows.at] = one.reading - left

@@ -49,7 +49,7 @@ def test_says_what_the_papers_runs_will_tell(tmp_path: Path, capsys: pytest.Capt
     assert states["EAX"] == "partly"  # rests on Z
     assert states["EYY"] == "data"
     assert 0.0 < found["tool"]["u_prior_rms"] < found["tool"]["u_rms"] < found["tool"]["prior_rms"]
-    assert found["tool"]["u_rms"] <= found["tool"]["u_worst"]
+    assert found["tool"]["u_rms"] <= np.sqrt(3.0) * found["tool"]["largest_u"]
     assert any(text in " ".join(one["text"] for one in found["combinations"]) for text in ("the slope of EYX", "EYZ"))
     assert [one["freedom"] for one in found["noise"]] == [0]
 
@@ -206,9 +206,10 @@ def test_no_plan_where_no_run_fits(tmp_path: Path, capsys: pytest.CaptureFixture
     assert list(tmp_path.iterdir()) == []
 
 
-def test_some_runs_alone(tmp_path: Path) -> None:
+def test_some_runs_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "report.json"
     assert plan(RUNS, "--runs", "X-1", "X-2", "X-3", "--report", str(out)) == 0
+    assert capsys.readouterr().out.splitlines()[1].startswith("NOTE: dimensions q_wx, q_wy, q_wz, q_Tx, q_Ty and q_Tz")
     tree = report(out)
     assert tree["expected"]["runs"] == 3
     states = {one["name"]: one["state"] for one in tree["expected"]["components"]}

@@ -11,8 +11,8 @@ from trueaxis.runtime.errors import ErrorValues
 FIVE_AXES = ("dmu60p_5axis", "trunnion_mill", "headhead_mill")
 
 
-def sets(name: str) -> dict[str, LocationSet]:
-    return {one.placement: one for one in location_sets(model(name), ErrorValues(name))}
+def sets(name: str) -> dict[tuple[str, bool], LocationSet]:
+    return {(one.placement, one.workpiece_free): one for one in location_sets(model(name), ErrorValues(name))}
 
 
 @pytest.mark.parametrize("name", FIVE_AXES)

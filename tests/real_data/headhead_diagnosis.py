@@ -69,7 +69,7 @@ def base_left_out(degree: int) -> tuple[int, float]:
     """
     model, data = given()
     rows = rows_of(data)
-    return _left_out(rows, base_of(model, rows, degree).columns)
+    return _left_out(rows, _columns(model, rows, degree))
 
 
 def lobes_left_out(axis: str, lobes: Sequence[int]) -> tuple[int, float]:
@@ -77,11 +77,18 @@ def lobes_left_out(axis: str, lobes: Sequence[int]) -> tuple[int, float]:
     model, data = given(LOBES)
     rows = rows_of(data)
     readings = readings_of(model, rows)
-    found = [base_of(model, rows, 1).columns]
+    found = [_columns(model, rows, 1)]
     for direction, count, (a, b) in product("XYZABC", lobes, ((1.0, 0.0), (0.0, 1.0))):
         effect = Effect("lobes", f"E{direction}{axis}")
         found.append(parameter_signature(readings, effect, np.array([a, b, count]))[0][:, np.newaxis])
     return _left_out(rows, np.hstack(found))
+
+
+def _columns(model: MachineModel, rows: Rows, degree: int) -> FloatArray:
+    """(n, k): errors of the machine and the zeros of the probe runs: where the one sphere is. It has no alignment."""
+    base = base_of(model, rows, degree)
+    zeros = [np.isin(np.arange(rows.size), run.rows.at).astype(np.float64) for run in base.runs]
+    return np.column_stack([base.machine, *zeros])
 
 
 def _left_out(rows: Rows, columns: FloatArray) -> tuple[int, float]:

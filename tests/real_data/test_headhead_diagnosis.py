@@ -14,25 +14,34 @@ def test_nothing_is_named_and_the_values_are_stale() -> None:
     found = diagnosis()
     assert found.verdict == "recalibrate"
     assert found.causes == ()
-    assert found.recalibration_p < 1e-6
+    assert found.recalibration_p < 1e-5
     best = max(found.scan, key=lambda one: one.evidence)
-    assert best.effect.kind == "drift"
     assert best.evidence < 0.5 * found.threshold
     drifts = [one.state for one in found.limits if one.effect.kind == "drift"]
-    assert len(drifts) == 30
-    assert drifts.count("observable") <= 3
+    assert drifts == ["unobservable"] * 30  # a creep of the three runs holds them
 
 
-def test_noise_is_the_scatter_of_the_repeated_pose() -> None:
-    """Poses 14, 23 and 32: B came up and C down to 0; poses 1 to 5 are left out, as B had not moved."""
+def test_the_length_of_the_tool_is_what_is_stale() -> None:
+    """As `identify` and the independent fit have it: 0.82 mm longer than said."""
+    (tool,) = diagnosis().stale
+    assert (tool.component, tool.unit, tool.first) == ("EZ0T", "mm", None)
+    assert tool.value == pytest.approx(0.80, abs=0.03)
+    assert tool.p_value < 1e-8
+
+
+def test_noise_is_no_more_than_the_scatter_of_the_repeated_pose() -> None:
+    """Poses 14, 23, 32: B came up and C down to 0; poses 1 to 5 are left out, as B had not moved. Each run has a zero
+    and a creep: of three readings one degree of freedom is left. No course of poses tells the noise.
+    """
     angles, centres = poses()
     repeats = [place for place in np.flatnonzero((angles == 0.0).all(axis=0)) if place > 4]
     assert len(repeats) == 3
-    expected = np.sqrt(centres[:, repeats].var(axis=1, ddof=1).mean())
+    scatter = np.sqrt(centres[:, repeats].var(axis=1, ddof=1).mean())
+    assert 1e3 * scatter == pytest.approx(8.5, abs=0.05)
     (noise,) = diagnosis().noise
-    assert noise.sigma == pytest.approx(expected, rel=1e-6)
-    assert 1e3 * noise.sigma == pytest.approx(8.5, abs=0.05)
-    assert noise.freedom == 6
+    assert (noise.origin, noise.freedom) == ("repeats", 3)
+    assert 0.4 * scatter < noise.sigma < scatter
+    assert 1e3 * noise.sigma == pytest.approx(4.7, abs=0.1)
 
 
 def test_readings_before_an_axis_has_moved_are_left_out() -> None:
@@ -74,9 +83,9 @@ def test_at_four_angles_all_harmonics_of_c_are_the_same() -> None:
 
 
 def test_the_held_out_poses_are_repeats_that_say_nothing_of_other_poses() -> None:
-    held = diagnosis().gain.held_out
-    assert 1e3 * held.given == pytest.approx(115.0, abs=1.0)
-    assert 1e3 * held.refitted == pytest.approx(12.0, abs=0.1)
+    gain = diagnosis().gain
+    assert "3 passes" in gain.split
+    assert np.isnan([gain.held_out.given, gain.held_out.refitted, gain.standardised]).all()  # one reading of each run
     assert base_left_out(12)[1] > 2.5 * base_left_out(3)[1]  # least norm among fits without residuals
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from tests.real_data.linear_axis import BOWED, TURNING, command, diagnosis, gained, lost_motion
 from tests.real_data.linear_axis_data import FILE, readings
-from trueaxis.diagnose.result import Diagnosis
+from trueaxis.diagnose.result import Diagnosis, StructureClass
 from trueaxis.iso230_2.evaluation import evaluate
 from trueaxis.iso230_2.read import read_positioning_test
 
@@ -30,10 +30,16 @@ def test_readings_are_in_the_order_of_the_standard() -> None:
     assert table["reading"][17] == test.negative[0, 0] - test.targets[0]
 
 
-OF_DIRECTION = ("between directions", "locally", "one period", "lack of fit")  # cycles of the run are a period of it
+OF_DIRECTION = {
+    StructureClass.LINE_DIRECTION,
+    StructureClass.LINE_RIPPLE,
+    StructureClass.LINE_LOCAL,
+    StructureClass.ONE_PERIOD,  # cycles of the run are a period of it
+    StructureClass.LACK_OF_FIT,
+}
 
 
-@pytest.mark.parametrize(("swapped", "width"), [(False, -25.8), (True, 25.0)])
+@pytest.mark.parametrize(("swapped", "width"), [(False, -26.0), (True, 24.5)])
 def test_lost_motion_is_named_with_a_remainder_and_swapped_labels_turn_its_sign(swapped: bool, width: float) -> None:
     """A constant explains a little more than the nine tenths asked; what is left depends on the direction as well."""
     found = diagnosis(swapped=swapped)
@@ -43,10 +49,11 @@ def test_lost_motion_is_named_with_a_remainder_and_swapped_labels_turn_its_sign(
     assert cause.effect.label == "backlash EXX"
     assert cause.rivals == ()
     assert 1e3 * size.value == pytest.approx(width, abs=0.4)
-    assert 2e3 * size.u == pytest.approx(1.7, abs=0.2)
+    assert 2e3 * size.u == pytest.approx(1.15, abs=0.2)
     assert cause.evidence > found.threshold + 30.0
     assert cause.remainder
-    assert all(one.name.endswith(OF_DIRECTION) for one in found.checks if one.fired)
+    assert {one.structure for one in found.checks if one.fired} == OF_DIRECTION
+    assert [one.component for one in found.stale] == ["EXX"]  # zero was given
 
 
 def test_its_size_is_the_mean_reversal_value_of_the_standard() -> None:
@@ -54,17 +61,23 @@ def test_its_size_is_the_mean_reversal_value_of_the_standard() -> None:
     assert abs(size.value - evaluate(read_positioning_test(FILE)).B_mean) < 2.0 * size.u
 
 
-def test_what_the_name_gains_is_what_plain_least_squares_gain() -> None:
-    """Nine targets: the saturated base is a mean for each target, and backlash one column beside."""
+def test_what_the_name_gains_lies_between_plain_least_squares_with_and_without_a_drift() -> None:
+    """Nine targets: the base is a mean for each target, backlash one column beside, and the run may creep."""
     gain = diagnosis().gain
-    none, lost = gained(()), gained(("backlash",))
-    assert 1e3 * gain.rms.refitted == pytest.approx(none.inside, rel=1e-4)
-    assert 1e3 * gain.rms.extended == pytest.approx(lost.inside, rel=1e-4)
-    assert 1e3 * gain.held_out.refitted == pytest.approx(none.ahead, rel=1e-4)
-    assert 1e3 * gain.held_out.extended == pytest.approx(lost.ahead, rel=1e-4)
-    assert 1e3 * np.array([gain.rms.given, gain.held_out.given]) == pytest.approx([33.0, 33.3], abs=0.05)
-    assert 1e3 * gain.floor == pytest.approx(3.13, abs=0.05)
+    none, lost, drifting = gained(()), gained(("backlash",)), gained(("backlash", "drift"))
+    counted = np.sqrt(90.0 / 88.0)  # the zero and the creep of the run are fitted and count
+    assert 1e3 * gain.rms.refitted == pytest.approx(counted * none.inside, rel=0.01)
+    assert drifting.inside < 1e3 * gain.rms.extended < lost.inside
+    assert drifting.ahead < 1e3 * gain.held_out.extended < lost.ahead < 0.5 * 1e3 * gain.held_out.refitted
+    assert 1e3 * np.array([gain.rms.given, gain.held_out.given]) == pytest.approx([33.3, 33.7], abs=0.1)
+    assert 1e3 * np.array([gain.rms.extended, gain.held_out.extended]) == pytest.approx([3.56, 4.74], abs=0.05)
+    assert 1e3 * gain.floor == pytest.approx(2.27, abs=0.05)
     assert "2 passes" in gain.split
+
+
+def test_the_last_cycles_hold_more_than_the_first_ones_tell() -> None:
+    """The middle creeps: no term named accounts for that, and the scatter of the held-out residuals says so."""
+    assert diagnosis().gain.standardised == pytest.approx(1.97, abs=0.1)
 
 
 def test_lost_motion_is_not_the_same_everywhere_in_any_cycle() -> None:
@@ -77,34 +90,31 @@ def test_lost_motion_is_not_the_same_everywhere_in_any_cycle() -> None:
     assert np.count_nonzero(outside) >= 4
 
 
-def test_with_four_cycles_lost_motion_is_always_first_and_not_always_named() -> None:
-    """The name is not far from the share that it needs; a cycle less may cost it, and never brings another."""
+def test_with_four_cycles_lost_motion_is_named_all_the_same() -> None:
+    """A cycle less neither costs the name nor brings another, nor does it change the size by more than its U."""
     found = {cycle: diagnosis(without=cycle) for cycle in range(1, 6)}
     for one in found.values():
         assert max(one.scan, key=lambda each: each.evidence).effect.label == "backlash EXX"
-        assert named(one) in ([], ["backlash EXX"])
-        assert [1e3 * cause.parameters[0].value for cause in one.causes] == pytest.approx(
-            [-26.0] * len(one.causes), abs=1
-        )
-    assert [found[cycle].verdict for cycle in (2, 4)] == ["unexplained_structure"] * 2
-    assert found[1].verdict == "explained"
+        assert named(one) == ["backlash EXX"]
+        assert one.verdict == "explained"
+        assert [1e3 * cause.parameters[0].value for cause in one.causes] == pytest.approx([-26.0], abs=0.6)
 
 
-@pytest.mark.parametrize(("swapped", "sign"), [(False, -1.0), (True, 1.0)])
-def test_a_kind_with_a_swing_takes_the_remainder_and_gains_little_ahead(swapped: bool, sign: float) -> None:
+@pytest.mark.parametrize(("swapped", "width"), [(False, -24.9), (True, 23.5)])
+def test_a_kind_with_a_swing_takes_the_remainder_and_gains_little_ahead(swapped: bool, width: float) -> None:
     found = diagnosis(kinds=TURNING, swapped=swapped)
     assert named(found) == ["backlash EXX", "turning_play EXX"]
     lost, turning = found.causes
     assert found.verdict == ("ambiguous" if lost.rivals else "explained")
-    assert {one.effect.label for one in lost.rivals} <= {"reversal_spike EXX"}
+    assert {one.effect.label for one in lost.rivals} <= {"reversal_spike EXX", "reversal_spike_path EXX"}
     assert turning.rivals == ()
     assert not lost.remainder
-    assert 1e3 * lost.parameters[0].value == pytest.approx(sign * 24.5, abs=1.0)
+    assert 1e3 * lost.parameters[0].value == pytest.approx(width, abs=0.4)
     amplitude = np.hypot(turning.parameters[0].value, turning.parameters[1].value)
     assert 1e3 * amplitude == pytest.approx(4.5, abs=0.5)
     assert turning.parameters[2].value == pytest.approx(12.4, abs=0.4)
-    assert (lost.held_out_gain, turning.held_out_gain) == pytest.approx((0.62, 0.04), abs=0.02)
-    assert 1e3 * found.gain.held_out.extended == pytest.approx(5.0, abs=0.1)
+    assert (lost.held_out_gain, turning.held_out_gain) == pytest.approx((0.635, 0.048), abs=0.02)
+    assert 1e3 * found.gain.held_out.extended == pytest.approx(4.5, abs=0.15)
 
 
 def test_without_times_nothing_of_time_is_said() -> None:
@@ -115,11 +125,14 @@ def test_without_times_nothing_of_time_is_said() -> None:
 
 
 @pytest.mark.parametrize("kinds", ["", BOWED], ids=["library", "bowed"])
-def test_no_drift_is_named_and_the_noise_holds_it(kinds: str) -> None:
-    """Though it gains on cycles to come: the floor is far above what repeats leave beside a drift of each target."""
+def test_no_drift_is_named_and_the_noise_does_not_hold_it(kinds: str) -> None:
+    """A creep of the run is the instrument's until another line says that it is not: it is free, and no noise."""
     found = diagnosis(kinds=kinds)
     assert named(found) == ["backlash EXX"]
-    assert found.noise[0].correlated > found.noise[0].white
+    (noise,) = found.noise
+    assert noise.origin == "repeats"
+    assert 1e3 * noise.sigma < 0.85 * gained(("backlash by target",)).inside
+    assert noise.correlated < 0.5 * noise.white
     assert gained(("backlash", "bowed drift")).ahead < 0.75 * gained(("backlash",)).ahead
 
 

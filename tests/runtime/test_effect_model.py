@@ -1,5 +1,8 @@
 """The machine model with effects: what they add to component errors, in a context and without one."""
 
+from dataclasses import replace
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -31,10 +34,8 @@ def with_effects(model: MachineModel, *effects: EffectValues) -> MachineModel:
     return model.with_values(ErrorValues("test", {}, CURVES, effects=effects))
 
 
-def context(**columns: np.typing.NDArray[np.float64]) -> Context:
-    still = Context.at_rest(3, 3)
-    whole = {name: getattr(still, name) for name in ("directions", "velocity", "since_reversal", "time", "temperature")}
-    return Context(**(whole | columns))
+def context(**columns: Any) -> Context:
+    return replace(Context.at_rest(3, 3), **columns)
 
 
 def test_a_term_is_added_to_the_curve_of_its_component_in_every_view(model: MachineModel) -> None:
@@ -70,7 +71,11 @@ def test_a_step_at_an_unknown_time_is_unknown(model: MachineModel) -> None:
     step = Effect("laser_step", runs=("X1",))
     nothing, time = np.full(3, np.nan), np.array([1.0, np.nan, 3.0])
     term = reading_term(
-        model.kernels, model.machine, step, np.array([0.5, 2.0]), ReadingContext(nothing, nothing, time, nothing)
+        model.kernels,
+        model.machine,
+        step,
+        np.array([0.5, 2.0]),
+        ReadingContext(nothing, nothing, nothing, time, nothing),
     )
     np.testing.assert_array_equal(term[0], [0.0, np.nan, 0.5])
 
@@ -83,6 +88,26 @@ def test_before_the_first_reversal_a_spike_and_its_derivatives_are_zero(model: M
     assert not term.any()
 
 
+@pytest.mark.parametrize("kind", ["reversal_spike_time", "reversal_spike_path"])
+def test_spikes_over_time_and_path_take_what_has_passed_of_it(model: MachineModel, kind: str) -> None:
+    passed = np.full((3, 3), np.inf)
+    passed[0] = [0.0, 2.0, np.nan]
+    name = "time_since" if kind == "reversal_spike_time" else "path_since"
+    moved = context(directions=-np.ones((3, 3)), **{name: passed})
+    term = component_term(model.kernels, model.machine, Effect(kind, "EXX"), np.array([1e-3, 4.0]), AT, moved)
+    np.testing.assert_allclose(term[0], [-1e-3, -1e-3 * np.exp(-0.5), np.nan], rtol=1e-14)
+    other = component_term(model.kernels, model.machine, Effect(kind, "EYY"), np.array([1e-3, 4.0]), AT, moved)
+    assert not other.any()  # Y has not turned back
+
+
+def test_what_a_term_does_not_use_may_be_unknown(model: MachineModel) -> None:
+    nothing = ReadingContext(*np.full((5, 3), np.nan))
+    zero = Effect("reading_zero", runs=("c",))
+    np.testing.assert_array_equal(reading_term(model.kernels, model.machine, zero, np.array([2e-3]), nothing)[0], 2e-3)
+    slope = Effect("reading_slope", runs=("c",))
+    assert np.isnan(reading_term(model.kernels, model.machine, slope, np.array([2e-3]), nothing)).all()
+
+
 def test_a_context_is_of_as_many_positions(model: MachineModel) -> None:
     found = with_effects(model, DRIFT).in_context(context())
     with pytest.raises(ValueError, match="the context is of 3 positions, not 2"):
@@ -93,7 +118,7 @@ def test_terms_of_another_place_are_refused(model: MachineModel) -> None:
     scale = Effect("laser_scale")
     with pytest.raises(ValueError, match="laser_scale is no effect on a component"):
         component_term(model.kernels, model.machine, scale, np.zeros(1), AT, context())
-    nothing = ReadingContext(*np.zeros((4, 3)))
+    nothing = ReadingContext(*np.zeros((5, 3)))
     with pytest.raises(ValueError, match="backlash EXX is no effect on a reading"):
         reading_term(model.kernels, model.machine, BACKLASH.effect, np.zeros(1), nothing)
 

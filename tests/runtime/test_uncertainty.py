@@ -13,10 +13,10 @@ from trueaxis.cli import main
 from trueaxis.faults import InputError
 from trueaxis.runtime.bases import HatBasis, LegendreBasis, PowerBasis, unmeasured_basis
 from trueaxis.runtime.context import Context
-from trueaxis.runtime.covariance import Covariance, digest_of_values, factor
+from trueaxis.runtime.covariance import Covariance, digest_of_numbers, digest_of_values, factor
 from trueaxis.runtime.covariance_file import dump_covariance, linked, read_covariance
 from trueaxis.runtime.curves import Curve, FloatArray, PolynomialCurve, TableCurve
-from trueaxis.runtime.errors import ErrorValues, Undetermined, dump_errors
+from trueaxis.runtime.errors import ErrorValues, Fit, Undetermined, dump_errors
 from trueaxis.runtime.extent import uncertainty_extent, volume_grid
 from trueaxis.runtime.measured_range import beyond_measured
 from trueaxis.runtime.model import MachineModel, load_errors, load_model
@@ -215,13 +215,35 @@ def test_edited_values_do_not_keep_their_uncertainties(model: MachineModel, tmp_
         load_uncertainty(path, replace(errors), machine)
 
 
-def test_the_digest_is_of_the_values_alone() -> None:
+def test_the_digest_is_of_values_and_of_what_is_decided_by() -> None:
     curve = PolynomialCurve((2, 1), (1e-8, 1e-5), (1e-9, 1e-6), (0.0, 100.0))
-    plain = PolynomialCurve((1, 2), (1e-5, 1e-8))
-    assert digest_of_values(ErrorValues("m", {"a": 1.0}, {"EXX": curve}, {"a": 0.1})) == digest_of_values(
-        ErrorValues("m", {"a": 1.0}, {"EXX": plain})
-    )
-    assert digest_of_values(ErrorValues("m", {"a": 1.0})) != digest_of_values(ErrorValues("m", {"a": 1.0 + 1e-15}))
+    plain = PolynomialCurve((1, 2), (1e-5, 1e-8), None, (0.0, 100.0))
+    values = ErrorValues("m", {"a": 1.0}, {"EXX": plain}, fit=Fit("misfit", 9.0, ("X-1",)))
+    assert digest_of_values(replace(values, motion_errors={"EXX": curve}, u={"a": 0.1})) == digest_of_values(values)
+    edited = [
+        replace(values, parameters={"a": 1.0 + 1e-15}),
+        replace(values, fit=Fit("converged")),
+        replace(values, fit=None),
+        replace(values, motion_errors={"EXX": replace(plain, measured=(0.0, 500.0))}),
+        replace(values, determined={"EXX": "data"}),
+        replace(values, undetermined=(Undetermined("EXX: x^1", ("EXX",)),)),
+    ]
+    assert len({digest_of_values(one) for one in (values, *edited)}) == 1 + len(edited)
+
+
+def test_a_misfit_that_was_edited_away_is_refused_and_older_files_are_read(model: MachineModel, tmp_path: Path) -> None:
+    machine, covariance, path = model.machine, mixed_covariance(model), tmp_path / "e.json"
+    misfit = replace(with_steps(covariance, np.full(10, 1e-16)), fit=Fit("misfit", 9.0, ("X-1",)))
+    values, content = linked(misfit, covariance, path, tmp_path / "e.npz")
+    text = dump_errors(values, components=machine.components, parameters=machine.parameters)
+    (tmp_path / "e.npz").write_bytes(content)
+    path.write_text(text)
+    assert load_uncertainty(path, load_errors(path, machine), machine).count == covariance.count
+    path.write_text(text.replace('"misfit"', '"converged"'))
+    with pytest.raises(InputError, match=r"or how they were judged \(fit, determined"):
+        load_uncertainty(path, load_errors(path, machine), machine)
+    (tmp_path / "e.npz").write_bytes(dump_covariance(replace(covariance, sha256_of_values=digest_of_numbers(values))))
+    assert load_uncertainty(path, load_errors(path, machine), machine).count == covariance.count
 
 
 def test_a_factor_gives_its_matrix_back_whatever_the_units() -> None:

@@ -195,9 +195,9 @@ CARETS = {
     "sag*s**2": (6, "'*'", "^ for a power"),
     "sag*log(s)": (4, "no function log", "sin cos exp"),
     "sag*(s": (6, "the end", ") for the ("),
-    "sag*cos(q/period)*u": (18, "u is unknown", "one of q s direction v d t T"),
+    "sag*cos(q/period)*u": (18, "u is unknown", "one of q s direction v d d_time d_path t T"),
     "sag*cos(q/period)*s_b": (18, "s_b is no variable", "other_axis = true"),
-    "along + sag*cos(q/period)": (0, "along is no variable", "one of q s direction v d t T"),
+    "along + sag*cos(q/period)": (0, "along is no variable", "one of q s direction v d d_time d_path t T"),
 }
 
 

@@ -4,8 +4,9 @@
     python -m tests.worlds.campaign --out DIR --table                                    # what is there as tables
 
 A machine is one line of JSON in a file of DIR (designs FIRST to FIRST + N - 1 write results-FIRST-N.jsonl); what is
-there already is not done again, and files of several processes or days are added up by --table. Kernels stay in
-DIR/worlds. The designs take turns, a few machines each, so that all have as many when time is up.
+there already is not done again, and files of several processes or days are added up by --table. Worlds stay in
+DIR/worlds, what the machines of a design share in the memory (about 100 MB each). The designs take turns, a few
+machines each, so that all have as many when time is up.
 """
 
 import argparse
@@ -20,7 +21,7 @@ from tests.worlds.estimates import GIVEN, Outcome, World, outcome, world
 CURVES = ("smooth", "prior")
 # machines of a design in turn: half of them draws of a prior; [prior] as nobody has touched it, right, or wrong
 KINDS = tuple((CURVES[(k + start) % 2], given) for start in range(2) for k, given in enumerate(GIVEN))
-A_TURN = len(GIVEN)
+A_TURN = len(KINDS)
 SEEDS_APART = 1000  # machines of a design at most
 
 
@@ -51,16 +52,18 @@ def measure_designs(folder: Path, seeds: range, machines: int, until: float) -> 
     """Append a line for every machine that is not there yet; until: of time.monotonic()."""
     folder.mkdir(parents=True, exist_ok=True)
     done = {(line["design"], line["machine"]) for line in read_lines(folder)}
+    worlds: dict[int, World] = {}
     with (folder / f"results-{seeds.start}-{len(seeds)}.jsonl").open("a") as results:
         for seed, numbers in _turns(seeds, machines):
             left = [number for number in numbers if (seed, number) not in done]
             if not left:
                 continue
-            one = world(seed, folder / "worlds" / str(seed))
+            if seed not in worlds:
+                worlds[seed] = world(seed, folder / "worlds" / str(seed))
             for number in left:
                 if time.monotonic() > until:
                     return
-                results.write(json.dumps(line_of(one, number)) + "\n")
+                results.write(json.dumps(line_of(worlds[seed], number)) + "\n")
                 results.flush()
 
 

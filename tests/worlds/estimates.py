@@ -3,8 +3,6 @@
 All is judged from home, where work offsets are touched off: the deviation of the tool point less that at home.
 """
 
-import contextlib
-import io
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -12,13 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
+from tests.kept import derived
 from tests.worlds.design import Design, draw_design
 from tests.worlds.files import spec_toml, write_world
 from tests.worlds.machine import Array
 from tests.worlds.oracle import Oracle, oracle, prediction_columns
 from tests.worlds.readings import measure
 from tests.worlds.truth import SIZES, Truth, draw_machine, random_points
-from trueaxis.cli import main
 from trueaxis.estimation.estimate import Estimate, estimate
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.observations import Observations, observations
@@ -86,17 +84,15 @@ class Outcome:
 
 
 def world(seed: int, folder: Path, axes: int | None = None) -> World:
-    """Write and read a design; derive its kernels where that has not been done in the folder."""
+    """Write and read a design; derive its kernels where that has not been done yet."""
     design = draw_design(seed, axes)
     truth = draw_machine(design.machine, seed)
     write_world(folder, design, truth, measure(design, truth, seed), sessions=design.ingredients["says_sessions"])
-    if not (folder / "kernels").is_dir():
-        with contextlib.redirect_stdout(io.StringIO()):
-            assert main(["derive", str(folder / "machine.toml"), "--out", str(folder / "kernels")]) == 0
+    kernels = derived(folder / "machine.toml")
     models = {}
     for name, sizes in reversed(list(GIVEN.items())):  # the default comes last and stays
         (folder / "machine.toml").write_text(spec_toml(design.machine, prior=sizes))
-        models[name] = load_model(folder / "machine.toml", folder / "errors.json", folder / "kernels")
+        models[name] = load_model(folder / "machine.toml", folder / "errors.json", kernels)
     data = read_data(folder / "data", models["default"])
     plan = observations(str(folder), data.setup.runs, data.readings)
     return World(design, models, plan, random_points(design.machine, seed, POINTS), {}, {})

@@ -206,11 +206,18 @@ class Figures:
 def figures(fits: Sequence[Fit], truths: Sequence[Truth], positions: Mapping[str, Array], tool_point: Array) -> Figures:
     """How good fits are at positions such as those of `random_points`."""
     true = [truth.deviation(positions, tool_point) for truth in truths]
-    predicted = [fit.predict(positions, tool_point) for fit in fits]
+    # the machines are of one design: what a prediction changes by is the same for all
+    there, home = (
+        prediction_columns(fits[0].machine, fits[0].family, positions, tool_point, datum)
+        for datum in ("machine", "home")
+    )
+    predicted = [fit.predict(positions, tool_point, columns=there) for fit in fits]
     error = [mean - own for (mean, _), own in zip(predicted, true, strict=True)]
     u = [spread for _, spread in predicted]
     home_true = [truth.deviation(positions, tool_point, "home") for truth in truths]
-    home_error = [fit.predict(positions, tool_point, "home")[0] - own for fit, own in zip(fits, home_true, strict=True)]
+    home_error = [
+        fit.predict(positions, tool_point, "home", home)[0] - own for fit, own in zip(fits, home_true, strict=True)
+    ]
     return Figures(
         _rms_um(true),
         _rms_um(error),

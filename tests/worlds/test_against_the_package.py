@@ -7,6 +7,7 @@ import numpy as np
 import polars as pl
 import pytest
 
+from tests.kept import derived
 from tests.worlds.design import Design, draw_design
 from tests.worlds.effects import Effect
 from tests.worlds.files import points_csv, write_world
@@ -30,8 +31,7 @@ def agree(seed: int, folder: Path) -> None:
     at = {axis: np.concatenate([jac.at[axis], jac.at_home[axis], points[axis]]) for axis in design.machine.axes}
     write_world(folder, design, truth, None, truth_given(truth, at))
     (folder / "points.csv").write_text(points_csv(design.machine, points, TOOL))
-    spec, kernels = str(folder / "machine.toml"), str(folder / "kernels")
-    assert main(["derive", spec, "--out", kernels]) == 0
+    spec, kernels = str(folder / "machine.toml"), str(derived(folder / "machine.toml"))
     model = [spec, "--errors", str(folder / "errors.json"), "--kernels", kernels]
     assert main(["simulate", *model, "--data", str(folder / "data"), "--out", str(folder / "out")]) == 0
     assert main(["predict", *model, "--at", str(folder / "points.csv"), "--out", str(folder / "predicted.csv")]) == 0
@@ -134,7 +134,6 @@ def test_the_package_takes_the_files_and_reads_what_was_written(seed: int, tmp_p
 def test_plan_judges_a_world(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     design = draw_design(39)
     write_world(tmp_path, design, draw_machine(design.machine, 1), None)
-    spec, kernels = str(tmp_path / "machine.toml"), str(tmp_path / "kernels")
-    assert main(["derive", spec, "--out", kernels]) == 0
+    spec, kernels = str(tmp_path / "machine.toml"), str(derived(tmp_path / "machine.toml"))
     assert main(["plan", spec, "--data", str(tmp_path / "data"), "--kernels", kernels]) in (0, 1)
     assert "Traceback" not in capsys.readouterr().err

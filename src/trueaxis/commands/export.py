@@ -20,7 +20,7 @@ from trueaxis.reporting.reliance import (
     error_free_sentences,
     extent_sentences,
     prior_sentences,
-    range_sentences,
+    travel_sentences,
 )
 from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.extent import UncertaintyExtent, uncertainty_extent, volume_grid
@@ -100,7 +100,7 @@ def run(args: argparse.Namespace) -> int:
     if found := overwritten(inputs, outputs, args.kernels):
         raise InputError(found)
     extent = uncertainty_extent(model, covariance, positions, tool)
-    beyond = range_sentences(beyond_measured(model.errors, model.axes, positions), positions.shape[1])
+    beyond = travel_sentences(beyond_measured(model.errors, model.axes, positions))
     refusals = _refusals(args, model, tool, positions, extent)
     if not refusals:
         write_files(contents)

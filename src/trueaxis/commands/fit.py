@@ -38,9 +38,9 @@ DESCRIPTION = """\
 Replace the curves of an error-values file by optimal polynomials that are zero at home, as in Sect. 4: the order by the
 mean square error, an F test of the equation, t tests of its terms, terms chosen stepwise by AIC until both tests pass.
 Shows the statistics before and after. Curves are tables (method stepwise) or the Legendre curves of the estimate
-(method global), which are fitted by generalised least squares with their posterior covariance. A Legendre curve that
-rests on the prior, or without a significant polynomial, stays as it is; the picture shows the first kind dashed, with a
-band."""
+(method global), which are fitted by generalised least squares with their posterior covariance. A Legendre curve stays
+as it is where it rests on the prior, or where no significant polynomial is within half its standard uncertainty; the
+picture shows the first kind dashed, with a band."""
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

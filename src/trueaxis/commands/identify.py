@@ -30,7 +30,9 @@ from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.report import Identification, IdentificationReport
 from trueaxis.identify.report_text import fit_text, report_json, report_text, runs_text
 from trueaxis.identify.weighting import NoiseModel
+from trueaxis.identify.words import enumerated
 from trueaxis.measure.active_compensation import active_file
+from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.setup import Setup
 from trueaxis.runtime.believable import check_believable
 from trueaxis.runtime.covariance import Covariance
@@ -158,7 +160,7 @@ def run(args: argparse.Namespace) -> int:
         worst = identified.report.quality.runs
         print(f"trueaxis: residuals of the worst runs: {runs_text(worst)}", file=sys.stderr)
         return 1
-    identified = replace(identified, report=_with_setup(identified.report, data.setup, args.data))
+    identified = replace(identified, report=_with_setup(_with_unread(identified.report, data), data.setup, args.data))
     file = args.covariance or args.out.with_suffix(".npz")
     joined = _with_known(args, machine, identified.covariance, known)
     values, covariance = linked(identified.values, joined, args.out, file)
@@ -196,6 +198,17 @@ def _with_known(
 def _with_setup(report: IdentificationReport, setup: Setup, folder: Path) -> IdentificationReport:
     notes = (*report.notes, compensation_note(setup, folder))
     return replace(report, notes=notes, measurement=setup.report)
+
+
+def _with_unread(report: IdentificationReport, data: MeasuredData) -> IdentificationReport:
+    """Says which runs of the set-up have no reading, or not all of theirs yet."""
+    planned, run = data.readings.planned, data.readings.run
+    counts = {one.id: (int((run == k).sum()), int(planned[run == k].sum())) for k, one in enumerate(data.setup.runs)}
+    unread = [name for name, (rows, empty) in counts.items() if rows == empty]
+    partly = [f"{name} ({empty} of {rows} rows)" for name, (rows, empty) in counts.items() if 0 < empty < rows]
+    said = [f"no reading yet in {enumerated(unread)}"] if unread else []
+    said += [f"readings are missing in {enumerated(partly)}"] if partly else []
+    return replace(report, caveats=(*report.caveats, *(f"{one}: the others alone are used" for one in said)))
 
 
 def _identify(

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 DESCRIPTION = """\
 Say what the runs of --data will tell, before any reading is taken (readings that are there are not looked at): the
 standard uncertainty to expect of every error and of the tool point over the volume, what of it rests on [prior] of the
-spec, what is told together alone, whether repeats tell the noise, the order of blocks for --method stepwise.
+spec, what is known only in combination, whether repeats tell the noise, the order of blocks for --method stepwise.
 --propose N adds the runs that lower the uncertainty most per minute. --with, without --data, makes a first plan from
 nothing. Exit code 1 where the runs tell nothing."""
 
@@ -139,7 +139,7 @@ def run(args: argparse.Namespace) -> int:
             if args.out is not None:
                 setup = args.data / setup_file.FILE_NAME
                 contents |= _written(args, utf8_text(setup, moved_setup(args.data, args.out)), setup, added)
-    report = replace(report, notes=(*dimension_notes(model, options.given), *report.notes))
+    report = replace(report, caveats=dimension_notes(model, options.given))
     if args.report is not None:
         contents[args.report] = report_json(report)
     if args.picture is not None:

@@ -7,14 +7,14 @@ from trueaxis.compensate.placed import ContextModel
 from trueaxis.compensate.settings import Settings
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import context_of
-from trueaxis.effects.variables import REFERENCE_TEMPERATURE
+from trueaxis.effects.variables import REFERENCE_TEMPERATURE, SINCE_REVERSAL
 from trueaxis.runtime.effect_terms import component_axis
 from trueaxis.runtime.model import MachineModel
 
 OF_INSTRUMENT = "an instrument's: no error of the machine"
 NO_TIME = "depends on time: say --time"
 NO_TEMPERATURE = f"temperature taken as {REFERENCE_TEMPERATURE:g} degC; another: --temperature"
-_REVERSALS = ("direction", "d")
+_REVERSALS = ("direction", *SINCE_REVERSAL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,8 @@ class Acting:
     """A machine with those effects that are compensated.
 
     notes: on all of its effects. reversing: axes whose direction or distance since a reversal an effect depends on.
-    moving: whether an effect depends on velocity. time: s; temperature: degC.
+    moving: whether an effect depends on velocity, or on
+    the time that motions take. time: s; temperature: degC.
     """
 
     model: ContextModel
@@ -57,7 +58,7 @@ def acting(model: ErrorModel, settings: Settings) -> Acting | None:
             if own in _REVERSALS:
                 axis = one.effect.axis if name.endswith("_b") else component_axis(one.effect)
                 reversing.add(axis or "")
-            moving |= own == "v"
+            moving |= own in ("v", "d_time")
     return Acting(
         model.with_values(replace(model.errors, effects=kept)),
         tuple(note for _, note in found),
@@ -79,6 +80,8 @@ def _note(effect: Effect, kind: Kind, settings: Settings) -> EffectNote:
         how.append("by blocks that take up what a reversal changes")
     if "v" in used:
         how.append("at the programmed feed, fading out towards stops and corners")
+    if "d_time" in used and "v" not in used:
+        how.append("at the programmed feed")
     if "t" in used:
         how.append(f"{settings.time:g} s after the start")
     if "T" in used:

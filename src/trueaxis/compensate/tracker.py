@@ -10,7 +10,7 @@ from trueaxis.compensate.along import Along
 from trueaxis.compensate.course import Course, Standing, since_reversal, turnings
 from trueaxis.compensate.held import Held, axes_elsewhere
 from trueaxis.compensate.lattice import word_steps
-from trueaxis.compensate.machine import FloatArray
+from trueaxis.compensate.machine import FloatArray, linear_rows
 from trueaxis.compensate.moves import Kind, Move, Notes
 from trueaxis.compensate.path import Path, path_of
 from trueaxis.compensate.placed import OnCourse, Placed
@@ -71,12 +71,12 @@ class Tracker:
         steps = np.where(inch, self._steps[True], self._steps[False])
         elsewhere = axes_elsewhere(moves, len(self._axes))[:, path.owner]
         direction, extreme = self._directions(path, steps, elsewhere)
-        since, gone = since_reversal(path, direction, standing)
         velocity, duration, at_ends = self._velocities(path, moves, follows, following)
+        since, gone = since_reversal(path, direction, standing, duration, linear_rows(self._axes))
         at_starts = np.concatenate([standing.velocity[:, None], at_ends[:, :-1]], axis=1)
         course = Course(direction, since, gone, (at_starts, velocity, at_ends), ramps(duration))
         jumps = self._jumps(path, course, steps, moves)
-        self._standing = Standing(extreme, direction[:, -1], since[:, -1] + gone[:, -1], at_ends[:, -1])
+        self._standing = Standing(extreme, direction[:, -1], since[..., -1] + gone[..., -1], at_ends[:, -1])
         return self._with_jumps(path, course, jumps)
 
     def _directions(self, path: Path, steps: FloatArray, elsewhere: Held) -> tuple[FloatArray, FloatArray]:
@@ -84,7 +84,7 @@ class Tracker:
         if not self._acting.reversing:
             return np.zeros_like(path.points), standing.extreme
         model = self._placed(
-            np.zeros_like(path.points), np.zeros_like(path.points), np.full_like(path.points, FARTHEST)
+            np.zeros_like(path.points), np.zeros_like(path.points), np.full((3, *path.points.shape), FARTHEST)
         )
         wanted = np.where(elsewhere, np.nan, path.points + self._along.correction(model, path.points))
         band = steps * np.where(path.points == path.origins, STANDS, MOVES)
@@ -115,15 +115,15 @@ class Tracker:
     def _jumps(self, path: Path, course: Course, steps: FloatArray, moves: Sequence[Move]) -> NDArray[np.int64]:
         """Motions at whose start the commands are to jump by more than rounding."""
         before = np.concatenate([self._standing.direction[:, None], course.direction[:, :-1]], axis=1)
-        since = np.concatenate([self._standing.since[:, None], (course.since + course.gone)[:, :-1]], axis=1)
+        since = np.concatenate([self._standing.since[..., None], (course.since + course.gone)[..., :-1]], axis=2)
         turned = (course.direction != before).any(axis=0) & ~path.rapid & np.isfinite(path.origins).all(axis=0)
         index = np.flatnonzero(turned)
         if index.size == 0:
             return index
         velocity = course.velocity[0][:, index]
         at = np.ascontiguousarray(path.origins[:, index])
-        new = self._placed(course.direction[:, index], velocity, course.since[:, index])
-        old = self._placed(before[:, index], velocity, since[:, index])
+        new = self._placed(course.direction[:, index], velocity, course.since[..., index])
+        old = self._placed(before[:, index], velocity, since[..., index])
         leap = self._along.correction(new, at) - self._along.correction(old, at)
         counts = np.abs(leap) > 0.5 * steps[:, index]
         against = counts & (leap * course.direction[:, index] < 0.0) & (course.direction * before < 0.0)[:, index]
@@ -145,4 +145,6 @@ class Tracker:
     def _placed(self, directions: FloatArray, velocity: FloatArray, since: FloatArray) -> Placed:
         acting, count = self._acting, directions.shape[1]
         times, temperatures = np.full(count, acting.time), np.full(count, acting.temperature)
-        return Placed.of_context(acting.model, Context(directions, velocity, since, times, temperatures))
+        way, passed, along = since
+        here = Context(directions, velocity, way, passed, along, times, temperatures)
+        return Placed.of_context(acting.model, here)

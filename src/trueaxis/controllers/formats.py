@@ -8,6 +8,7 @@ from trueaxis.controllers.axis_tables import AxisTable, axis_tables, node_count,
 from trueaxis.controllers.isg_csv import DIRECTIONS, control_model, csv_text, motion_errors, reversed_axes
 from trueaxis.controllers.remaining import Remaining, TakenOff, remaining, taken_by_tables
 from trueaxis.effects.placement import context_of
+from trueaxis.effects.variables import SINCE_REVERSAL
 from trueaxis.runtime.curves import FloatArray, TableCurve
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR
@@ -88,7 +89,12 @@ TABLE_FORMATS: Mapping[str, TableFormat] = {
 # Positions of an axis in a table, where the control does not set a lower limit. No axis is measured at more; a step of
 # 0.001 mm instead of 1 mm would make files of 50 MB and more.
 MOST_POSITIONS = 5000
-UNTABLED = {"v", "d", "t", "T"}  # what effects may depend on that a table has no room for: see effects/variables.py
+UNTABLED = {
+    "v",
+    *SINCE_REVERSAL,
+    "t",
+    "T",
+}  # what effects may depend on that a table has no room for: see effects/variables.py
 FORMATS = (ISG, *TABLE_FORMATS)
 
 

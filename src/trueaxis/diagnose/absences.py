@@ -5,7 +5,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from trueaxis.diagnose.audit import Audit
-from trueaxis.diagnose.report.words import enumerated
+from trueaxis.diagnose.noise import REPEATS, STATED
+from trueaxis.diagnose.report.words import enumerated, noise_origin
 from trueaxis.diagnose.result import NoiseOf
 from trueaxis.diagnose.rounds_at_hand import rounds_at_hand
 from trueaxis.diagnose.rows import Rows
@@ -88,6 +89,6 @@ def _feeds(readings: Readings) -> Iterator[str]:
 
 
 def _repeats(noise: Sequence[NoiseOf]) -> Iterator[str]:
-    for one in {each.instrument: each for each in noise}.values():
-        if not one.origin.startswith(("repeats", "given")):
-            yield f"no repeats by the {one.instrument}: its noise is an estimate ({one.origin})"
+    for one in noise:
+        if one.origin not in (REPEATS, STATED):
+            yield f"no repeats by the {one.instrument}: its noise is an estimate ({noise_origin(one.origin)})"

@@ -58,14 +58,16 @@ def audit(ground: Ground) -> Audit:
 
     A candidate with searched parameters is looked for in the middle of its grid; as a rival it may be anywhere on it.
     """
-    plain = Projection(ground.base.basis)  # what a cause may do besides its form is known when it is found, not before
+    plain = ground.plain  # what a cause may do besides its form is known when it is found, not before
     seen: list[_Seen] = []
     limits: dict[Effect, Limit] = {}
     for effect, signature, whole, rest in _left(ground, plain):
         k = signature.terms.shape[2]
         parts = [slice(start, start + k) for start in range(0, whole.shape[1], k)]
         middle = parts[len(parts) // 2]
-        squares, left = float(np.sum(whole[:, middle] ** 2)), float(np.sum(rest[:, middle] ** 2))
+        raw = signature.columns(slice(len(parts) // 2, len(parts) // 2 + 1))[:, 0]
+        squares = float(np.sum((raw / ground.freedom.sigma[signature.support, np.newaxis]) ** 2))
+        left = float(np.sum(rest[:, middle] ** 2))
         share = left / squares if squares > 0.0 else 0.0
         if signature.missing or share <= UNOBSERVABLE:
             limits[effect] = _unobservable(ground, effect, share, signature.missing)

@@ -1,42 +1,85 @@
 """The saturated base: everything that recalibration could change, so smooth that nothing smooth is left to hunt for.
 
-Every component error is a polynomial of degree 12 of its axis, every location error is free, every run of a laser or
-probe has an offset, every straightness run a slope, every ball a centre. With parsimonious polynomials structure of a
-tenth of a micrometre that nobody asks for would count as a discovery.
+Every component error is a Legendre curve of degree 12 of its axis, every location error is free, and so is what nobody
+knows of the set-ups of the instruments. Scale and alignment of a laser are known to parts in a million: by chance they
+are not.
+With parsimonious polynomials structure of a tenth of a micrometre that nobody asks for would count as a discovery.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
-from trueaxis.estimation.jacobian import RunRows, pieces
+from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
+from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.set_up import ball_columns
+from trueaxis.estimation.runs import MeasuredRun, measured_runs
+from trueaxis.runtime.bases import LegendreBasis
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
+from trueaxis.spec.machine import LINEAR
 
 DEGREE = 12
-SLOPE = 2  # its place among the own unknowns of a straightness run
-RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
+PLACES = 201  # over the travel, at which a curve is looked at
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Base:
-    """columns: (n, p), mm per scaled unknown, not whitened: those of the machine, then slopes of straightness runs,
-    offsets and centres; of_machine: how many are the machine's; first_offset: where offsets begin.
+    """Columns in mm, not whitened, of n readings.
+
+    columns: (n, p), per unknown in units of what is expected of it: those of the machine, then those of set-ups that
+    runs share; of_machine: how many are the machine's; components: the component error or location error of each of
+    these; units: `mm` or `rad` of each component and location error; expected: (p,), standard deviation of each before
+    anything is measured; sizes: (p,), mm or rad, the units; bases: of the curves; by_chance: (n, k), one standard
+    deviation each; own: (n_r, k) of every run with readings; runs: these runs.
     """
 
     columns: FloatArray
     of_machine: int
-    first_offset: int
+    components: tuple[str, ...]
+    units: Mapping[str, str]
+    expected: FloatArray
+    sizes: FloatArray
+    bases: Mapping[str, LegendreBasis]
+    by_chance: FloatArray
+    own: tuple[FloatArray, ...]
+    runs: tuple[MeasuredRun, ...]
 
     @property
-    def of_instruments(self) -> slice:
-        """Columns of the instruments alone: what readings of an error-free machine would have, too."""
-        return slice(self.of_machine, self.columns.shape[1])
+    def machine(self) -> FloatArray:
+        """(n, of_machine): the machine's own columns."""
+        return self.columns[:, : self.of_machine]
+
+    def only(self, keep: BoolArray) -> "Base":
+        """Of some rows, (n,): a run of which none is kept is none."""
+        place = np.cumsum(keep) - 1
+        kept = [one for one in zip(self.runs, self.own, strict=True) if keep[one[0].rows.at].any()]
+        return replace(
+            self,
+            columns=self.columns[keep],
+            by_chance=self.by_chance[keep],
+            own=tuple(own[keep[run.rows.at]] for run, own in kept),
+            runs=tuple(_renumbered(run.of(keep[run.rows.at]), place) for run, _ in kept),
+        )
+
+    def curve(self, name: str, rows: Rows) -> tuple[FloatArray, FloatArray]:
+        """Positions (m,) of an error's axis within the readings, and (m, k): the error there, mm or rad, by its
+        unknowns in units of what is expected; of a location error no position, and one row.
+        """
+        mine = np.array(self.components) == name
+        if name not in self.bases:
+            return np.zeros(0), (self.sizes * self.expected)[: self.of_machine][mine][np.newaxis]
+        at = rows.positions[rows.axes.index(name[2])]
+        grid = np.linspace(float(at.min()), float(at.max()), PLACES)
+        return grid, self.bases[name].clamped(grid).T * (self.sizes * self.expected)[: self.of_machine][mine]
+
+
+def _renumbered(run: MeasuredRun, place: IntArray) -> MeasuredRun:
+    return replace(run, rows=replace(run.rows, at=place[run.rows.at]))
 
 
 def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
@@ -44,49 +87,32 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
     dimensions = {name: model.errors.parameters.get(name, 0.0) for name in model.dimensions}
     known = ErrorValues(model.name, dimensions)
     bare = model.with_values(known)
-    layout = layout_of(bare, Observations("", rows.runs, rows.run, rows.positions, rows.reading), known, degree=degree)
-    machine = np.zeros((rows.size, layout.of_machine))
-    slopes, offsets = [], []
-    for index in rows.present:
-        part = rows.of_run(index)
-        count = part.stop - part.start
-        one = RunRows(
-            index=index,
-            run=rows.runs[index],
-            at=np.arange(part.start, part.stop),
-            positions=np.ascontiguousarray(rows.positions[:, part]),
-            passed=np.zeros(count),
-            steps=np.zeros(count),
-        )
-        both = [(own, others[:, : layout.of_machine]) for _, own, others in pieces(layout, one)]
-        machine[part] = np.vstack([others for _, others in both])
-        own = np.vstack([own for own, _ in both])
-        if layout.straightness[index]:
-            slopes.append(_in_rows(rows, part, own[:, SLOPE]))
-        if rows.runs[index].instrument != "ballbar":
-            offsets.append(_in_rows(rows, part, np.ones(count)))
-    columns = [machine, *slopes, *offsets, _centres(bare, rows)]
-    return Base(np.hstack(columns), layout.of_machine, layout.of_machine + len(slopes))
-
-
-def _in_rows(rows: Rows, part: slice, values: FloatArray) -> FloatArray:
-    """(n, 1): a column that is zero in all other runs."""
-    found = np.zeros((rows.size, 1))
-    found[part, 0] = values
-    return found
-
-
-def _centres(model: MachineModel, rows: Rows) -> FloatArray:
-    """The place of the workpiece ball, anew for each plane: three columns for each set-up of a ball bar."""
-    found = []
-    for number in np.unique(rows.setup):
-        mine = np.flatnonzero(rows.setup == number)
-        if rows.runs[rows.run[mine[0]]].instrument != "ballbar":
-            continue
-        columns = np.zeros((rows.size, 3))
-        for index in np.unique(rows.run[mine]):
-            part = rows.of_run(int(index))
-            positions = np.ascontiguousarray(rows.positions[:, part])
-            columns[part] = ball_columns(model, rows.runs[int(index)], positions)
-        found.append(columns)
-    return np.hstack(found) if found else np.zeros((rows.size, 0))
+    observed = Observations(
+        "", rows.runs, rows.run, rows.positions, rows.reading, rows.seq, rows.directions.astype(np.int8), rows.context
+    )
+    layout = layout_of(bare, observed, known, degree=degree)
+    everything, own = np.zeros((rows.size, layout.count)), []
+    runs = measured_runs(observed)
+    for one in runs:
+        parts = list(pieces(layout, one.rows))
+        everything[one.rows.at] = np.vstack([others for _, _, others in parts])
+        own.append(np.vstack([mine for _, mine, _ in parts]))
+    m = layout.of_machine
+    chance = np.array([unknown.unknown_class.unit == "1" for unknown in layout.shared], dtype=bool)
+    shared = everything[:, m:]
+    counts = [basis.degree for basis in layout.bases]
+    weights = [np.exp(CurvePrior(basis).log_weights(np.zeros(len(SHAPE)))[0]) for basis in layout.bases]
+    others = np.ones(layout.of_machine - sum(counts) + int((~chance).sum()))
+    return Base(
+        columns=np.hstack([everything[:, :m], shared[:, ~chance]]),
+        of_machine=m,
+        components=(*np.repeat(layout.components, counts).tolist(), *layout.locations),
+        units={name: "mm" if name[1] in LINEAR else "rad" for name in layout.components}
+        | {name: model.machine.parameter_unit(name) for name in layout.locations},
+        expected=np.concatenate([*weights, others]),
+        sizes=np.concatenate([layout.sizes[:m], layout.sizes[m:][~chance]]),
+        bases=dict(zip(layout.components, layout.bases, strict=True)),
+        by_chance=shared[:, chance],
+        own=tuple(own),
+        runs=tuple(runs),
+    )

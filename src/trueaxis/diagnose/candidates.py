@@ -4,16 +4,19 @@ from collections.abc import Iterator
 
 from trueaxis.diagnose.rows import Rows
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.effects.placement import allows
+from trueaxis.effects.placement import allows, reads
 from trueaxis.runtime.effect_values import identity
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR, Machine
 
 
 def candidates(model: MachineModel, rows: Rows) -> tuple[Effect, ...]:
-    """All effects that the machine and these runs could have, in the order of the library; none that is there yet."""
+    """All effects that the machine and these runs could have, in the order of the library; none that is there yet, and
+    none that every set-up has some of.
+    """
     there = {identity(effect) for effect in model.machine.effects}
-    found = [effect for kind in model.machine.kinds.values() for effect in _of_kind(kind, model.machine, rows)]
+    kinds = [kind for kind in model.machine.kinds.values() if not kind.nuisance]
+    found = [effect for kind in kinds for effect in _of_kind(kind, model.machine, rows)]
     return tuple(effect for effect in found if identity(effect) not in there)
 
 
@@ -23,7 +26,7 @@ def _of_kind(kind: Kind, machine: Machine, rows: Rows) -> Iterator[Effect]:
     elif kind.place == "location":
         yield from _missing_locations(kind, machine)
     elif not kind.by_run:
-        if any(rows.runs[index].instrument == kind.instrument for index in rows.present):
+        if any(reads(kind, rows.runs[index].instrument) for index in rows.present):
             yield Effect(kind.name)
     else:
         yield from _of_runs(kind, rows)
@@ -54,7 +57,7 @@ def _missing_locations(kind: Kind, machine: Machine) -> Iterator[Effect]:
 
 def _of_runs(kind: Kind, rows: Rows) -> Iterator[Effect]:
     """Of each set-up, which its runs share; of a jump, each run."""
-    mine = [index for index in rows.present if rows.runs[index].instrument == kind.instrument]
+    mine = [index for index in rows.present if reads(kind, rows.runs[index].instrument)]
     ends = ("target", "reference") if kind.name == "point_offset" else (None,)
     setup = {index: int(rows.setup[rows.of_run(index)][0]) for index in mine}
     for number in dict.fromkeys(setup.values()):

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial import legendre
 
-from trueaxis.diagnose.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_fit, noisy_run
+from trueaxis.diagnose.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_fit
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.projection import Projection
-from trueaxis.diagnose.result import BoolArray, Check, FloatArray
-from trueaxis.diagnose.rows import Rows, place_of
+from trueaxis.diagnose.result import BoolArray, Check, FloatArray, StructureClass
+from trueaxis.diagnose.rows import Rows, plane_of
 from trueaxis.diagnose.tails import log_f_tail
 from trueaxis.diagnose.whiten import Whitening
 
@@ -18,15 +18,14 @@ DEGREE = 6
 LOBES = 10
 RIPPLE = 30  # lobes of a circle, half periods on a line: up to so many, beyond the coarse ones
 BINS = 6
-COURSE = "changes while a run is taken, alike in all"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Structure:
-    """One class: columns (n, k) over all rows."""
+    """One class at one place, see `Check`: columns (n, k) over all rows."""
 
-    name: str
-    meaning: str
+    kind: StructureClass
+    place: str
     columns: FloatArray
 
 
@@ -35,44 +34,29 @@ def run_checks(
 ) -> tuple[Check, ...]:
     """All checks. residual: (n,), whitened, model projected out; p values multiplied by the number of checks.
 
-    rms of a check: about what the structure comes to, mm, its share of the noise taken away. Slopes of runs are left
-    out: how large they are by chance few repeats tell, and one slope in a class of many columns would pass for
-    structure.
+    rms of a check: about what the structure comes to, mm, its share of the noise taken away.
     """
-    sigma = np.repeat([one.sigma for one in whitening.noise], np.diff(whitening.starts))
-    projection = projection.extended(_slopes(rows, whitening))
-    residual = residual - projection.causes @ (projection.causes.T @ residual) if projection.causes.size else residual
+    sigma = whitening.sigma
     classes, explaining, counts = [], [], []
     for one in structures(rows, theta):
         there = np.flatnonzero(np.isin(rows.run, rows.run[one.columns.any(axis=1)]))  # whole runs
         combination, k = projection.explaining(there, whitening.part(there, one.columns[there]), residual)
-        classes.append((one.name, one.meaning))
+        classes.append((one.kind, one.place))
         explaining.append(combination)
-        counts.append(k)
+        counts.append((k, freedom.of(there, one.columns[there])))
     found = []
     every = projection.rest(np.stack(explaining, axis=1)).T if classes else ()
-    for (name, meaning), fitted, k in zip(classes, every, counts, strict=True):
+    for (kind, place), fitted, (k, of_noise) in zip(classes, every, counts, strict=True):
         if k == 0:
             continue
         statistic = float(fitted @ fitted)
-        log_p = log_f_tail(statistic / k, k, freedom.of_readings) + np.log(len(classes))
+        log_p = log_f_tail(statistic / k, k, of_noise) + np.log(len(classes))
         beyond = max(statistic - k, 0.0) / statistic if statistic > 0.0 else 0.0
         rms = float(np.sqrt(beyond * np.mean((sigma * fitted) ** 2)))
         p_value = float(np.exp(min(log_p, 0.0)))
-        found.append(Check(name, meaning, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
-    found += [noisy_run(rows, projection, residual, sigma), humming_run(rows, projection, residual, sigma)]
-    found.append(lack_of_fit(rows, projection, residual, sigma, freedom))
+        found.append(Check(kind, place, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
+    found += [humming_run(rows, projection, residual, sigma), lack_of_fit(rows, projection, residual, sigma, freedom)]
     return tuple(found)
-
-
-def _slopes(rows: Rows, whitening: Whitening) -> FloatArray:
-    """(n, runs): the slope of each run that has one by chance, whitened."""
-    sloping = [index for index, noise in zip(rows.present, whitening.noise, strict=True) if noise.slope > 0.0]
-    found, ramps = np.zeros((rows.size, len(sloping))), whitening.ramps()
-    for place, index in enumerate(sloping):
-        part = rows.of_run(index)
-        found[part, place] = ramps[part]
-    return found
 
 
 def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:
@@ -103,34 +87,33 @@ def _of_lines(rows: Rows, axis: int, name: str, mine: BoolArray) -> Iterator[Str
     curve = legendre.legvander(np.where(mine, scaled, 0.0), 2 * DEGREE) * mine[:, np.newaxis]
     lines = [mine & (rows.setup == number) for number in np.unique(rows.setup[mine])]
     odd = way[:, np.newaxis]
-    title = f"lines of {name}"
-    yield Structure(f"{title}, between directions", "differs by the direction of approach", curve * odd)
+    yield Structure(StructureClass.LINE_DIRECTION, name, curve * odd)
     yield Structure(
-        f"{title}, between directions, by line",
-        "differs by the direction of approach, otherwise on each line",
+        StructureClass.LINE_DIRECTION_BY_LINE,
+        name,
         np.hstack([curve[:, :2] * odd * line[:, np.newaxis] for line in lines]),
     )
     if len(lines) > 1:
         yield Structure(
-            f"{title}, by line",
-            "depends on the position, otherwise on each line",
+            StructureClass.LINE_BY_LINE,
+            name,
             np.hstack([curve[:, 1 : DEGREE + 1] * line[:, np.newaxis] for line in lines]),
         )
-    yield Structure(f"{title}, in the course of a run", COURSE, _course(rows, mine))
+    yield Structure(StructureClass.LINE_COURSE, name, _course(rows, mine))
     if rows.temperature is not None and np.isfinite(rows.temperature[mine]).all():
         warm = np.where(mine, rows.temperature - rows.temperature[mine].mean(), 0.0)
         yield Structure(
-            f"{title}, with temperature",
-            "goes with the temperature",
+            StructureClass.LINE_TEMPERATURE,
+            name,
             np.stack([warm, warm * scaled, warm**2, warm**2 * scaled, warm * way, warm * warm * way], axis=1)
             * mine[:, np.newaxis],
         )
     waves = _waves(np.pi * 0.5 * (scaled + 1.0), range(2 * DEGREE + 1, RIPPLE + 1)) * mine[:, np.newaxis]
-    yield Structure(f"{title}, ripple between directions", "ripple that turns with the direction", waves * odd)
+    yield Structure(StructureClass.LINE_RIPPLE, name, waves * odd)
     bins = _bins(scaled, 2 * BINS)
     yield Structure(
-        f"{title}, locally",
-        "a place where the readings step aside, by direction",
+        StructureClass.LINE_LOCAL,
+        name,
         np.hstack([bins * odd, bins]) * mine[:, np.newaxis],
     )
 
@@ -160,29 +143,29 @@ def _of_circles(rows: Rows, theta: FloatArray, mine: BoolArray) -> Iterator[Stru
     lobes = np.hstack([np.ones((rows.size, 1)), _waves(angle, range(1, LOBES + 1))]) * inside
     ripple = _waves(angle, range(LOBES + 1, RIPPLE + 1)) * inside
     sense = _sense(rows, theta)[:, np.newaxis]
-    title = place_of(rows, mine)
-    yield Structure(f"{title}, lobes", "lobes common to both directions", lobes[:, 1:])
-    yield Structure(f"{title}, ripple", "ripple common to both directions", ripple)
-    yield Structure(f"{title}, in the course of a run", COURSE, _course(rows, mine))
+    place = plane_of(rows, mine)
+    yield Structure(StructureClass.CIRCLE_LOBES, place, lobes[:, 1:])
+    yield Structure(StructureClass.CIRCLE_RIPPLE, place, ripple)
+    yield Structure(StructureClass.CIRCLE_COURSE, place, _course(rows, mine))
     both = np.unique(sense[mine]).size > 1
     if both:
-        yield Structure(f"{title}, lobes by direction", "lobes that change sign with the direction", lobes * sense)
-        yield Structure(f"{title}, ripple by direction", "ripple that changes sign with the direction", ripple * sense)
+        yield Structure(StructureClass.CIRCLE_DIRECTION, place, lobes * sense)
+        yield Structure(StructureClass.CIRCLE_RIPPLE_DIRECTION, place, ripple * sense)
     feeds = _feeds(rows, mine)
     if feeds is not None:
         fast = feeds[:, np.newaxis]
-        yield Structure(f"{title}, lobes by feed", "lobes that change with the feed", lobes * fast)
+        yield Structure(StructureClass.CIRCLE_FEED, place, lobes * fast)
         if both:
             yield Structure(
-                f"{title}, lobes by direction and feed",
-                "lobes that change with direction and feed",
+                StructureClass.CIRCLE_DIRECTION_FEED,
+                place,
                 lobes * fast * sense,
             )
     moving = [axis for axis in range(len(rows.axes)) if np.ptp(rows.positions[axis, mine]) > 0.0]
     if not moving:
         return
     quarter = np.hstack([rows.directions[axis][:, np.newaxis] * mine[:, np.newaxis] for axis in moving])
-    yield Structure(f"{title}, at reversals", "steps where an axis turns round", quarter)
+    yield Structure(StructureClass.CIRCLE_REVERSALS, place, quarter)
     near = np.hstack(
         [
             np.exp(-_since_turn(rows, axis, mine) / decay)[:, np.newaxis] * rows.directions[axis][:, np.newaxis]
@@ -190,7 +173,7 @@ def _of_circles(rows: Rows, theta: FloatArray, mine: BoolArray) -> Iterator[Stru
             for decay in (1.0, 4.0, 16.0)
         ]
     )
-    yield Structure(f"{title}, after reversals", "a course after each reversal", near * mine[:, np.newaxis])
+    yield Structure(StructureClass.CIRCLE_AFTER_REVERSALS, place, near * mine[:, np.newaxis])
 
 
 def _since_turn(rows: Rows, axis: int, mine: BoolArray) -> FloatArray:

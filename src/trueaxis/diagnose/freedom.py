@@ -1,53 +1,32 @@
-"""Degrees of freedom of the noise that a test stands on: few, where it stands on slopes that few runs tell."""
+"""Degrees of freedom of the noise that a test stands on: of each instrument its own, few where little is repeated."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
-from trueaxis.diagnose.result import FloatArray, IntArray
-from trueaxis.diagnose.whiten import Whitening
+from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
+from trueaxis.diagnose.rows import Rows, as_slice
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Freedom:
-    """Satterthwaite's approximation over the components of the noise.
+    """of_rows: (n,), degrees of freedom of the noise of each reading's instrument; sigma: (n,), mm."""
 
-    of_readings: degrees of freedom of white and autocorrelated noise; of_slopes: (n_runs,), those of the slope of each
-    run, of which runs of one instrument share one estimate; ramps: (n,), whitened slopes; starts: (n_runs,), first row.
-    """
+    of_rows: FloatArray
+    sigma: FloatArray
 
-    of_readings: float
-    of_slopes: FloatArray
-    ramps: FloatArray
-    starts: IntArray
-
-    @property
-    def slopes(self) -> FloatArray:
-        """(n, n_runs): the whitened slope of each run, zero elsewhere."""
-        found = np.zeros((self.ramps.size, self.starts.size))
-        for place, (first, last) in enumerate(pairwise([*self.starts, self.ramps.size])):
-            found[first:last, place] = self.ramps[first:last]
-        return found
-
-    def of(self, through: FloatArray, inverse: FloatArray) -> float:
-        """For a test of what is spanned by columns (n, k), whitened, base projected out.
-
-        through: (n_runs, k), products of `slopes` with these; inverse: (k, k), that of their products with one another.
-        """
-        share = np.einsum("ri,ij,rj->r", through, inverse, through) / inverse.shape[0]
-        total = min(float(share.sum()), 1.0)
-        per_freedom = (1.0 - total) ** 2 / self.of_readings
-        for freedom in np.unique(self.of_slopes[self.of_slopes > 0.0]):
-            per_freedom += float(share[self.of_slopes == freedom].sum()) ** 2 / float(freedom)
-        return float(1.0 / per_freedom)
+    def of(self, rows: IntArray, columns: FloatArray) -> float:
+        """For a test of columns (n_rows, k), mm, zero but in those rows: by Satterthwaite's approximation."""
+        here = as_slice(rows)
+        weight = np.sum((columns / self.sigma[here, np.newaxis]) ** 2, axis=1)
+        own, which = np.unique(self.of_rows[here], return_inverse=True)
+        share = np.bincount(which.reshape(-1), weights=weight) / max(float(weight.sum()), 1e-300)
+        return float(1.0 / max(np.sum(share**2 / own), 1e-300))
 
 
-def freedom_of(whitening: Whitening) -> Freedom:
-    """From the noise of the runs."""
-    return Freedom(
-        min(one.freedom for one in whitening.noise),
-        np.array([one.slope_freedom for one in whitening.noise]),
-        whitening.ramps(),
-        whitening.starts[:-1],
-    )
+def freedom_of(rows: Rows, sigma: FloatArray, noise: Sequence[NoiseOf]) -> Freedom:
+    """From the noise of the instruments; sigma: (n,), mm."""
+    of = {one.instrument: one.freedom for one in noise}
+    per_run = np.array([of.get(run.instrument, 1.0) for run in rows.runs])
+    return Freedom(per_run[rows.run], sigma)

@@ -1,11 +1,18 @@
-"""What was gained: residuals over all readings and over held-out ones, as given, refitted and extended."""
+"""What was gained: residuals over all readings and over held-out ones, as given, refitted and extended.
+
+Held-out readings are predicted from the others: errors of the machine are as likely as [prior] has them, about the
+values given, and as the other readings tell. What nobody knows of the instrument of a run is fitted to the run itself,
+held out or not, and counted.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import solve_triangular
 
 from trueaxis.diagnose.base import Base
+from trueaxis.diagnose.null import less_own
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import BoolArray, FloatArray, Gain, IntArray, Stage
 from trueaxis.diagnose.rows import Rows
@@ -13,7 +20,8 @@ from trueaxis.diagnose.whiten import Whitening
 
 HELD = 0.4  # share of the repeats that is held back, one at least
 EVERY = 4  # without repeats, every fourth reading
-RANK = 1e-8
+VAGUE = 1e3  # mm, of a cause: what nothing is expected of
+RUNS, PASSES, READINGS = "runs", "passes", "readings"  # what was held back
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -23,6 +31,24 @@ class Left:
     given: FloatArray
     refitted: FloatArray
     extended: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Prediction:
+    """left: of some rows, fitted on some; freedom: of them, what was fitted to each run's own taken away;
+    standardised: root mean square of the extended model's left over its predictive standard deviation.
+    """
+
+    left: Left
+    freedom: float
+    standardised: float
+
+    def stage(self) -> Stage:
+        """RMS, mm; NaN of no rows at all."""
+        if self.freedom <= 0:
+            return Stage(np.nan, np.nan, np.nan)
+        parts = (self.left.given, self.left.refitted, self.left.extended)
+        return Stage(*(float(np.sqrt(part @ part / self.freedom)) for part in parts))
 
 
 def held_out(rows: Rows) -> tuple[BoolArray, str]:
@@ -65,69 +91,62 @@ def _repeats(rows: Rows, mine: IntArray) -> list[list[IntArray]]:
     return [passes for _, passes in found]
 
 
-def fitted_left(
-    base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted], train: BoolArray
-) -> Left:
-    """Residuals of all rows, fitted on those of `train`; runs wholly held back have their own offset.
+@dataclass(frozen=True, slots=True, eq=False)
+class Fit:
+    """Errors of the machine and sizes of causes from some rows.
 
-    Whitened columns keep rows of one run together, so the weights of a run of which a part is held back are those of
-    white noise of its size.
+    columns: (n, q), mm, of all rows; refitted, extended: (q,); root: (q, q), of their covariance; known: (n,), mm, what
+    causes do besides.
     """
-    columns, ends = _stages(base, causes)
-    own = base.columns[:, base.first_offset :]
-    left = []
-    for coefficient in _fitted(values, columns, ends, 1.0 / _sizes(whitening), train):
-        rest = values - columns[:, : coefficient.size] @ coefficient
-        for column in own.T if not train.all() else ():
-            mine = column != 0.0
-            # a run of which a part is fitted has its offset from there: what drifts within the run must show
-            if mine.any() and not (mine & train).any():
-                rest[mine] -= np.mean(rest[mine])
-        left.append(rest)
-    return Left(*left)
+
+    columns: FloatArray
+    refitted: FloatArray
+    extended: FloatArray
+    root: FloatArray
+    known: FloatArray
+
+
+def fit(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted], rows: BoolArray) -> Fit:
+    """From the rows (n,) chosen; values: (n,) mm, readings less what is expected.
+
+    What a cause does elsewhere alone, as in one run of an instrument, is taken as it was found there.
+    """
+    signals = [one.signal[:, np.newaxis] / max(float(np.abs(one.signal).max()), 1e-300) for one in causes]
+    apart = [k for k, one in enumerate(signals) if not one[rows].any()]
+    known = sum((causes[k].signal for k in apart), np.zeros(values.size))
+    signals = [one for k, one in enumerate(signals) if k not in apart]
+    columns = np.hstack([base.columns * base.expected, base.by_chance, *signals])
+    p, q = columns.shape[1] - len(signals), columns.shape[1]
+    white = whitening.only(rows)(np.column_stack([columns, values])[rows])
+    prior = np.diag(np.concatenate([np.ones(p), np.full(q - p, 1.0 / VAGUE)]))
+    r = np.asarray(np.linalg.qr(np.vstack([white, np.column_stack([prior, np.zeros(q)])]), mode="r"))
+    refitted = np.concatenate([solve_triangular(r[:p, :p], r[:p, q]), np.zeros(q - p)])
+    root = solve_triangular(r[:q, :q], np.eye(q))
+    return Fit(columns, refitted, root @ r[:q, q], root, known)
+
+
+def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArray) -> Prediction:
+    """What is left of some rows, (n,)."""
+    own = whitening.only(rows)
+    columns, mine = fit.columns[rows], values[rows]
+    rest = [mine, mine - columns @ fit.refitted, mine - columns @ fit.extended - fit.known[rows]]
+    left = [less_own(own, one) for one in rest]
+    freedom = float(rows.sum() - own.own_count.sum())
+    white = own(rest[-1])
+    variance = freedom + float(np.sum((own(columns) @ fit.root) ** 2))
+    return Prediction(Left(*left), freedom, float(np.sqrt(white @ white / variance)) if freedom > 0 else np.nan)
 
 
 def of_instruments(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted]) -> FloatArray:
-    """(n,), mm: what offsets, slopes and centres of the instruments account for beside this base and the causes."""
-    columns, ends = _stages(base, causes)
-    everything = np.ones(values.size, dtype=bool)
-    *_, fitted = _fitted(values, columns, ends[-1:], 1.0 / _sizes(whitening), everything)
-    return np.asarray(columns[:, : ends[0]] @ fitted[: ends[0]])
+    """(n,), mm: what is unknown of instruments and set-ups accounts for, beside this base and the causes."""
+    every = np.ones(values.size, dtype=bool)
+    fitted = fit(base, whitening, values, causes, every)
+    of_machine = fitted.extended.copy()
+    of_machine[base.of_machine : base.columns.shape[1] + base.by_chance.shape[1]] = 0.0
+    without = values - fitted.columns @ of_machine - fitted.known
+    return np.asarray(without - less_own(whitening, values - fitted.columns @ fitted.extended - fitted.known))
 
 
-def _stages(base: Base, causes: Sequence[Fitted]) -> tuple[FloatArray, tuple[int, int, int]]:
-    """Columns of the instruments, of the machine and of the causes, in this order, and where each part ends."""
-    of_instruments, of_machine = base.columns[:, base.of_instruments], base.columns[:, : base.of_machine]
-    columns = np.hstack([of_instruments, of_machine, *(one.signal[:, np.newaxis] for one in causes)])
-    return columns, (of_instruments.shape[1], base.columns.shape[1], columns.shape[1])
-
-
-def _sizes(whitening: Whitening) -> FloatArray:
-    counts = np.diff(whitening.starts)
-    return np.repeat([one.sigma for one in whitening.noise], counts)
-
-
-def _fitted(
-    values: FloatArray, columns: FloatArray, ends: Sequence[int], weights: FloatArray, train: BoolArray
-) -> list[FloatArray]:
-    """(end,) each: coefficients of so many of the first columns, from one factorisation of all."""
-    weighted = np.column_stack([columns, values])[train]
-    weighted *= weights[train, np.newaxis]
-    size = np.sqrt(np.einsum("ij,ij->j", weighted, weighted))
-    size[size == 0.0] = 1.0
-    weighted /= size
-    # the last column of the factor is what the orthonormal ones have in common with the values: they are not needed
-    r = np.asarray(np.linalg.qr(weighted, mode="r"))
-    return [np.linalg.lstsq(r[:end, :end], r[:end, -1], rcond=RANK)[0] * size[-1] / size[:end] for end in ends]
-
-
-def gain_of(everything: Left, held: Left, rows_held: BoolArray, split: str, floor: float) -> Gain:
+def gain_of(everything: Prediction, held: Prediction, split: str, floor: float) -> Gain:
     """RMS of all rows (fitted on all) and of those held back (fitted on the others)."""
-    return Gain(_stage(everything, np.ones_like(rows_held)), _stage(held, rows_held), split, floor)
-
-
-def _stage(left: Left, rows: BoolArray) -> Stage:
-    """NaN of no rows at all."""
-    if not rows.any():
-        return Stage(np.nan, np.nan, np.nan)
-    return Stage(*(float(np.sqrt(np.mean(part[rows] ** 2))) for part in (left.given, left.refitted, left.extended)))
+    return Gain(everything.stage(), held.stage(), split, floor, held.standardised)

@@ -18,7 +18,7 @@ from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.signatures import Memory, Readings, parameter_signature
 from trueaxis.effects.expression import names, parse
-from trueaxis.effects.variables import VARIABLES
+from trueaxis.effects.variables import SINCE_REVERSAL, VARIABLES
 
 MODULATED = 0.1  # along the travel, in time, with the speed, from one instrument to another
 UNREAD = 1.0  # from one instrument to another, of what decays from a reversal: where a line turns is not read
@@ -54,20 +54,6 @@ def imperfection(
     return Imperfection(np.hstack(columns), np.hstack(beside))
 
 
-def taken_up(
-    readings: Readings, causes: Sequence[Fitted], seen: Callable[[FloatArray], FloatArray], left: FloatArray
-) -> FloatArray:
-    """(n,), mm: the likeliest of what the causes may do besides, where they leave (n,), mm, of the readings."""
-    besides = [column for one in causes for column in imperfections(readings, one)]
-    if not besides:
-        return np.zeros_like(left)
-    columns = np.stack(besides, axis=1)
-    white, rest = seen(columns), seen(left[:, np.newaxis])[:, 0]
-    one_each = np.eye(columns.shape[1])
-    share = np.linalg.lstsq(np.vstack([white, one_each]), np.append(rest, np.zeros(one_each.shape[0])), rcond=None)[0]
-    return np.asarray(columns @ share)
-
-
 def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     """(n,), mm, each: what a cause may do besides, one standard deviation."""
     rows, signal = readings.rows, cause.signal
@@ -88,7 +74,7 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     for instrument in dict.fromkeys(run.instrument for run in rows.runs):
         mine = np.array([run.instrument == instrument for run in rows.runs])[rows.run]
         if mine.any() and not mine.all():
-            yield (UNREAD if "d" in used else MODULATED) * np.where(mine, signal, 0.0)
+            yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * np.where(mine, signal, 0.0)
     if "direction" in used and cause.effect.component:
         share, ways = FLANK
         since = readings.context.since_reversal[rows.axes.index(cause.effect.component[-1])]
@@ -106,7 +92,7 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
 def _of_searched(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
     """Of parameters that the term is not linear in."""
     for place, parameter in enumerate(cause.kind.parameters):
-        if parameter.role != "grid" or parameter.grid not in ("pitch", "time", "reversal"):
+        if parameter.role != "grid" or not parameter.is_divisor:
             continue
         share, factor = OTHERWISE
         if parameter.grid == "pitch":

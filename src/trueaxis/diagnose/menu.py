@@ -36,7 +36,7 @@ class FurtherRun:
 
     what: in words, what to do; positions, directions: (n_axes, n), mm or deg and -1, 0, +1; feed: mm/min, NaN where
     the axes stand; after: s between the last reading at hand and its first; lasts: s; warmer: (n,) K above the mean of
-    the readings at hand; other_bar: whether its ball bar is another one, of a length of its own.
+    the readings at hand.
     """
 
     what: str
@@ -47,7 +47,6 @@ class FurtherRun:
     after: float
     lasts: float
     warmer: FloatArray
-    other_bar: bool = False
 
 
 def menu(model: MachineModel, rows: Rows) -> tuple[FurtherRun, ...]:
@@ -182,16 +181,16 @@ def _rounds(model: MachineModel, rows: Rows, rounds: Sequence[Round]) -> Iterato
             if circle is not None:
                 feed = rounds[0].feed if rounds else USUAL_FEED
                 what = f"a circle of {2.0 * float(circle.run.length or 0.0):.0f} mm diameter in {''.join(plane)}"
-                yield _of_round(circle, feed, what, other_bar=not rounds)
+                yield _of_round(circle, feed, what)
     for one in {each.plane: each for each in reversed(rounds)}.values():
         for ratio in DIAMETERS:
             other = scaled_round(model, one, ratio)
             if other is not None:
                 what = f"circle {one.run.id} with a bar of {other.run.length:g} mm"
-                yield _of_round(other, one.feed, what, other_bar=True)
+                yield _of_round(other, one.feed, what)
 
 
-def _of_round(one: Round, feed: float, what: str, *, other_bar: bool = False) -> FurtherRun:
+def _of_round(one: Round, feed: float, what: str) -> FurtherRun:
     way = float(np.linalg.norm(np.diff(one.positions, axis=1), axis=0).sum())
     size = one.positions.shape[1]
     feed = feed if np.isfinite(feed) else USUAL_FEED
@@ -204,5 +203,4 @@ def _of_round(one: Round, feed: float, what: str, *, other_bar: bool = False) ->
         HOUR,
         60.0 * way / feed,
         np.zeros(size),
-        other_bar,
     )

@@ -8,8 +8,10 @@ import numpy as np
 
 from trueaxis.diagnose.audit import Audit, size_of
 from trueaxis.diagnose.grids import grid_of
+from trueaxis.diagnose.noise import REPEATS, STATED
 from trueaxis.diagnose.prospect import Placed, Prospect, outlooks_of
 from trueaxis.diagnose.report.quantity import quantity
+from trueaxis.diagnose.report.structures import check_name, closer_look
 from trueaxis.diagnose.report.words import enumerated
 from trueaxis.diagnose.result import Check, Limit, NextRun, NoiseOf
 from trueaxis.diagnose.search import Found
@@ -19,26 +21,8 @@ from trueaxis.effects.kind import Effect, Kind
 MOST_FAMILIES = 12  # of confounded candidates that are looked at
 MOST = 5  # runs proposed for them
 MOST_NAMED = 3
+DIGITS = 2  # of sizes that are told apart
 FARTHEST_POINT = 5.0  # mm, by which a point that somebody has set up may be off
-
-# what to take where a check of that class has fired: lines of an axis, circles of a plane
-_OF_LINES = (
-    ("between directions", "the lines of {} again, each target from both sides"),
-    ("by line", "a further line of {} at another offset of the other axes"),
-    ("in the course of a run", "the lines of {} again, each over a longer time, with the temperature beside it"),
-    ("with temperature", "a line of {} again over a swing of the temperature, measured at the scale or screw"),
-    ("repeats", "the lines of {} five times in a row, and again on another day"),
-    ("locally", "the line of {} again with targets at a fifth of the distance where the readings step aside"),
-)
-_OF_CIRCLES = (
-    ("by direction and feed", "the circle in {} at two further feeds, in both directions"),
-    ("by feed", "the circle in {} at two further feeds"),
-    ("by direction", "the circle in {} again, both directions in turn"),
-    ("in the course of a run", "the circle in {} again, two turns in a row, of a machine that has moved before"),
-    ("repeats", "the circle in {} three times at each feed"),
-    ("reversals", "the circle in {} at a quarter of the feed, with samples close to the reversals"),
-    ("lobes", "the circle in {} with another bar, and with the bar turned in its sockets"),
-)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,7 +58,7 @@ def separating_run(kinds: Mapping[str, Kind], ahead: Ahead) -> str:
         other = f"; what would: {kind.broken_by}" if kind.broken_by else ""
         return f"none of the runs considered would tell {ahead.effect.label} from {_labels(ahead.rivals)}{other}"
     apart = [ahead.rivals[place] for place in best.told]
-    text = f"{_taken(best)} would tell {ahead.effect.label} from {_labels(apart)}, {_gain(kind, ahead.effect, best)}"
+    text = f"{_taken(best)} would tell {ahead.effect.label} from {_labels(apart)}: {_gain(kind, ahead.effect, best)}"
     times = _needed(kind, best, ahead.size)
     if times > best.times:
         text += f"; for the size found it has to be taken about {times} times"
@@ -113,18 +97,15 @@ def _for_structure(checks: Sequence[Check]) -> Iterator[NextRun]:
     """A look closer at where the surest checks have fired."""
     fired = sorted((one for one in checks if one.fired), key=lambda one: one.p_value)
     for one in fired[:MOST_NAMED]:
-        title, _, aspect = one.name.partition(", ")
-        what, _, where = title.partition(" of ")
-        for sign, run in _OF_CIRCLES if what == "circles" else _OF_LINES:
-            if sign in aspect:
-                purpose = f"see whether the structure returns ({one.name})"
-                yield NextRun(purpose, run.format(where), f"{quantity(one.rms, 'mm')} RMS that has no name yet")
-                break
+        run = closer_look(one)
+        if run:
+            purpose = f"see whether the structure returns ({check_name(one)})"
+            yield NextRun(purpose, run, f"{quantity(one.rms, 'mm')} RMS that has no name yet")
 
 
 def _for_noise(noise: Sequence[NoiseOf]) -> Iterator[NextRun]:
-    for one in {each.instrument: each for each in noise}.values():
-        if not one.origin.startswith(("repeats", "given")):
+    for one in noise:
+        if one.origin not in (REPEATS, STATED):
             yield NextRun(
                 f"know the noise of the {one.instrument}",
                 f"every run of the {one.instrument} three times",
@@ -156,7 +137,7 @@ def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
         said = [f"{one.effect.label} from {one.nearest.label}" for one, _ in pairs[:MOST_NAMED] if one.nearest]
         first, best = pairs[0]
         gain = _gain(kinds[first.effect.kind], first.effect, best)
-        found.append(NextRun(f"could tell {enumerated(said)}", run, f"{gain} ({first.effect.label})"))
+        found.append(NextRun(f"could tell {enumerated(said)}", run, gain))
     return found
 
 
@@ -175,8 +156,8 @@ def _gain(kind: Kind, effect: Effect, best: Separation) -> str:
     _, unit = size_of(kind, effect)
     after, before = isolable(kind, best.after), isolable(kind, best.before)
     never = best.before < 1e-6 * best.after
-    now = "never" if never else f"from {quantity(before, unit)} on"
-    return f"from {quantity(after, unit)} on instead of {now}"
+    now = "no size would do" if never else f"{quantity(before, unit, DIGITS)} are needed"
+    return f"with this run {quantity(after, unit, DIGITS)} of {effect.label} would do; now {now}"
 
 
 def _needed(kind: Kind, best: Separation, size: float) -> int:

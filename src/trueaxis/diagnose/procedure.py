@@ -1,41 +1,36 @@
-"""The diagnosis from readings to verdict: audit, noise, screening, base, search, refit, checks, gain."""
+"""The diagnosis from readings to verdict: null model, audit, search, refit, checks, stale values, gain."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import fdtrc
 
 from trueaxis.diagnose.amplitudes import amplitudes_of
 from trueaxis.diagnose.audit import audit
-from trueaxis.diagnose.base import Base, base_of
+from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
-from trueaxis.diagnose.checks_of_repeats import checks_of_repeats
 from trueaxis.diagnose.freedom import freedom_of
-from trueaxis.diagnose.gain import fitted_left, gain_of, held_out, of_instruments
-from trueaxis.diagnose.imperfection import imperfection, taken_up
-from trueaxis.diagnose.noise_of_runs import noise_of_runs
+from trueaxis.diagnose.gain import fit, gain_of, held_out, of_instruments, predicted
+from trueaxis.diagnose.imperfection import imperfection, imperfections
+from trueaxis.diagnose.null import Null, again, null_of
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted, refit
 from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
-from trueaxis.diagnose.screening import outliers
 from trueaxis.diagnose.search import Each, Found, Ground, Search, search, with_rivals, without
 from trueaxis.diagnose.signatures import Readings, readings_of
+from trueaxis.diagnose.stale import stale_values
 from trueaxis.diagnose.standing import refitted_columns, standing_effects
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.diagnose.verdict import HOMOGENEOUS, explained_share, names_stand, verdict_of
-from trueaxis.diagnose.whiten import whitening
 from trueaxis.diagnose.write_up import Outcome, diagnosis_of
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.model import MachineModel
 
 AGAIN = 0.03  # relative change of the noise, causes taken away, from which the search is done again
-STALE = 0.005  # p value below which the values given are stale ...
-WORTH = 0.02  # ... if refitting also lowers the held-out RMS by this share
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,23 +54,18 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     rows = rows_of(smoothed(data))
     if rows.size == 0:
         raise ValueError("no reading can be used: plans, or taken beside reversals, or directions are unknown")
-    values = rows.reading - _expected(model, rows)
-    keep, off = outliers(rows, values)
-    rows, values = rows.only(keep), values[keep]
-    readings = readings_of(model, rows)
-    base = base_of(model, rows)
     options.progress("noise")
-    noise = noise_of_runs(rows, readings.reading, values, options.noise_um)
+    null = null_of(model, rows, rows.reading - _expected(model, rows), options.noise_um)
+    readings = readings_of(model, null.rows)
     standing = standing_effects(readings)
-    free = np.hstack([base.columns, refitted_columns(readings, standing)]) if standing else base.columns
-    ground, found, causes = _searched(readings, free, values, noise, options, standing)
+    free = refitted_columns(readings, standing)
+    ground, found, causes = _searched(readings, free, null, options, standing)
     if causes:
-        signals = np.sum([one.signal for one in causes], axis=0)
-        again = noise_of_runs(rows, readings.reading, values - signals, options.noise_um)
-        if _changed(noise, again):
-            noise = again
-        named = (*standing, *causes)
-        ground, found, causes = _searched(readings, free, values, noise, options, named, found.causes)
+        fresh = again(null, np.sum([one.signal for one in causes], axis=0), options.noise_um)
+        if _changed(null.noise, fresh.noise):
+            null = fresh
+        ground, found, causes = _searched(readings, free, null, options, (*standing, *causes), found.causes)
+    values = null.values
     # neither looks at the readings: where there are threads they are worked out beside what follows
     audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground])
     options.progress("checks")
@@ -85,8 +75,8 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         found = without(ground, found, max(k for k, (_, p) in enumerate(groups) if p < HOMOGENEOUS))
         causes = refit(ground, found.causes)
         groups = _amplitudes(ground, causes)
-    checks = _checks(ground, found.projection, found.residual, values, causes, standing)
-    hard = Projection(orthonormal(ground.whitening(base.columns))) if standing else None
+    checks = _checks(ground, found.projection, found.residual)
+    hard = _plain(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
     homogeneous_p = [p for _, p in groups]
     share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
     stand = names_stand(share, (*standing, *causes), checks, homogeneous_p)
@@ -95,57 +85,44 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         found = with_rivals(ground, found)
     elif causes:
         causes, groups = (), ()
-        checks = _checks(ground, ground.base, ground.base.rest(ground.values), values, causes, standing)
+        checks = _checks(ground, ground.base, ground.base.rest(ground.values))
     options.progress("gain")
-    held, split = held_out(rows)
-    everything = fitted_left(base, ground.whitening, values, causes, np.ones_like(held))
-    of_held = fitted_left(base, ground.whitening, values, causes, ~held)
-    floor = float(np.sqrt(np.mean([one.sigma**2 for one in ground.whitening.noise])))
-    gain = gain_of(everything, of_held, held, split, floor)
-    stale_p = _stale(ground, base)
-    recalibrate = stale_p < STALE and gain.held_out.refitted < (1.0 - WORTH) * gain.held_out.given
+    signals = [one.signal for one in (*standing, *causes)]
+    besides = [column for one in (*standing, *causes) for column in imperfections(readings, one)]
+    stale, stale_p = stale_values(null, signals, besides, ground.freedom)
+    held, split = held_out(null.rows)
+    every = np.ones_like(held)
+    of_all = predicted(fit(null.base, null.whitening, values, causes, every), null.whitening, values, every)
+    of_held = predicted(fit(null.base, null.whitening, values, causes, ~held), null.whitening, values, held)
+    gain = gain_of(of_all, of_held, split, float(np.sqrt(np.mean(null.whitening.sigma**2))))
     (audited,), (prospect,) = audits, prospects
     return diagnosis_of(
         Outcome(
             ground=ground,
-            base=base,
-            values=values,
+            null=null,
             search=found,
             causes=causes,
             groups=groups,
-            verdict=verdict_of(found, stand, checks, recalibrate),
+            verdict=verdict_of(found, stand, checks, stale),
             audit=audited,
             prospect=prospect,
             checks=checks,
-            outliers=off,
-            noise=noise,
             held=held,
-            left=everything,
+            left=of_all.left,
             gain=gain,
             # the base as fine as the curves of the extended machine
             of_instruments=of_instruments(
-                base_of(model, rows, model.machine.curve_degree), ground.whitening, values, causes
+                base_of(model, null.rows, model.machine.curve_degree), null.whitening, values, causes
             ),
+            stale=stale,
             stale_p=stale_p,
         )
     )
 
 
-def _checks(
-    ground: Ground,
-    projection: Projection,
-    residual: FloatArray,
-    values: FloatArray,
-    causes: Sequence[Fitted],
-    standing: Sequence[Fitted],
-) -> tuple[Check, ...]:
-    """values: (n,) mm, less what is expected, and so less what effects that are standing do."""
+def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tuple[Check, ...]:
     rows, theta = ground.readings.rows, ground.readings.reading.theta
-    found = run_checks(rows, theta, ground.whitening, projection, residual, ground.freedom)
-    left = values - sum((one.signal for one in causes), np.zeros_like(values))
-    hard = Projection(ground.base.basis)
-    left -= taken_up(ground.readings, (*standing, *causes), lambda columns: hard.rest(ground.whitening(columns)), left)
-    return found + checks_of_repeats(rows, left, theta, ground.whitening.noise)
+    return run_checks(rows, theta, ground.whitening, projection, residual, ground.freedom)
 
 
 def _amplitudes(ground: Ground, causes: Sequence[Fitted]) -> tuple[tuple[tuple[AmplitudeOf, ...], float], ...]:
@@ -159,43 +136,39 @@ def _expected(model: MachineModel, rows: Rows) -> FloatArray:
 def _searched(
     readings: Readings,
     free: FloatArray,
-    values: FloatArray,
-    noise: Sequence[NoiseOf],
+    null: Null,
     options: DiagnoseOptions,
     known: Sequence[Fitted],
     start: Sequence[Found] = (),
 ) -> tuple[Ground, Search, tuple[Fitted, ...]]:
-    rows = readings.rows
-    white = whitening(rows.run, [noise[index] for index in rows.present])
-    projection = Projection(orthonormal(white(free)))
-    chance = imperfection(readings, known, lambda columns: projection.rest(white(columns)))
+    white = null.whitening
+    plain = _plain(null, free)
+    bare = Projection(plain.basis)
+    chance = imperfection(readings, known, lambda columns: bare.rest(white(columns)))
+    of_laser = white(null.base.by_chance)
     ground = Ground(
         readings=readings,
-        effects=candidates(readings.model, rows),
+        effects=candidates(readings.model, null.rows),
         whitening=white,
-        base=projection.softened(chance.beside),
-        values=white(values),
-        freedom=freedom_of(white),
+        plain=plain,
+        base=bare.softened(np.hstack([of_laser, chance.beside])),
+        values=white(null.values),
+        freedom=freedom_of(null.rows, white.sigma, null.noise),
         progress=options.progress,
         each=options.each,
-        wide=projection.softened(chance.columns),
+        wide=bare.softened(np.hstack([of_laser, chance.columns])),
     )
     found = search(ground, start)
     return ground, found, refit(ground, found.causes)
 
 
+def _plain(null: Null, free: FloatArray) -> Projection:
+    """What is no news before any cause is known. free: (n, k), mm, columns that are free besides."""
+    basis = Projection(orthonormal(null.whitening(np.hstack([null.base.columns, free]))))
+    return basis.softened(null.whitening(null.base.by_chance))
+
+
 def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf]) -> bool:
     pairs = [(one.sigma, other.sigma) for one, other in zip(before, after, strict=True)]
-    pairs += [(one.sigma + one.slope, other.sigma + other.slope) for one, other in zip(before, after, strict=True)]
+    pairs += [(one.sigma + one.settles, other.sigma + other.settles) for one, other in zip(before, after, strict=True)]
     return any(abs(one - other) > AGAIN * max(one, other) for one, other in pairs)
-
-
-def _stale(ground: Ground, base: Base) -> float:
-    """The p value of the values given being right: what the base explains beyond the unknowns of the instruments."""
-    nuisance = Projection(orthonormal(ground.whitening(base.columns[:, base.of_instruments])))
-    left = nuisance.rest(ground.values)
-    within = ground.base.basis.T @ left
-    k = ground.base.rank - nuisance.rank
-    if k <= 0:
-        return 1.0
-    return float(fdtrc(k, ground.freedom.of_readings, float(within @ within) / k))

@@ -6,9 +6,9 @@ from functools import cached_property
 import numpy as np
 from scipy.linalg import qr, svd
 
-from trueaxis.diagnose.base import RANK
 from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import as_slice
+from trueaxis.diagnose.whiten import RANK
 
 
 def _nothing() -> FloatArray:

@@ -13,19 +13,22 @@ exact, at the cost of the run's rows alone.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from scipy.linalg import qr, svd
 
-from trueaxis.diagnose.base import RANK, base_of
+from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.menu import FurtherRun, menu
-from trueaxis.diagnose.projection import Projection, decomposed, orthonormal
-from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
+from trueaxis.diagnose.projection import Projection, decomposed
+from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Readings, readings_of, signature_of
-from trueaxis.diagnose.whiten import whitened
+from trueaxis.diagnose.whiten import RANK, SETTLED, RunNoise, Whitening, whitening
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.noise import Noise
+from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.measure.context import context_of
 from trueaxis.runtime.context import Context
 
@@ -44,12 +47,11 @@ class Placed:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Innovation:
-    """One run of the menu. rows: its rows among all; noise: as it is whitened; known: (m, rank), C; own: what projects
+    """One run of the menu. rows: its rows among all; known: (m, rank), C; own: what projects
     the run's own unknowns out; roots: (m, m), inverse Cholesky factors of 1 + t C C', for each t of TIMES.
     """
 
     rows: slice
-    noise: NoiseOf
     known: FloatArray
     own: Projection
     roots: tuple[FloatArray, ...]
@@ -62,6 +64,7 @@ class Prospect:
     ground: Ground
     further: tuple[FurtherRun, ...]
     readings: Readings
+    whitening: Whitening
     basis: Projection
     innovations: tuple[Innovation, ...]
 
@@ -69,7 +72,8 @@ class Prospect:
 @dataclass(frozen=True, slots=True, eq=False)
 class Outlook:
     """A candidate: left: (n, k) whitened, what the base leaves of it in the readings at hand; whole: its squared size
-    with the base; added: for each further run and each of TIMES the whitened innovation (m, k).
+    with base and unknowns of all runs, in standard deviations of the readings; added: for each further run and each of
+    TIMES the whitened innovation (m, k).
     """
 
     left: FloatArray
@@ -83,16 +87,15 @@ def prospect_of(ground: Ground) -> Prospect:
     further = menu(readings.model, readings.rows)
     everything = _with_further(readings.rows, further)
     size = readings.rows.size
-    columns = np.hstack([base_of(readings.model, everything).columns, _bars(everything, further, size)])
-    noise = {
-        readings.rows.runs[run].instrument: one
-        for run, one in zip(readings.rows.present, ground.whitening.noise, strict=True)
+    base = base_of(readings.model, everything)
+    known = {
+        readings.rows.runs[run].instrument: replace(one, scale=1.0)
+        for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True)
     }
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
-    noises = [noise.get(one.run.instrument) or _usual(one.run.instrument) for one in further]
-    white = np.vstack(
-        [ground.whitening(columns[:size]), *(whitened(n, columns[p]) for n, p in zip(noises, parts, strict=True))]
-    )
+    ahead = [_noise(one, known) for one in base.runs[len(ground.whitening.runs) :]]
+    whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.own)
+    white = whiten(base.columns)
     scale = np.linalg.norm(white[:size], axis=0)
     unseen = scale == 0.0
     scale[unseen] = np.maximum(np.linalg.norm(white[:, unseen], axis=0), 1e-300)
@@ -101,14 +104,19 @@ def prospect_of(ground: Ground) -> Prospect:
     left, singular, right = decomposed(np.asarray(r))
     rank = int(np.count_nonzero(singular > RANK * singular[0]))
     innovations = []
-    for part, one in zip(parts, noises, strict=True):
+    for part in parts:
         turned = white[part] @ right.T
-        own = Projection(orthonormal(_significant(turned[:, rank:])))
-        known = own.rest(turned[:, :rank] / singular[:rank])
-        roots = inverse_roots(known)
-        innovations.append(Innovation(part, one, known, own, roots))
+        own = Projection(_spanned(turned[:, rank:]))
+        held = own.rest(turned[:, :rank] / singular[:rank])
+        roots = inverse_roots(held)
+        innovations.append(Innovation(part, held, own, roots))
     return Prospect(
-        ground, further, readings_of(readings.model, everything), Projection(q @ left[:, :rank]), tuple(innovations)
+        ground,
+        further,
+        readings_of(readings.model, everything),
+        whiten,
+        Projection(q @ left[:, :rank]),
+        tuple(innovations),
     )
 
 
@@ -117,16 +125,20 @@ def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outloo
     each = [signature_of(prospect.readings, one.effect, (one.point,)).over_all() for one in candidates]
     size = prospect.ground.values.size
     columns = np.hstack([np.zeros((prospect.readings.rows.size, 0)), *each])
-    here = prospect.ground.whitening(columns[:size])
+    white = prospect.whitening(columns)
+    here = white[:size]
+    by_noise = columns[:size] / prospect.ground.whitening.sigma[:, np.newaxis]
     inside, left = prospect.basis.basis.T @ here, prospect.basis.rest(here)
     added = []
     for one in prospect.innovations:
-        innovation = one.own.rest(whitened(one.noise, columns[one.rows])) - one.known @ inside
+        innovation = one.own.rest(white[one.rows]) - one.known @ inside
         added.append([np.sqrt(times) * (root @ innovation) for times, root in zip(TIMES, one.roots, strict=True)])
     ends = np.cumsum([0, *(one.shape[1] for one in each)])
     return [
         Outlook(
-            left[:, mine], float(np.sum(here[:, mine] ** 2)), tuple(tuple(two[:, mine] for two in one) for one in added)
+            left[:, mine],
+            float(np.sum(by_noise[:, mine] ** 2)),
+            tuple(tuple(two[:, mine] for two in one) for one in added),
         )
         for mine in (slice(*pair) for pair in pairwise(ends))
     ]
@@ -198,30 +210,32 @@ def _contexts(one: Context, other: Context) -> Context:
         np.hstack([one.directions, other.directions]),
         np.hstack([one.velocity, other.velocity]),
         np.hstack([one.since_reversal, other.since_reversal]),
+        np.hstack([one.time_since, other.time_since]),
+        np.hstack([one.path_since, other.path_since]),
         np.concatenate([one.time, other.time]),
         np.concatenate([one.temperature, other.temperature]),
         home,
     )
 
 
-def _bars(everything: Rows, further: Sequence[FurtherRun], size: int) -> FloatArray:
-    """(n, k): the length of every other bar is unknown."""
-    found = np.zeros((everything.size, sum(one.other_bar for one in further)))
-    first = int(everything.run[size]) if everything.size > size else 0
-    for place, number in enumerate(number for number, one in enumerate(further) if one.other_bar):
-        found[everything.of_run(first + number), place] = 1.0
-    return found
+def _noise(run: MeasuredRun, known: Mapping[Any, RunNoise]) -> RunNoise:
+    """As that of other runs of the instrument, or as usual."""
+    usual = known.get(run.instrument)
+    return RunNoise(
+        noise=Noise(PROBE_MM if run.instrument == "probe" else USUAL_MM) if usual is None else usual.noise,
+        scale=1.0,
+        steps=run.rows.steps,
+        settles=0.0 if usual is None else usual.settles,
+        settling=np.exp(-run.rows.passed / SETTLED),
+    )
 
 
-def _usual(instrument: str) -> NoiseOf:
-    sigma = PROBE_MM if instrument == "probe" else USUAL_MM
-    return NoiseOf(instrument, sigma, 0.0, 0.0, 0.0, 1.0, "usual")
-
-
-def _significant(columns: FloatArray) -> FloatArray:
-    """Those that are more than rounding."""
-    size = np.linalg.norm(columns, axis=0)
-    return columns[:, size > RANK * max(float(size.max(initial=0.0)), 1.0)]
+def _spanned(columns: FloatArray) -> FloatArray:
+    """(m, rank): an orthonormal basis of what columns, parts of some of unit length, span beyond rounding. They are not
+    scaled to one length first: of a small one mostly rounding would be left.
+    """
+    left, singular, _ = decomposed(columns)
+    return np.asarray(left[:, : np.count_nonzero(singular > RANK * max(float(singular.max(initial=0.0)), 1.0))])
 
 
 def inverse_roots(known: FloatArray) -> tuple[FloatArray, ...]:

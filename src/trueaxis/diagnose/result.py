@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import Enum
 from typing import Literal
 
 import numpy as np
@@ -16,28 +17,26 @@ BoolArray = npt.NDArray[np.bool_]
 Observability = Literal["observable", "confounded", "unobservable"]
 Verdict = Literal["no_discrepancy", "recalibrate", "explained", "ambiguous", "unexplained_structure"]
 
-LACK_OF_FIT = "all readings, lack of fit"  # name of the check that sees any structure, and says nothing of its kind
-
 
 @dataclass(frozen=True, slots=True)
 class NoiseOf:
-    """Noise of the readings of one instrument, mm: white, autocorrelated (first order, from one reading to the next)
-    and the slope of a run (over the whole run). freedom: degrees of freedom of the estimate; origin: where it is from;
-    slope_freedom: those of the slope alone, which few runs tell.
+    """Noise of the readings of one instrument, mm: white, and slow (correlation: from one reading to the next).
+
+    settles: by which its runs change after their start; freedom: degrees of freedom of the estimate; origin: where it
+    is from, see diagnose.noise.
     """
 
     instrument: str
     white: float
     correlated: float
     correlation: float
-    slope: float
+    settles: float
     freedom: float
     origin: str
-    slope_freedom: float = 0.0
 
     @property
     def sigma(self) -> float:
-        """Standard deviation of a reading, mm, slopes of runs left out."""
+        """Standard deviation of a reading, mm."""
         return float(np.hypot(self.white, self.correlated))
 
 
@@ -121,15 +120,39 @@ class Cause:
     separating: str
 
 
+class StructureClass(Enum):
+    """Classes of structure that need no cause; the value is the id in diagnosis.json."""
+
+    LINE_DIRECTION = "line_direction"
+    LINE_DIRECTION_BY_LINE = "line_direction_by_line"
+    LINE_BY_LINE = "line_by_line"
+    LINE_COURSE = "line_course"
+    LINE_TEMPERATURE = "line_temperature"
+    LINE_RIPPLE = "line_ripple"
+    LINE_LOCAL = "line_local"
+    CIRCLE_LOBES = "circle_lobes"
+    CIRCLE_RIPPLE = "circle_ripple"
+    CIRCLE_COURSE = "circle_course"
+    CIRCLE_DIRECTION = "circle_direction"
+    CIRCLE_RIPPLE_DIRECTION = "circle_ripple_direction"
+    CIRCLE_FEED = "circle_feed"
+    CIRCLE_DIRECTION_FEED = "circle_direction_feed"
+    CIRCLE_REVERSALS = "circle_reversals"
+    CIRCLE_AFTER_REVERSALS = "circle_after_reversals"
+    ONE_PERIOD = "one_period"
+    LACK_OF_FIT = "lack_of_fit"  # sees any structure, and says nothing of its kind
+
+
 @dataclass(frozen=True, slots=True)
 class Check:
     """A test for structure of a class that needs no cause; p_value already multiplied by the number of checks.
 
-    rms: of the structure over the readings, mm; excess: its whitened squares beyond those of noise.
+    place: axis of lines, plane of circles, run or instrument; rms: of the structure over the readings, mm; excess: its
+    whitened squares beyond those of noise.
     """
 
-    name: str
-    meaning: str
+    structure: StructureClass
+    place: str
     p_value: float
     fired: bool
     rms: float
@@ -138,7 +161,7 @@ class Check:
 
 @dataclass(frozen=True, slots=True)
 class Outlier:
-    """A reading far from its repeats, left out; deviation in mm and in robust standard deviations."""
+    """A reading far from what base and repeats say, left out; deviation: mm; z: in standard deviations of the noise."""
 
     run: str
     seq: int
@@ -158,13 +181,32 @@ class Stage:
 
 
 @dataclass(frozen=True, slots=True)
+class Stale:
+    """Values given that are no longer true: the component or location error, from where to where (mm or deg; None of a
+    location error), its change where that is clearest, with its standard uncertainty, mm or rad; p_value: of all its
+    values being right.
+    """
+
+    component: str
+    first: float | None
+    last: float | None
+    value: float
+    u: float
+    unit: str
+    p_value: float
+
+
+@dataclass(frozen=True, slots=True)
 class Gain:
-    """What was gained. split: how the held-out readings were chosen; floor: RMS of the pure error, mm."""
+    """What was gained. split: how the held-out readings were chosen; floor: RMS of the pure error, mm; standardised:
+    root mean square of held-out residuals over their predictive standard deviations, 1 where the model is right.
+    """
 
     rms: Stage
     held_out: Stage
     split: str
     floor: float
+    standardised: float = float("nan")
 
 
 @dataclass(frozen=True, slots=True)
@@ -236,6 +278,7 @@ class Diagnosis:
     threshold: float
     checks: tuple[Check, ...]
     outliers: tuple[Outlier, ...]
+    stale: tuple[Stale, ...]
     gain: Gain
     circles: tuple[Circle, ...]
     recalibration_p: float

@@ -113,12 +113,10 @@ def rows_of(data: MeasuredData) -> Rows:
     return _with_passes(everything)
 
 
-def place_of(rows: Rows, mine: BoolArray | IntArray) -> str:
-    """Where some rows were taken: "lines of X" by the axis that moves most, "circles of XY" by all that move."""
+def plane_of(rows: Rows, mine: BoolArray) -> str:
+    """The axes that move in some rows."""
     span = np.ptp(rows.positions[:, mine], axis=1)
-    if rows.runs[rows.run[mine][0]].instrument == "ballbar":
-        return "circles of " + "".join(name for name, way in zip(rows.axes, span, strict=True) if way > 10.0**-DECIMALS)
-    return "lines of " + (rows.axes[int(np.argmax(span))] if span.max() > 0.0 else "no axis")
+    return "".join(name for name, way in zip(rows.axes, span, strict=True) if way > 10.0**-DECIMALS)
 
 
 def _setups(runs: Sequence[Run], run: IntArray, positions: FloatArray) -> IntArray:

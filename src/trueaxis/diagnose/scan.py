@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -16,9 +15,9 @@ from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE, explained
 
-WORTH_A_LOOK = 14.0  # of a statistic, below which nobody asks how sure the noise is
 ENTRIES = 1 << 20  # of a signature's columns at a time
 FAR = 100.0  # a statistic from which the number of tries does not matter
+NOTHING = 1e-200  # squares, in units of the noise, whose inverse would leave the range of numbers
 LN10 = float(np.log(10.0))
 
 
@@ -26,8 +25,8 @@ LN10 = float(np.log(10.0))
 class Prepared:
     """What of a candidate stays the same whatever the readings are and whichever causes are found.
 
-    total, gram: (points, k, k), the whitened signature times itself, before and after the base is taken away; length:
-    of the curve along the grid.
+    total, gram: (points, k, k), the signature times itself, in standard deviations of the readings, and after whitening
+    with base and unknowns of all runs taken away; length: of the curve along the grid.
     """
 
     total: FloatArray
@@ -35,7 +34,7 @@ class Prepared:
     length: float
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class Residual:
     """What is left to be explained. base: with the causes found.
 
@@ -48,18 +47,9 @@ class Residual:
     freedom: Freedom
     back: FloatArray
 
-    @cached_property
-    def slopes_back(self) -> FloatArray:
-        """(n, n_runs): the same for what the slope of each run has in common with what the base leaves."""
-        return self.whitening.back(self.base.rest_transposed(self.freedom.slopes))
-
-    def freedom_of(self, signature: Signature, point: int, gram: FloatArray) -> float:
-        """Of the noise, for a test of the signature at this point; gram: (k, k), of what the base leaves of it."""
-        if not self.freedom.ramps.any():
-            return self.freedom.of_readings
-        here = as_slice(signature.support)
-        through = self.slopes_back[here].T @ signature.columns(slice(point, point + 1))[:, 0]
-        return self.freedom.of(through, np.asarray(np.linalg.pinv(gram, rcond=UNOBSERVABLE, hermitian=True)))
+    def freedom_of(self, signature: Signature, point: int) -> float:
+        """Of the noise, for a test of the signature at this point."""
+        return self.freedom.of(signature.support, signature.columns(slice(point, point + 1))[:, 0])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,6 +87,9 @@ def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Pr
         for start in range(0, points, step)
     ]
     total, gram = (np.concatenate([part[of][:step] for part in parts]) for of in (0, 1))
+    # what the base and the runs hold is rounding, and what dies away before the first reading is nothing
+    held = np.trace(gram, axis1=1, axis2=2) <= np.maximum(UNOBSERVABLE * np.trace(total, axis1=1, axis2=2), NOTHING)
+    gram = np.where(held[:, np.newaxis, np.newaxis], 0.0, gram)
     cross = np.concatenate([part[2] for part in parts])[: points - 1]
     return Prepared(total, gram, _length(gram, cross))
 
@@ -110,9 +103,9 @@ def _prepared(
     white = whitening.part(signature.support, columns.reshape(size, count * k))
     held = (base.of(signature.support).T @ white).reshape(-1, count, k)
     full = white.reshape(size, count, k)
-    total = _gram(full, full)
+    by_noise = columns / whitening.sigma[as_slice(signature.support), np.newaxis, np.newaxis]
     cross = _gram(full[:, :-1], full[:, 1:]) - _gram(held[:, :-1], held[:, 1:])
-    return total, total - _gram(held, held), cross
+    return _gram(by_noise, by_noise), _gram(full, full) - _gram(held, held), cross
 
 
 def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:
@@ -132,9 +125,7 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
     most = float(statistic[best])
     # Hotelling's tube to first order: a largest statistic u is so many times as likely as one at a given place
     tries = 1.0 + known.length * float(np.sqrt(min(most, FAR) / (2.0 * np.pi)))
-    worth = most > WORTH_A_LOOK
-    within = residual.freedom_of(signature, best, gram[best]) if worth else residual.freedom.of_readings
-    log_p = log_f_tail(most / k, k, within)
+    log_p = log_f_tail(most / k, k, residual.freedom_of(signature, best))
     lower = float(np.log10(tries))
     return Scanned(
         effect=signature.effect,

@@ -63,13 +63,14 @@ class Search:
 class Ground:
     """What is searched on: candidates, whitened readings less what is expected, noise and base.
 
-    wide: the base with all that the forms of the causes leave open, for their sizes; each: `map`, or one that works on
-    several candidates at once; known: of candidates scanned before.
+    plain: the base before anything is known of causes; wide: the base with all that the forms of the causes leave open,
+    for their sizes; each: `map`, or one that works on several candidates at once; known: of candidates scanned before.
     """
 
     readings: Readings
     effects: tuple[Effect, ...]
     whitening: Whitening
+    plain: Projection
     base: Projection
     wide: Projection
     values: FloatArray

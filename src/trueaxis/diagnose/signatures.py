@@ -15,6 +15,7 @@ from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows, as_slice
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.placement import concerns
 from trueaxis.estimation.first_order import sensed
 from trueaxis.measure.machine import View
 from trueaxis.measure.reading_context import reading_context_of
@@ -177,7 +178,7 @@ def parameter_signature(readings: Readings, effect: Effect, values: FloatArray) 
         found = np.where(lever == 0.0, 0.0, term * lever)
         return found[0], found[1:].T
     if kind.place == "reading":
-        mine = np.array([run.instrument == kind.instrument and _named(run, effect) for run in rows.runs])[rows.run]
+        mine = np.array([concerns(kind, effect, run) for run in rows.runs])[rows.run]
         term = reading_term(model.kernels, model.machine, effect, values, readings.reading)
         found = np.where(mine, term, 0.0)
         return found[0], found[1:].T
@@ -264,7 +265,7 @@ def _of_reading(
     readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...], support: IntArray
 ) -> FloatArray:
     model, rows = readings.model, readings.rows
-    mine = np.array([run.instrument == kind.instrument and _named(run, effect) for run in rows.runs])[rows.run[support]]
+    mine = np.array([concerns(kind, effect, run) for run in rows.runs])[rows.run[support]]
     context = readings.reading.of(support)
     terms = _columns(
         kind, points, mine.size, lambda vector: reading_term(model.kernels, model.machine, effect, vector, context)
@@ -279,7 +280,7 @@ def _of_point(readings: Readings, effect: Effect, support: IntArray) -> FloatArr
     columns = np.zeros((rows.size, 1, 3))
     for index in rows.present:
         run = rows.runs[index]
-        if not _named(run, effect):
+        if not concerns(_kind(readings, effect), effect, run):
             continue
         mine = rows.of_run(index)
         end = effect.end or ("target" if run.target.on == "workpiece" else "reference")
@@ -332,10 +333,6 @@ def _sensitivity(readings: Readings, component: str) -> FloatArray:
     return np.asarray(readings.sensitivity[components.index(component)])
 
 
-def _named(run: Run, effect: Effect) -> bool:
-    return not effect.runs or run.id in effect.runs
-
-
 def _missing(readings: Readings) -> str:
     lacking = [
         name
@@ -343,7 +340,8 @@ def _missing(readings: Readings) -> str:
             ("time_s", readings.context.time),
             ("temperature_c", readings.context.temperature),
             ("feed", readings.context.velocity),
+            ("time_s", readings.context.time_since),
         )
-        if not np.isfinite(values).all()
+        if np.isnan(values).any()
     ]
-    return ", ".join(lacking) if lacking else "motion errors that the spec leaves out"
+    return ", ".join(dict.fromkeys(lacking)) if lacking else "motion errors that the spec leaves out"

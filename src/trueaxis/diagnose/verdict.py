@@ -1,29 +1,37 @@
 """When a name may be given, and what the diagnosis comes to."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from scipy.special import chdtri
 
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.refit import Fitted
-from trueaxis.diagnose.result import LACK_OF_FIT, Check, Verdict
+from trueaxis.diagnose.result import Check, Stale, StructureClass, Verdict
 from trueaxis.diagnose.search import Ground, Search, cause_columns
 from trueaxis.effects.expression import names, parse
+from trueaxis.effects.variables import SINCE_REVERSAL
 
 HOMOGENEOUS = 1e-4  # p value below which the amplitudes of a cause are not one
 PRACTICALLY_ALL = 0.97  # share from which neither a remainder nor differences between places take the name back
-CLASSES = (  # words in the name of a check, and variables of the causes that make it fire
-    ("direction", {"direction", "d", "v"}),
-    ("reversals", {"direction", "d"}),
-    ("locally", {"direction", "d"}),
-    ("one period", {"direction", "d", "q", "s"}),  # cycles of one run
-    ("feed", {"v"}),
-    ("in the course", {"d", "direction"}),
-    ("temperature", {"t", "T"}),
-    ("repeats", {"t", "T"}),
-    ("by line", {"s_b", "q_b", "along", "t", "T"}),
-)
+_TURNING = frozenset({"direction", *SINCE_REVERSAL})
+DUE_TO: Mapping[StructureClass, frozenset[str]] = {  # variables of the causes that make a check fire
+    StructureClass.LINE_DIRECTION: _TURNING | {"v"},
+    StructureClass.LINE_DIRECTION_BY_LINE: _TURNING | {"v"},
+    StructureClass.LINE_RIPPLE: _TURNING | {"v"},
+    StructureClass.LINE_LOCAL: _TURNING,
+    StructureClass.LINE_COURSE: _TURNING,
+    StructureClass.LINE_TEMPERATURE: frozenset({"t", "T"}),
+    StructureClass.LINE_BY_LINE: frozenset({"s_b", "q_b", "along", "t", "T"}),
+    StructureClass.CIRCLE_COURSE: _TURNING,
+    StructureClass.CIRCLE_DIRECTION: _TURNING | {"v"},
+    StructureClass.CIRCLE_RIPPLE_DIRECTION: _TURNING | {"v"},
+    StructureClass.CIRCLE_FEED: frozenset({"v"}),
+    StructureClass.CIRCLE_DIRECTION_FEED: _TURNING | {"v"},
+    StructureClass.CIRCLE_REVERSALS: _TURNING,
+    StructureClass.CIRCLE_AFTER_REVERSALS: _TURNING,
+    StructureClass.ONE_PERIOD: _TURNING | {"q", "s"},  # cycles of one run
+}
 NEARLY_ALL = 0.9  # share of what was to be explained from which a remainder of that class does not take the name back
 
 
@@ -44,10 +52,10 @@ def explained_share(
     """
     if not causes and not standing:
         return 0.0
-    hard = hard or Projection(ground.base.basis)
+    hard = hard or ground.plain
     nothing = np.zeros(ground.values.size)
     before = hard.rest(ground.values + ground.whitening(sum((one.signal for one in standing), nothing)))
-    after = Projection(ground.base.basis).extended(cause_columns(ground, found.causes)).rest(ground.values)
+    after = ground.plain.extended(cause_columns(ground, found.causes)).rest(ground.values)
     explained = float(before @ before) - float(after @ after)
     freedom = found.residual.size - found.projection.rank
     uneven = [float(chdtri(1, max(p, 1e-300))) for p in homogeneous_p if p <= HOMOGENEOUS]
@@ -64,19 +72,21 @@ def names_stand(
     quite the form of the kind.
     """
     fired = [check for check in checks if check.fired]
-    fired = [check for check in fired if check.name != LACK_OF_FIT] or fired  # of what kind it is, others say
+    fired = [
+        check for check in fired if check.structure is not StructureClass.LACK_OF_FIT
+    ] or fired  # of what kind it is, others say
     one_size = all(p > HOMOGENEOUS for p in homogeneous_p) or share >= PRACTICALLY_ALL
     if not fired or share >= PRACTICALLY_ALL:
         return one_size
     used = {each.name for one in causes if one.kind.expression for each in names(parse(one.kind.expression))}
-    of_their_class = all(any(word in check.name and variables & used for word, variables in CLASSES) for check in fired)
+    of_their_class = all(DUE_TO.get(check.structure, frozenset()) & used for check in fired)
     return one_size and share >= NEARLY_ALL and of_their_class
 
 
-def verdict_of(found: Search, stand: bool, checks: Sequence[Check], recalibrate: bool) -> Verdict:
+def verdict_of(found: Search, stand: bool, checks: Sequence[Check], stale: Sequence[Stale]) -> Verdict:
     """What it all comes to."""
     if found.causes and stand:
         return "ambiguous" if any(one.rivals for one in found.causes) else "explained"
     if found.causes or (any(check.fired for check in checks) and not stand):
         return "unexplained_structure"
-    return "recalibrate" if recalibrate else "no_discrepancy"
+    return "recalibrate" if stale else "no_discrepancy"

@@ -1,166 +1,166 @@
-"""Readings made independent: multiplied by the inverse root of the covariance of their noise, run by run.
+"""Readings made independent, run by run, and what nobody knows of each run's instrument taken away.
 
-Within a run the noise is white (variance w), autocorrelated (stationary AR(1), variance a, coefficient f from one
-reading to the next) and has a random slope. With D the matrix that takes f times the reading before away, D V D' is
-tridiagonal and its Cholesky factor bidiagonal: the cost grows with the number of readings alone.
+Within a run the noise is white and slow (estimation.noise). The unknowns of the run's instrument (its zero, its creep
+in time, the slope of a straightness line, the place of a ball) are free: what is whitened has them projected out. By
+chance it also settles after the start of the run, with a standard deviation that is the same for runs of an instrument.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import lru_cache
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
-from scipy.linalg import cholesky_banded
-from scipy.linalg.lapack import dtbtrs
 
-from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
+from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
+from trueaxis.estimation.noise import Noise
+from trueaxis.estimation.noise import Whitening as OfOneRun
 
-SHORT = 400  # readings of a run, up to which a matrix is quicker than the recursion
+SHORT = 400  # readings of a run, up to which one matrix is quicker than the recursion
+SETTLED = 0.2  # of the duration of a run: its time constant of settling
+RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class RunNoise:
+    """Of one run: noise: of its instrument; scale: by what its own is larger; steps: (n,), time since the reading
+    before in typical steps; settles: standard deviation of its settling, mm; settling: (n,), its course.
+    """
+
+    noise: Noise
+    scale: float
+    steps: FloatArray
+    settles: float
+    settling: FloatArray
+
+    @property
+    def sigma(self) -> float:
+        """Standard deviation of a reading, mm."""
+        return self.scale * self.noise.sigma
+
+    def only(self, keep: BoolArray) -> "RunNoise":
+        """Of some readings, (n,)."""
+        steps = np.diff(np.cumsum(self.steps)[keep], prepend=0.0)
+        return replace(self, steps=steps, settling=self.settling[keep])
+
+    def whitened(self, columns: FloatArray) -> FloatArray:
+        """(n, k) columns by the noise alone."""
+        return OfOneRun(self.noise, self.steps, self.scale)(columns)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Aside:
+    """What is taken away after whitening: own: (n, k), orthonormal; turned, shrink: the direction in which the run
+    settles by chance, (n,), and 1 - 1/sqrt(1 + d^2) of its standard deviation d.
+    """
+
+    own: FloatArray
+    turned: FloatArray
+    shrink: float
+
+    def __call__(self, columns: FloatArray) -> FloatArray:
+        left = columns - self.own @ (self.own.T @ columns)
+        return left - self.shrink * np.outer(self.turned, self.turned @ left) if self.shrink else left
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Whitening:
-    """Inverse root of the covariance, one block per run. starts: (n_runs + 1,), first row of each run; noise: of each
-    run, in their order.
+    """Inverse root of the covariance, one block per run. starts: (n_runs + 1,), first row of each run; runs: noise of
+    each, in their order; own: (n_r, k) of each, columns of its own unknowns, mm.
     """
 
     starts: IntArray
-    noise: tuple[NoiseOf, ...]
+    runs: tuple[RunNoise, ...]
+    own: tuple[FloatArray, ...]
+    _asides: dict[int, _Aside] = field(default_factory=dict, repr=False)
+    _operators: dict[int, FloatArray] = field(default_factory=dict, repr=False)
+
+    @property
+    def sigma(self) -> FloatArray:
+        """(n,): standard deviation of each reading, mm."""
+        return np.repeat([one.sigma for one in self.runs], np.diff(self.starts))
+
+    @property
+    def own_count(self) -> IntArray:
+        """(n_runs,): how many unknowns of its own each run has."""
+        return np.array([self._aside(place).own.shape[1] for place in range(len(self.runs))], dtype=np.int64)
 
     def __call__(self, columns: FloatArray) -> FloatArray:
         """(n, k) whitened; columns: (n, k) or (n,)."""
         return self.part(np.arange(int(self.starts[-1])), columns)
 
     def part(self, rows: IntArray, columns: FloatArray) -> FloatArray:
-        """Columns (n_rows, k) or (n_rows,) of some rows whitened; rows: ascending, those of whole runs, or none.
-
-        Runs of one length and noise are done at once, short ones by one matrix: a factorisation each would cost more
-        than the work.
-        """
+        """Columns (n_rows, k) or (n_rows,) of some rows whitened; rows: ascending, those of whole runs, or none."""
         flat = columns if columns.ndim == 2 else columns[:, np.newaxis]
         found = np.empty_like(flat, dtype=np.float64)
-        for noise, at in self._alike(rows):
-            count, size = at.shape
-            if size <= SHORT and at[-1, -1] - at[0, 0] + 1 == at.size:  # one after another: no copies
-                here = slice(at[0, 0], at[-1, -1] + 1)
-                np.matmul(
-                    _operator(noise, size),
-                    flat[here].reshape(count, size, -1),
-                    out=found[here].reshape(count, size, -1),
-                )
-            elif size <= SHORT:
-                found[at] = np.matmul(_operator(noise, size), flat[at])
-            else:
-                every = flat[at.T].reshape(at.shape[1], -1)
-                found[at.T] = whitened(noise, every).reshape(*at.T.shape, -1)
+        for place, here in self._members(rows):
+            found[here] = self._whitened(place, flat[here])
         return found.reshape(columns.shape)
 
     def back(self, columns: FloatArray) -> FloatArray:
         """(n, k) times the transpose: b such that b'a is the product of columns and a whitened, for any a."""
         found = np.empty_like(columns, dtype=np.float64)
-        for noise, at in self._alike(np.arange(int(self.starts[-1]))):
-            if at.shape[1] <= SHORT:
-                found[at] = np.matmul(_operator(noise, at.shape[1]).T, columns[at])
-            else:
-                every = columns[at.T].reshape(at.shape[1], -1)
-                found[at.T] = _back(noise, every).reshape(*at.T.shape, -1)
+        for place, here in self._members(np.arange(int(self.starts[-1]))):
+            found[here] = self._back(place, columns[here])
         return found
 
-    def _alike(self, rows: IntArray) -> list[tuple[NoiseOf, IntArray]]:
-        """Runs of one noise and length among the rows: their places in them, (n_runs, size)."""
-        begins = np.searchsorted(rows, self.starts[:-1])
-        there = np.isin(self.starts[:-1], rows)
-        alike: dict[tuple[int, NoiseOf], list[int]] = {}
-        for index in np.flatnonzero(there):
-            size = int(self.starts[index + 1] - self.starts[index])
-            alike.setdefault((size, self.noise[index]), []).append(int(begins[index]))
-        return [(noise, np.array(at)[:, np.newaxis] + np.arange(size)) for (size, noise), at in alike.items()]
+    def only(self, keep: BoolArray) -> "Whitening":
+        """Of some rows, (n,): a run of which none is kept is none."""
+        runs, own, starts = [], [], [0]
+        for place, (run, columns) in enumerate(zip(self.runs, self.own, strict=True)):
+            mine = keep[self.starts[place] : self.starts[place + 1]]
+            if mine.any():
+                runs.append(run.only(mine))
+                own.append(columns[mine])
+                starts.append(starts[-1] + int(mine.sum()))
+        return Whitening(np.array(starts, dtype=np.int64), tuple(runs), tuple(own))
 
-    def ramps(self) -> FloatArray:
-        """(n,): the whitened slope of each run, in its own standard deviation: its share of the noise."""
-        found = np.zeros(int(self.starts[-1]))
-        for index, noise in enumerate(self.noise):
-            first, last = int(self.starts[index]), int(self.starts[index + 1])
-            if noise.slope > 0.0:
-                found[first:last] = whitened(noise, noise.slope * ramp(last - first))
+    def _members(self, rows: IntArray) -> Iterator[tuple[int, slice]]:
+        begins = np.searchsorted(rows, self.starts)
+        for place in np.flatnonzero(np.diff(begins)).tolist():
+            yield place, slice(int(begins[place]), int(begins[place + 1]))
+
+    def _whitened(self, place: int, columns: FloatArray) -> FloatArray:
+        run = self.runs[place]
+        if columns.shape[0] <= SHORT:
+            found = np.asarray(self._operator(place) @ columns)
+        else:
+            found = self._aside(place)(run.whitened(columns))
+        # rounding of what the run's own unknowns hold is no direction of its own
+        found[:, np.linalg.norm(found, axis=0) <= RANK * np.linalg.norm(columns, axis=0) / run.sigma] = 0.0
         return found
 
+    def _back(self, place: int, columns: FloatArray) -> FloatArray:
+        if columns.shape[0] <= SHORT:
+            return np.asarray(self._operator(place).T @ columns)
+        run = self.runs[place]
+        return OfOneRun(run.noise, run.steps, run.scale).transposed(self._aside(place)(columns))
 
-@lru_cache(maxsize=256)
-def _operator(noise: NoiseOf, size: int) -> FloatArray:
-    """(size, size): the matrix that whitens a run."""
-    return whitened(noise, np.eye(size))
+    def _operator(self, place: int) -> FloatArray:
+        """(n_r, n_r): the matrix that whitens a run; kept."""
+        if place not in self._operators:
+            size = int(self.starts[place + 1] - self.starts[place])
+            self._operators[place] = self._aside(place)(self.runs[place].whitened(np.eye(size)))
+        return self._operators[place]
+
+    def _aside(self, place: int) -> _Aside:
+        if place not in self._asides:
+            self._asides[place] = _aside(self.runs[place], self.own[place])
+        return self._asides[place]
 
 
-def whitening(run: IntArray, of_run: Sequence[NoiseOf]) -> Whitening:
-    """For rows sorted by run, (n,); of_run: noise of the runs present, in order."""
+def _aside(run: RunNoise, own: FloatArray) -> _Aside:
+    white = run.whitened(own / np.maximum(np.linalg.norm(own, axis=0), 1e-300))
+    left, singular, _ = np.linalg.svd(white, full_matrices=False)
+    basis = left[:, singular > RANK * singular.max(initial=0.0)]
+    settling = run.whitened(run.settling[:, np.newaxis])[:, 0]
+    settling -= basis @ (basis.T @ settling)
+    size = float(np.linalg.norm(settling))
+    spread = run.settles * size
+    if spread == 0.0:
+        return _Aside(basis, settling, 0.0)
+    return _Aside(basis, settling / size, 1.0 - 1.0 / float(np.hypot(1.0, spread)))
+
+
+def whitening(run: IntArray, runs: Sequence[RunNoise], own: Sequence[FloatArray]) -> Whitening:
+    """For rows sorted by run, (n,); runs, own: of the runs present, in order."""
     starts = np.append(np.flatnonzero(np.diff(run, prepend=-1)), run.size)
-    return Whitening(starts.astype(np.int64), tuple(of_run))
-
-
-def whitened(noise: NoiseOf, columns: FloatArray) -> FloatArray:
-    """One run's columns, (n,) or (n, k), whitened."""
-    flat = columns.reshape(columns.shape[0], -1)
-    found = _stationary(noise, flat)
-    if noise.slope > 0.0 and flat.shape[0] > 1:
-        direction, shrink = _sloped(noise, flat.shape[0])
-        found = found - np.outer(shrink, direction @ found)
-    return found.reshape(columns.shape)
-
-
-def ramp(size: int) -> FloatArray:
-    """(size,), from -1/2 to 1/2: a slope over the whole run has height 1."""
-    return np.linspace(-0.5, 0.5, size)
-
-
-def tridiagonal(noise: NoiseOf, size: int) -> FloatArray:
-    """Lower banded Cholesky factor (2, size) of D V D' of white and AR(1) noise."""
-    f, white = noise.correlation, noise.white**2
-    band = np.zeros((2, size))
-    band[0] = white * (1.0 + f * f) + noise.correlated**2 * (1.0 - f * f)
-    band[0, 0] = white + noise.correlated**2
-    band[1, :-1] = -white * f
-    return np.asarray(cholesky_banded(band, lower=True, check_finite=False))
-
-
-def differenced(noise: NoiseOf, columns: FloatArray) -> FloatArray:
-    """D times columns (n, k)."""
-    found = columns.copy()
-    found[1:] -= noise.correlation * columns[:-1]
-    return found
-
-
-def solved(factor: FloatArray, columns: FloatArray, *, transposed: bool = False) -> FloatArray:
-    """The inverse of a lower banded factor (2, size), or of its transpose, times columns (size, k).
-
-    Straight from LAPACK: SciPy's `solve_banded` factors the factor once more.
-    """
-    if columns.size == 0:  # written beyond by the wrapper of LAPACK's routine
-        return columns.copy()
-    found, _ = dtbtrs(factor, columns, uplo="L", trans="T" if transposed else "N")
-    return np.asarray(found)
-
-
-def _back(noise: NoiseOf, columns: FloatArray) -> FloatArray:
-    """One run's columns (n, k) times the transpose of what whitens it."""
-    if noise.slope > 0.0 and columns.shape[0] > 1:
-        direction, shrink = _sloped(noise, columns.shape[0])
-        columns = columns - np.outer(direction, shrink @ columns)
-    if noise.correlated == 0.0 or noise.correlation == 0.0:
-        return columns / noise.sigma
-    found = solved(tridiagonal(noise, columns.shape[0]), columns, transposed=True)
-    found[:-1] -= noise.correlation * found[1:]
-    return found
-
-
-def _sloped(noise: NoiseOf, size: int) -> tuple[FloatArray, FloatArray]:
-    """(size,) the whitened slope d, and s, (size,): 1 - s d' is the inverse root of 1 + d d'."""
-    direction = _stationary(noise, noise.slope * ramp(size)[:, np.newaxis])[:, 0]
-    root = np.sqrt(1.0 + float(direction @ direction))
-    return direction, direction / (root * (root + 1.0))
-
-
-def _stationary(noise: NoiseOf, columns: FloatArray) -> FloatArray:
-    if noise.correlated == 0.0 or noise.correlation == 0.0:
-        return columns / noise.sigma
-    return solved(tridiagonal(noise, columns.shape[0]), differenced(noise, columns))
+    return Whitening(starts.astype(np.int64), tuple(runs), tuple(own))

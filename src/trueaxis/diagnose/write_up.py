@@ -7,14 +7,18 @@ import numpy as np
 
 from trueaxis.diagnose.absences import absences
 from trueaxis.diagnose.audit import Audit
-from trueaxis.diagnose.base import Base
 from trueaxis.diagnose.circles import circles_of
 from trueaxis.diagnose.formula import formula_of
-from trueaxis.diagnose.gain import Left, fitted_left
+from trueaxis.diagnose.gain import Left, fit, predicted
 from trueaxis.diagnose.linearisation import linearisation_note
 from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
+from trueaxis.diagnose.noise import REPEATS, STATED
+from trueaxis.diagnose.null import Null
 from trueaxis.diagnose.prospect import Prospect
 from trueaxis.diagnose.refit import Fitted
+from trueaxis.diagnose.report.quantity import quantity
+from trueaxis.diagnose.report.structures import check_name
+from trueaxis.diagnose.report.words import enumerated, held_out_warning, largest_structures, noise_origin
 from trueaxis.diagnose.result import (
     AmplitudeOf,
     BoolArray,
@@ -25,9 +29,8 @@ from trueaxis.diagnose.result import (
     Evidence,
     FloatArray,
     Gain,
-    NoiseOf,
-    Outlier,
     Residuals,
+    Stale,
     Verdict,
 )
 from trueaxis.diagnose.scan import Scanned
@@ -37,14 +40,13 @@ from trueaxis.estimation.effects.unknowns import unit_in
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
-    """All that the procedure has computed. values: (n,) mm, readings less what is expected; causes, groups: those that
+    """All that the procedure has computed. causes, groups: those that
     are named, with their amplitudes by group and the p value of their being one; held: (n,), rows held back;
     of_instruments: (n,) mm, see Residuals.
     """
 
     ground: Ground
-    base: Base
-    values: FloatArray
+    null: Null
     search: Search
     causes: tuple[Fitted, ...]
     groups: tuple[tuple[tuple[AmplitudeOf, ...], float], ...]
@@ -52,12 +54,11 @@ class Outcome:
     audit: Audit
     prospect: Prospect
     checks: tuple[Check, ...]
-    outliers: tuple[Outlier, ...]
-    noise: tuple[NoiseOf, ...]
     held: BoolArray
     left: Left
     gain: Gain
     of_instruments: FloatArray
+    stale: tuple[Stale, ...]
     stale_p: float
 
 
@@ -70,7 +71,7 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
     return Diagnosis(
         machine=ground.readings.model.name,
         verdict=outcome.verdict,
-        noise=tuple({one.instrument: one for one in outcome.noise}.values()),
+        noise=outcome.null.noise,
         causes=causes,
         limits=outcome.audit.limits,
         isolability=outcome.audit.isolable,
@@ -78,12 +79,13 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         scan=tuple(_evidence(one) for one in outcome.search.first),
         threshold=outcome.search.threshold,
         checks=outcome.checks,
-        outliers=outcome.outliers,
+        outliers=outcome.null.outliers,
+        stale=outcome.stale,
         gain=outcome.gain,
         circles=circles_of(ground.readings, outcome.left),
         recalibration_p=outcome.stale_p,
-        next_runs=next_runs(prospect, outcome.audit, ahead, outcome.checks, outcome.noise),
-        absences=(*absences(ground.readings, outcome.audit, outcome.noise), linearisation_note(ground)),
+        next_runs=next_runs(prospect, outcome.audit, ahead, outcome.checks, outcome.null.noise),
+        absences=(*absences(ground.readings, outcome.audit, outcome.null.noise), linearisation_note(ground)),
         warnings=_warnings(outcome, causes),
         residuals=_residuals(outcome),
     )
@@ -96,8 +98,9 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
     others = tuple(one for place, one in enumerate(outcome.causes) if place != index)
     without = outcome.gain.held_out.refitted
     if others:
-        left = fitted_left(outcome.base, ground.whitening, outcome.values, others, ~outcome.held)
-        without = float(np.sqrt(np.mean(left.extended[outcome.held] ** 2)))
+        null = outcome.null
+        alone = fit(null.base, null.whitening, null.values, others, ~outcome.held)
+        without = predicted(alone, null.whitening, null.values, outcome.held).stage().extended
     rivals = tuple(_evidence(one) for one in found.rivals)
     return Cause(
         effect=fitted.effect,
@@ -129,23 +132,25 @@ def _evidence(one: Scanned) -> Evidence:
 
 def _warnings(outcome: Outcome, causes: Sequence[Cause]) -> tuple[str, ...]:
     found = []
-    for one in {each.instrument: each for each in outcome.noise}.values():
-        if one.origin != "repeats":
-            found.append(f"noise of the {one.instrument}: {one.origin}; repeat runs to know it")
+    for one in outcome.null.noise:
+        if one.origin not in (REPEATS, STATED):
+            found.append(f"noise of the {one.instrument}: {noise_origin(one.origin)}; repeat runs to know it")
     if outcome.verdict == "unexplained_structure":
         found.append("structure is left that no known cause explains: no name is given")
-    found += [
-        f"{one.effect.label}: beside it structure is left ({outcome.gain.rms.extended * 1e3:.2f} um in all)"
-        for one in causes
-        if one.remainder
-    ]
+    if any(one.remainder for one in causes):
+        shown, _ = largest_structures(outcome.checks)
+        left = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
+        found.append(
+            f"beside {enumerated([one.effect.label for one in causes])} a remainder is left: {'; '.join(left)}"
+        )
+    found += filter(None, [held_out_warning(outcome.gain)])
     found += [
         f"{one.effect.label} and {', '.join(r.effect.label for r in one.rivals)} predict the same readings"
         for one in causes
         if one.rivals
     ]
-    if outcome.outliers:
-        found.append(f"{len(outcome.outliers)} readings far from their repeats were left out")
+    if outcome.null.outliers:
+        found.append(f"{len(outcome.null.outliers)} outliers were left out")
     return tuple(found)
 
 

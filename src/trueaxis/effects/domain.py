@@ -17,6 +17,8 @@ _CONTEXT: Mapping[str, Sequence[float]] = {
     "direction": (-1.0, 0.0, 1.0),
     "v": (-200.0, 0.0, 200.0),
     "d": (0.0, 20.0, FARTHEST),
+    "d_time": (0.0, 2.0, FARTHEST),
+    "d_path": (0.0, 20.0, FARTHEST),
     "t": (0.0, 60.0, 1e5),
     "T": (-10.0, 0.0, 10.0),
 }

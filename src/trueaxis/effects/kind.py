@@ -5,7 +5,8 @@ from typing import Literal
 
 Place = Literal["component", "reading", "point", "location"]
 Role = Literal["linear", "phase", "root", "grid"]
-Grid = Literal["pitch", "time", "reversal", "moment", "given"]
+Grid = Literal["pitch", "time", "reversal", "reversal_time", "reversal_path", "moment", "given"]
+DIVISORS = ("pitch", "time", "reversal", "reversal_time", "reversal_path")  # grids of what terms divide by
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +26,11 @@ class Parameter:
     grid: Grid | None = None
     values: tuple[float, ...] = ()
 
+    @property
+    def is_divisor(self) -> bool:
+        """Whether terms divide by it: it is above zero, and a step changes it by a factor."""
+        return self.grid in DIVISORS
+
 
 @dataclass(frozen=True, slots=True)
 class Kind:
@@ -35,7 +41,10 @@ class Kind:
     `location`: a position error that the spec leaves out (no expression either).
     expression: of context variables (see `variables`) and parameters, in the language of `expression`.
     directions: which component errors it may act on, as first letters: `along` its axis, `across`, `turn` (rotations).
-    instrument: whose readings, for the places `reading` and `point`; by_run: whether it is of some runs alone.
+    instruments: whose readings, for the places `reading` and `point`; empty: those of all. by_run: whether it is of
+    some runs alone.
+    nuisance: every set-up has some of it, which an estimate takes up without a name for it: no search lists it among
+    the causes; a spec may name it.
     sentence: the physical cause. confused_with and broken_by: what it is mistaken for, and what tells them apart.
     """
 
@@ -49,8 +58,9 @@ class Kind:
     directions: tuple[str, ...] = ()
     components: tuple[str, ...] = ()
     other_axis: bool = False
-    instrument: str = ""
+    instruments: tuple[str, ...] = ()
     by_run: bool = False
+    nuisance: bool = False
 
 
 @dataclass(frozen=True, slots=True)

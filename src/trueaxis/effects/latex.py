@@ -41,7 +41,7 @@ def effect_latex(kind: Kind, effect: Effect) -> str:
         point = rf"\mathbf{{r}}_{{\text{{{effect.end or 'ball'}}}}}"
         coordinates = r" \\ ".join(_parameter(one.name) for one in kind.parameters)
         return rf"{point} {ADDED} \begin{{pmatrix}} {coordinates} \end{{pmatrix}}{_of_runs(effect)}"
-    reading = r"\Delta R" if kind.instrument == "ballbar" else "L"
+    reading = r"\Delta R" if kind.instruments == ("ballbar",) else "L"
     return f"{reading} {ADDED} {term_latex(kind, effect)}{_of_runs(effect)}"
 
 

@@ -17,12 +17,14 @@ _PLACES = {
 }
 
 
+INSTRUMENTS = {"laser": "laser", "probe": "probe", "ballbar": "ball bar"}
 _ENTERS = {"linear": "linear", "phase": "phase", "root": "its square", "grid": "otherwise, searched on a grid"}
 
 _INTRODUCTION = """
 What goes wrong between a machine, its instruments and its model, beside the geometric errors. A machine spec names the
 effects that it has ([machine.md](machine.md#effects)); `trueaxis diagnose` searches all kinds of this page, and the
-spec's own, for those that measured data show. A term is written once, in the variables below; what it does to each
+spec's own, for those that measured data show; the zero and the slope of runs, of which every set-up has some, it takes
+up without a name for them. A term is written once, in the variables below; what it does to each
 instrument follows from the derivation: the sensitivity of the reading to the component error, times the term.
 
 Units: `u` is that of the component error (mm or rad), `axis` that of its axis (mm or deg).
@@ -32,7 +34,7 @@ Its value stands among the `parameters` of the error values, under the name of t
 """
 _VARIABLES = """
 A term of a component error uses those of its axis (of another axis too, with `_b`, where the kind takes one), time and
-temperature; a term of readings uses `along`, `theta`, time and temperature.
+temperature; a term of readings uses `along`, `theta`, `along_line`, time and temperature.
 """
 _EXPRESSIONS = f"""
 Numbers, names, `+ - * / ^`, parentheses, `pi` and the functions {" ".join(f"`{name}`" for name in FUNCTIONS)}.
@@ -74,9 +76,9 @@ def _kinds_table(kinds: Iterable[Kind]) -> str:
 
 
 def _acts_on(kind: Kind) -> str:
-    if kind.instrument:
-        name = {"ballbar": "ball bar"}.get(kind.instrument, kind.instrument)
-        return f"{name}, runs that it names" if kind.by_run else name
+    if kind.place in ("reading", "point"):
+        name = ", ".join(INSTRUMENTS[one] for one in kind.instruments) or "all instruments"
+        return f"{name}; runs that it names" if kind.by_run else name
     words = ", ".join(kind.directions + kind.components)
     return f"{words}; names another axis" if kind.other_axis else words
 

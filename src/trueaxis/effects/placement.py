@@ -1,12 +1,27 @@
 """Where effects act: component errors by their direction, and the context variables that an expression uses."""
 
-from typing import Literal
+from functools import cache
+from typing import Literal, Protocol
 
 from trueaxis.effects.expression import names, parse
-from trueaxis.effects.kind import Kind
+from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.variables import OF_COMPONENT_TERMS, OF_READING_TERMS, VARIABLES, Variable
 
 Direction = Literal["along", "across", "turn"]
+
+
+class ReadRun(Protocol):
+    """A run of readings."""
+
+    @property
+    def id(self) -> str:
+        """Its id."""
+        ...
+
+    @property
+    def instrument(self) -> str:
+        """By what it was read."""
+        ...
 
 
 def direction_of(component: str) -> Direction:
@@ -24,6 +39,16 @@ def allows(kind: Kind, component: str) -> bool:
     return component in kind.components or direction_of(component) in kind.directions
 
 
+def reads(kind: Kind, instrument: str) -> bool:
+    """Whether readings of an instrument may hold effects of a kind; of a component error, those of any may."""
+    return not kind.instruments or instrument in kind.instruments
+
+
+def concerns(kind: Kind, effect: Effect, run: ReadRun) -> bool:
+    """Whether the readings of a run may hold an effect: one of its instrument, of all runs or of this one."""
+    return reads(kind, run.instrument) and (not effect.runs or run.id in effect.runs)
+
+
 def variables_of(kind: Kind) -> tuple[Variable, ...]:
     """The context variables that the expression of a kind may use."""
     if kind.place != "component":
@@ -34,11 +59,17 @@ def variables_of(kind: Kind) -> tuple[Variable, ...]:
 def context_of(kind: Kind) -> tuple[str, ...]:
     """Rows of the context that the kernel of a kind takes, in the order of VARIABLES.
 
-    Those that its expression uses; where it uses none, the one that every reading of its place has: a kernel takes the
-    number of points from it. Empty for a kind without an expression. Raises ExpressionError.
+    Those that its expression uses; where it uses none, one whose values do not matter: a kernel takes the number of
+    points from it. Empty for a kind without an expression. Raises ExpressionError.
     """
     if not kind.expression:
         return ()
-    used = {name.name for name in names(parse(kind.expression))}
-    always = {"laser": "along", "ballbar": "theta"}.get(kind.instrument, "q")
-    return tuple(name for name in VARIABLES if name in used) or (always,)
+    of_none = "q" if kind.place == "component" else "theta" if kind.instruments == ("ballbar",) else "along"
+    return used_variables(kind) or (of_none,)
+
+
+@cache
+def used_variables(kind: Kind) -> tuple[str, ...]:
+    """The context variables that the expression of a kind uses, in the order of VARIABLES. Raises ExpressionError."""
+    used = {name.name for name in names(parse(kind.expression))} if kind.expression else set()
+    return tuple(name for name in VARIABLES if name in used)

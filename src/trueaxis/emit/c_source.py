@@ -40,13 +40,18 @@ class TrigonometryText:
 
 
 @dataclass(frozen=True)
-class FunctionText:
-    """What the template prints of one routine; calls: whether its body calls functions, which is not vectorised."""
+class Declaration:
+    """What the header prints of one routine."""
 
     name: str
-    summary: str
     comment: tuple[str, ...]
     signature: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class FunctionText(Declaration):
+    """What the source prints of one routine; calls: whether its body calls functions, which is not vectorised."""
+
     unused: tuple[str, ...]
     constants: tuple[str, ...]
     batch: tuple[str, ...]
@@ -73,7 +78,8 @@ def source_context(machine: Machine, routines: tuple[Routine, ...], spec: str = 
     values = [value for routine in routines for _, value in routine.batch + routine.body]
     helpers = {"sign": Sign, "step": Step}
     used = [name for name, function in helpers.items() if any(value.has(function) for value in values)]
-    return _context(machine, routines, spec) | {"block": BLOCK, "helpers": used}
+    functions = [_function(c_prefix(machine.name), routine) for routine in routines]
+    return _context(machine, spec) | {"functions": functions, "block": BLOCK, "helpers": used}
 
 
 def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
@@ -81,19 +87,19 @@ def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str = 
     legend = [
         line for row in _legend(machine) for line in textwrap.wrap(_commentable(row), _WIDTH, subsequent_indent="    ")
     ]
-    return _context(machine, routines, spec) | {"abi": ABI, "legend": legend}
-
-
-def _context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
     prefix = c_prefix(machine.name)
+    functions = [_declaration(prefix, routine) for routine in routines]
+    return _context(machine, spec) | {"functions": functions, "abi": ABI, "legend": legend}
+
+
+def _context(machine: Machine, spec: str) -> dict[str, Any]:
     return {
         "paper_title": TITLE,
         "turning": any(axis in ROTARY for axis in machine.axes),
         "digest": machine.digest,
-        "prefix": prefix,
+        "prefix": c_prefix(machine.name),
         "spec": spec or spec_name(machine),
         "title": _commentable(machine.title),
-        "functions": [_function(prefix, routine) for routine in routines],
     }
 
 
@@ -107,6 +113,10 @@ def _legend(machine: Machine) -> Iterable[str]:
     }
     for name, rows in shared.items():
         yield f"{name}: {', '.join(f'{row} {texts[row].unit}' for row in rows) or 'none'}"
+
+
+def _declaration(prefix: str, routine: Routine) -> Declaration:
+    return Declaration(f"{prefix}_{routine.name}", tuple(_comment(routine)), tuple(_signature(routine)))
 
 
 def _function(prefix: str, routine: Routine) -> FunctionText:
@@ -126,11 +136,11 @@ def _function(prefix: str, routine: Routine) -> FunctionText:
     outputs = [(row, f"{a.name}[{k} * stride + i]") for a in routine.outputs for k, row in enumerate(a.rows)]
     stored = dict(outputs)
     direct = {target.name: value for target, value in routine.body if target.name in stored and target.name not in body}
+    head = _declaration(prefix, routine)
     return FunctionText(
-        f"{prefix}_{routine.name}",
-        _commentable(routine.summary),
-        tuple(_comment(routine)),
-        tuple(_signature(routine)),
+        head.name,
+        head.comment,
+        head.signature,
         tuple(a.name for a in routine.inputs if used.isdisjoint(a.rows)),
         tuple(constants),
         tuple(_assigned(assignment, printer) for assignment in routine.batch),

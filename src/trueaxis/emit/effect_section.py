@@ -13,7 +13,7 @@ from trueaxis.effects.placement import context_of
 from trueaxis.effects.variables import OF_AXIS, OF_OTHER_AXIS, VARIABLES, Variable
 from trueaxis.spec.machine import ROTARY, Machine, component_unit
 
-_INSTRUMENTS = {"laser": "laser", "ballbar": "ball bar"}
+_INSTRUMENTS = {"laser": "the laser", "probe": "the probe", "ballbar": "the ball bar"}
 
 
 @dataclass(frozen=True)
@@ -73,8 +73,9 @@ def _where(kind: Kind, effect: Effect) -> str:
     if kind.place == "location":
         return "A position error like those that the spec gives its bodies: it is in all equations above."
     runs = f"the runs {_escaped(', '.join(effect.runs))}" if effect.runs else "all runs"
+    instruments = " or ".join(_INSTRUMENTS[one] for one in kind.instruments) or "any instrument"
     what = "In the readings" if kind.place == "reading" else "In the set-up"
-    return f"{what} of {runs} of the {_INSTRUMENTS[kind.instrument]}."
+    return f"{what} of {runs} of {instruments}."
 
 
 def _equation(kind: Kind, effect: Effect, number: int) -> tuple[str, str]:

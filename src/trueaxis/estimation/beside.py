@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from trueaxis.estimation.effects.search import Others, WhitenedRun
-from trueaxis.estimation.jacobian import pieces
+from trueaxis.estimation.own_part import by_shared, own_part_of
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State
@@ -21,24 +21,21 @@ def beside(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> O
     """
 
     def runs() -> Iterator[WhitenedRun]:
-        for place, (one, kinds) in enumerate(zip(state.runs, state.own_kinds, strict=True)):
-            rows = one.kept()
+        for place, one in enumerate(state.runs):
+            part = own_part_of(state, sizes, x, place)
 
             def whiten(columns: FloatArray, place: int = place) -> FloatArray:
                 return state.whitening(place, state.runs[place].kept())(columns)
 
-            columns = np.vstack([np.hstack([own, others]) for _, own, others in pieces(state.layout, rows)])
-            columns = whiten(columns)
-            k = len(kinds)
-            left, singular, _ = np.linalg.svd(columns[:, :k] * sizes.own_scale(kinds, x), full_matrices=False)
-            own = left * (singular / np.hypot(1.0, singular))
-            others = columns[:, k:] - own @ (own.T @ columns[:, k:])
+            def shared(columns: FloatArray, place: int = place) -> FloatArray:
+                return np.asarray(posterior.spread.T @ by_shared(state, place, columns))
+
             yield WhitenedRun(
                 index=one.rows.index,
-                rows=rows.at,
+                rows=one.kept().at,
                 whiten=whiten,
-                own=own,
-                others=others @ posterior.spread,
+                rest=part.rest,
+                shared=shared,
                 residual=whiten(state.residual[place][one.good][:, np.newaxis])[:, 0],
             )
 

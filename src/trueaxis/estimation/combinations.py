@@ -1,4 +1,4 @@
-"""Errors that readings tell together alone: a sum that is known ten times better than what it is made of.
+"""Errors that are known only in combination: a sum that is known ten times better than what it is made of.
 
 An error belongs to a combination where its standard uncertainty would be a tenth or less if the others of the
 combination were known. Looked at are numbers that have a name: slopes of curves, location errors, what runs share of
@@ -11,13 +11,13 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.estimation.estimate import Estimate
-from trueaxis.estimation.instruments import SCALES, SharedUnknown
+from trueaxis.estimation.instruments import SharedUnknown
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn
 from trueaxis.spec.machine import LINEAR
 
 TENTH = 0.1  # of the standard uncertainty, as what rests on the prior is judged
-MOST_PARTNERS = 4  # more parts tell a reader nothing
+MOST_PARTNERS = 3  # a sum of more than four is no statement on any of them: that none is known is in their u
 INDEPENDENT = 1e-10  # of its square: what is left of a number that others make up
 
 What = Literal["location", "slope", "instrument"]
@@ -67,21 +67,21 @@ def _named(found: Estimate) -> tuple[list[tuple[What, str, float, str]], FloatAr
         names.append(("location", name, 1.0, model.machine.parameter_unit(name)))
     for name, basis in zip(layout.components, layout.bases, strict=True):
         unit = f"{'mm' if name[1] in LINEAR else 'rad'}/{'mm' if name[2] in LINEAR else 'deg'}"
+        unit = "1" if name[1] == name[2] and name[2] in LINEAR else unit  # a scale, no angle
         names.append(("slope", name, basis.per_position, unit))
     for unknown in layout.shared:
-        unit = "mm/mm" if unknown.kind in SCALES else "rad" if "alignment" in unknown.kind else "mm"
-        names.append(("instrument", _label(unknown), 1.0, unit))
+        names.append(("instrument", _label(unknown), 1.0, unknown.unknown_class.unit))
     first = int(offsets[-1])
     located = np.arange(first, first + len(layout.locations))
     return names, np.concatenate([located, offsets[:-1], np.arange(layout.count)[layout.of_shared]])
 
 
 def _label(unknown: SharedUnknown) -> str:
-    """`z of the ballbar centre at (250, -225, 200)`, `ballbar length`, `laser scale`."""
+    """`ballbar centre z at (250, -225, 200)`, `ballbar length`, `laser scale`."""
     points = [part.point for part in unknown.of if isinstance(part, PointOn)] if isinstance(unknown.of, tuple) else []
-    if "length" in unknown.kind or unknown.kind in SCALES or not points:
-        return unknown.kind
-    return f"{'xyz'[unknown.coordinate]} of the {unknown.kind} at ({', '.join(f'{part:g}' for part in points[-1])})"
+    if not (unknown.unknown_class.of_point and points):
+        return unknown.label
+    return f"{unknown.label} at ({', '.join(f'{part:g}' for part in points[-1])})"
 
 
 def _partners(spread: FloatArray, index: int) -> list[int]:

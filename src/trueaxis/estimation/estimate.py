@@ -12,7 +12,7 @@ from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import averaged, best_sizes, posterior_at
-from trueaxis.estimation.gauge import levelling
+from trueaxis.estimation.gauge import exactly_level, levelling
 from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.least_norm import least_norm
@@ -22,7 +22,16 @@ from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.signs import reversed_runs
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.estimation.state import State, at_share, linearised, moved, started, with_noise, without_outliers
+from trueaxis.estimation.state import (
+    State,
+    at_share,
+    linearised,
+    moved,
+    started,
+    stays_within,
+    with_noise,
+    without_outliers,
+)
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.effect_values import EffectValues, identity
@@ -86,7 +95,10 @@ class Estimate:
     converged: bool
 
     def levelled(self) -> "Estimate":
-        """By the convention for straightness and squareness; what the instruments' unknowns are stays."""
+        """By the convention for straightness and squareness; what the instruments' unknowns are stays.
+
+        Values on the exact model; covariance and what is open to first order.
+        """
         change = levelling(self.layout)
         prior = np.linalg.norm(change * self.scale, axis=1)
         unknowns = change @ self.unknowns
@@ -97,6 +109,8 @@ class Estimate:
         given = replace(given, motion_errors=_others(self.values.motion_errors, self.layout.components))
         own = {identity(one.effect) for one in self.layout.effects.members}
         given = replace(given, effects=tuple(one for one in given.effects if identity(one.effect) not in own))
+        if self.unknowns.any():
+            unknowns = exactly_level(self.layout, self.values, given, unknowns, self.scale)
         values = self.layout.values(unknowns, given)
         return replace(self, values=values, unknowns=unknowns, spread=change @ self.spread, open=left_open, scale=prior)
 
@@ -219,10 +233,15 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    flipped = reversed_runs(state, sizes, x, posterior)
+
+    def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
+        start = started(layout, tuple(runs), setting.given, setting.noise, state.kept)
+        return _rounds(start, sizes, MOST_ROUNDS)[:2]
+
+    flipped = reversed_runs(state, sizes, x, posterior, refit)
     if setting.prior:
         posterior = averaged(sizes, found, x)
-        state = at_share(state, posterior)
+        state = at_share(state, posterior) if stays_within(state, posterior) else state
     left, outliers = np.zeros(setting.observed.reading.size), np.zeros(setting.observed.reading.size, dtype=bool)
     for one, rest in zip(state.runs, state.residual, strict=True):
         left[one.rows.at], outliers[one.rows.at] = rest, ~one.good

@@ -7,59 +7,115 @@ the number of runs and unknowns alone, not on that of the readings.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import solve_triangular
-from scipy.optimize import minimize
 
 from trueaxis.estimation.parts import parted_root
 from trueaxis.estimation.posterior import OwnPosterior, Posterior
-from trueaxis.estimation.reduce import OwnBlock, Reduced, triangle_of
+from trueaxis.estimation.reduce import OwnBlock, Reduced
 from trueaxis.estimation.sizes import Sizes
+from trueaxis.estimation.triangle import inverse, with_rows, with_triangle
 from trueaxis.measure.machine import FloatArray
 
 MOST_STEPS = 60
-REMEMBERED = 30  # steps: about as many as there are sizes
-GRADIENT = 1e-2  # of the logarithm of the likelihood per standard deviation of a size: far below what a size matters
 NO_GAIN = 3e-4  # of a step, in the logarithm of the likelihood: likelihoods as near as that say the same
+LEAST_CURVED = 0.1  # of the curvature that was expected along a step: one that told less is not learnt from
 FARTHEST = 3.0  # standard deviations of a size from what was expected: beyond, the data are not of such a machine
 PAIRS, SEED = 8, 21  # of sizes over which the posterior is averaged
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Batch:
-    """Blocks of the same kinds: own (m, k, k), others (m, k, n), readings (m, k)."""
+    """Blocks of the same kinds: own (m, k, k); others (m, k, n + 1), by the others, and readings."""
 
     kinds: tuple[str, ...]
     places: tuple[int, ...]
     own: FloatArray
     others: FloatArray
-    readings: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Parted:
+    """A batch with its own unknowns integrated out, at given sizes.
+
+    v: (k,), their sizes; white: (m k, n + 1), whitened rows by the others in their sizes, and whitened readings; back,
+    root: (m, k, k), mean of the own unknowns, in their sizes, per whitened reading, and a root of their covariance
+    given the others; log_root: half the logarithm of the determinant.
+    """
+
+    batch: _Batch
+    v: FloatArray
+    white: FloatArray
+    back: FloatArray
+    root: FloatArray
+    log_root: float
+
+    def own(self, white: FloatArray) -> FloatArray:
+        """(m, k, q): what the own unknowns are, in their sizes, by whitened readings (m k, q)."""
+        return np.asarray(self.back @ white.reshape(*self.back.shape[:2], -1))
+
+    def through(self, spread: FloatArray) -> FloatArray:
+        """(m, k, n): the own unknowns by the columns of a root of the covariance of the others."""
+        return self.own(-self.white[:, :-1] @ spread)
+
+    def variances(self, through: FloatArray) -> FloatArray:
+        """(m, k): of the own unknowns."""
+        return np.asarray((self.root**2).sum(axis=2) + (through**2).sum(axis=2))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Point:
+    """What readings say at some sizes: value, the logarithm of the marginal likelihood but for a constant; scale: (n,),
+    the prior standard deviations, and slope (2, n) their derivative by the shape; mean, spread: (n,), (n, n), in units
+    of scale; own: of every batch (m, k), means in units of their sizes.
+    """
+
+    value: float
+    scale: FloatArray
+    slope: FloatArray
+    mean: FloatArray
+    spread: FloatArray
+    parted: tuple[_Parted, ...]
+    own: tuple[FloatArray, ...]
 
 
 def best_sizes(sizes: Sizes, reduced: Reduced, start: FloatArray) -> tuple[FloatArray, Posterior]:
-    """The sizes of largest marginal likelihood, looked for from `start` on, and the posterior at them."""
+    """The sizes of largest marginal likelihood, looked for from `start` on, and the posterior at them.
+
+    By steps of Newton's method, halved until the likelihood grows; the information is at first the expected one, and
+    then learns from the steps (the formula of Broyden, Fletcher, Goldfarb and Shanno).
+    """
     batches = _batches(reduced.blocks)
-    value, _, posterior = _evidence(sizes, reduced, batches, start)
-    # in units of what the readings and the prior leave open of each size: it halves the number of points
-    unit = 1.0 / np.sqrt(np.diag(sizes.information(posterior, sizes.scale(start)[1])))
+    x, at = start, _point(sizes, reduced, batches, start)
+    slope = _slope(sizes, at) - x
+    information = sizes.information(_posterior(at), at.slope)
+    for _ in range(MOST_STEPS):
+        free = (np.abs(x) < FARTHEST) | (slope * x < 0.0)
+        step = np.zeros(x.size)
+        step[free] = np.linalg.solve(information[np.ix_(free, free)], slope[free])
+        while float(slope @ step) > NO_GAIN:
+            there = np.clip(x + step, -FARTHEST, FARTHEST)
+            after = _point(sizes, reduced, batches, there)
+            if after.value - 0.5 * float(there @ there) > at.value - 0.5 * float(x @ x):
+                break
+            step *= 0.5
+        else:
+            break
+        slope_there = _slope(sizes, after) - there
+        information = _learnt(information, there - x, slope - slope_there)
+        x, at, slope = there, after, slope_there
+    return x, _posterior(at)
 
-    def cost(scaled: FloatArray) -> tuple[float, FloatArray]:
-        x = scaled * unit
-        value, slope, _ = _evidence(sizes, reduced, batches, x)
-        return 0.5 * float(x @ x) - value, (x - slope) * unit
 
-    found = minimize(
-        cost,
-        start / unit,
-        jac=True,
-        method="L-BFGS-B",
-        bounds=[(-farthest, farthest) for farthest in (FARTHEST / unit).tolist()],
-        options={"maxiter": MOST_STEPS, "maxcor": REMEMBERED, "gtol": GRADIENT, "ftol": NO_GAIN / (1.0 + abs(value))},
-    )
-    best = np.asarray(found.x) * unit
-    return best, _evidence(sizes, reduced, batches, best)[2]
+def _learnt(information: FloatArray, step: FloatArray, change: FloatArray) -> FloatArray:
+    """That a step lowered the slope by `change`; it stays positive definite."""
+    told, expected = float(step @ change), information @ step
+    if told <= LEAST_CURVED * float(step @ expected):
+        return information
+    before = np.outer(expected, expected) / float(step @ expected)
+    return np.asarray(information - before + np.outer(change, change) / told)
 
 
 def _batches(blocks: Sequence[OwnBlock]) -> list[_Batch]:
@@ -71,91 +127,87 @@ def _batches(blocks: Sequence[OwnBlock]) -> list[_Batch]:
             kinds,
             tuple(places),
             np.stack([blocks[p].own for p in places]),
-            np.stack([blocks[p].others for p in places]),
-            np.stack([blocks[p].readings for p in places]),
+            np.stack([np.column_stack([blocks[p].others, blocks[p].readings]) for p in places]),
         )
         for kinds, places in members.items()
     ]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Parted:
-    """A batch with its own unknowns integrated out, at given sizes.
-
-    v: (k,), their sizes; others: (m, k, n) by unknowns in their sizes; white: (m, k, k), whitens what is left; gain,
-    root: (m, k, k), mean of the own unknowns, in their sizes, per reading, and a root of their covariance given the
-    others; log_root: half the logarithm of the determinant.
-    """
-
-    batch: _Batch
-    v: FloatArray
-    others: FloatArray
-    white: FloatArray
-    gain: FloatArray
-    root: FloatArray
-    log_root: float
-
-    def rows(self) -> FloatArray:
-        """(m k, n + 1): whitened rows by the others, and whitened readings."""
-        both = np.concatenate([self.others, self.batch.readings[:, :, np.newaxis]], axis=2)
-        return np.asarray(self.white @ both).reshape(-1, both.shape[2])
 
 
 def _parted(batch: _Batch, v: FloatArray, scale: FloatArray) -> _Parted:
     """By singular values: a product of the block with its transpose would lose the noise beside sizes 1e8 times it."""
     left, singular, turned = np.linalg.svd(batch.own * v)
     size = np.hypot(1.0, singular)
-    white = left.transpose(0, 2, 1) / size[:, :, np.newaxis]
-    back = turned.transpose(0, 2, 1)
-    gain = back @ (white * (singular / size)[:, :, np.newaxis])
-    return _Parted(
-        batch, v, batch.others * scale, white, gain, back / size[:, np.newaxis, :], float(np.log(size).sum())
-    )
+    white = (left.transpose(0, 2, 1) / size[:, :, np.newaxis]) @ batch.others
+    white[:, :, :-1] *= scale
+    root = turned.transpose(0, 2, 1) / size[:, np.newaxis, :]
+    back = root * singular[:, np.newaxis, :]
+    return _Parted(batch, v, white.reshape(-1, scale.size + 1), back, root, float(np.log(size).sum()))
 
 
-def _evidence(
-    sizes: Sizes, reduced: Reduced, batches: Sequence[_Batch], x: FloatArray
-) -> tuple[float, FloatArray, Posterior]:
-    """Logarithm of the marginal likelihood but for a constant, its derivative, and the posterior."""
+def _point(sizes: Sizes, reduced: Reduced, batches: Sequence[_Batch], x: FloatArray) -> _Point:
     log, slope = sizes.scale(x)
     scale = np.exp(log)
     n = scale.size
-    parted = [_parted(batch, sizes.own_scale(batch.kinds, x), scale) for batch in batches]
-    shared = np.column_stack([reduced.triangle * scale, reduced.readings])
-    triangle = triangle_of([shared, *(one.rows() for one in parted), np.eye(n, n + 1)])
-    spread = solve_triangular(triangle[:n, :n], np.eye(n))
+    parted = tuple(_parted(batch, sizes.own_scale(batch.kinds, x), scale) for batch in batches)
+    triangle = np.zeros((n + 1, n + 1), order="F")
+    triangle[:n, :n] = reduced.triangle * scale
+    triangle[:n, n] = reduced.readings
+    triangle = with_rows(triangle, np.vstack([*(one.white for one in parted), np.zeros((0, n + 1))]))
+    triangle = with_triangle(triangle, np.eye(n, n + 1))
+    spread = inverse(triangle[:n, :n])
     mean = spread @ triangle[:n, n]
+    spread *= np.sign(np.diag(spread))  # what is drawn by it depends on no library
     log_root = float(np.log(np.abs(np.diag(triangle)[:n])).sum()) + sum(one.log_root for one in parted)
     value = -log_root - 0.5 * (float(triangle[n, n] ** 2) + reduced.rest) - reduced.log_root
-    variance = (spread**2).sum(axis=1)
-    of_own: list[tuple[str, float]] = []
-    own_told: list[tuple[str, float]] = []
-    told = float(n - variance.sum())
-    own: list[OwnPosterior] = [OwnPosterior(np.zeros(0), np.zeros((0, n)), np.zeros((0, 0)))] * len(reduced.blocks)
-    for one in parted:
-        kinds = one.batch.kinds
-        means = (one.gain @ (one.batch.readings - one.others @ mean)[:, :, np.newaxis])[:, :, 0]
-        through = -(one.gain @ one.others) @ spread
-        left = (one.root**2).sum(axis=2) + (through**2).sum(axis=2)
-        of_own += zip(kinds, (means**2 + left - 1.0).sum(axis=0).tolist(), strict=True)
-        own_told += zip(kinds, ((1.0 - left) ** 2).sum(axis=0).tolist(), strict=True)
-        told += float((1.0 - left).sum())
-        for place, found, by_others, alone in zip(one.batch.places, means, through, one.root, strict=True):
-            own[place] = OwnPosterior(found * one.v, by_others * one.v[:, np.newaxis], alone * one.v[:, np.newaxis])
-    posterior = Posterior(
-        mean=mean * scale,
-        spread=spread * scale[:, np.newaxis],
+    return _Point(
+        value=value,
         scale=scale,
-        own=tuple(own),
-        own_told=tuple(own_told),
-        told=told,
+        slope=slope,
+        mean=mean,
+        spread=spread,
+        parted=parted,
+        own=tuple(one.own(one.white[:, n] - one.white[:, :n] @ mean)[:, :, 0] for one in parted),
     )
-    return value, sizes.gradient(mean**2 + variance - 1.0, of_own, slope), posterior
+
+
+def _slope(sizes: Sizes, at: _Point) -> FloatArray:
+    """(n_sizes,): derivative of the logarithm of the marginal likelihood."""
+    of_own: list[tuple[str, float]] = []
+    for one, means in zip(at.parted, at.own, strict=True):
+        expected = means**2 + one.variances(one.through(at.spread)) - 1.0
+        of_own += zip(one.batch.kinds, expected.sum(axis=0).tolist(), strict=True)
+    return sizes.gradient(at.mean**2 + (at.spread**2).sum(axis=1) - 1.0, of_own, at.slope)
+
+
+def _posterior(at: _Point) -> Posterior:
+    own: dict[int, OwnPosterior] = {}
+    own_told: list[tuple[str, float]] = []
+    told = float(at.mean.size - (at.spread**2).sum())
+    for one, means in zip(at.parted, at.own, strict=True):
+        through = one.through(at.spread)
+        left = one.variances(through)
+        own_told += zip(one.batch.kinds, ((1.0 - left) ** 2).sum(axis=0).tolist(), strict=True)
+        told += float((1.0 - left).sum())
+        for place, mean, by_others, alone in zip(one.batch.places, means, through, one.root, strict=True):
+            own[place] = OwnPosterior(mean * one.v, by_others * one.v[:, np.newaxis], alone * one.v[:, np.newaxis])
+    found = tuple(own[place] for place in sorted(own))
+    return replace(_of_shared(at), own=found, own_told=tuple(own_told), told=told)
+
+
+def _of_shared(at: _Point) -> Posterior:
+    """Without the unknowns of single runs."""
+    spread = at.spread * at.scale[:, np.newaxis]
+    return Posterior(mean=at.mean * at.scale, spread=spread, scale=at.scale, own=(), own_told=(), told=0.0)
 
 
 def posterior_at(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
     """The posterior at sizes found before."""
-    return _evidence(sizes, reduced, _batches(reduced.blocks), x)[2]
+    return _posterior(_point(sizes, reduced, _batches(reduced.blocks), x))
+
+
+def evidence_at(sizes: Sizes, reduced: Reduced, x: FloatArray) -> float:
+    """Logarithm of the marginal likelihood and of the prior of the sizes, but for a constant: see `best_sizes`."""
+    return _point(sizes, reduced, _batches(reduced.blocks), x).value - 0.5 * float(x @ x)
 
 
 def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
@@ -165,28 +217,22 @@ def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
     The root of its covariance is that of its two parts.
     """
     batches = _batches(reduced.blocks)
-    best = _evidence(sizes, reduced, batches, x)[2]
+    best = _posterior(_point(sizes, reduced, batches, x))
     root = np.linalg.cholesky(sizes.information(best, sizes.scale(x)[1]))
     draws = np.random.default_rng(SEED).standard_normal((PAIRS, x.size))
     steps = solve_triangular(root, draws.T, lower=True, trans="T").T
-    each = [
-        _evidence(sizes, reduced, batches, np.clip(x + sign * step, -FARTHEST, FARTHEST))[2]
+    points = [
+        _point(sizes, reduced, batches, np.clip(x + sign * step, -FARTHEST, FARTHEST))
         for step in steps
         for sign in (1, -1)
     ]
+    each = [_of_shared(one) for one in points]
     mean = np.mean([one.mean for one in each], axis=0)
     spread, of_prior = parted_root(each, mean, sizes.layout.of_machine)
-    own = tuple(
-        OwnPosterior(np.mean([one.own[place].mean for one in each], axis=0), of.by_others, of.alone)
-        for place, of in enumerate(best.own)
-    )
+    own = list(best.own)
+    for number, batch in enumerate(batches):
+        means = np.mean([one.own[number] * one.parted[number].v for one in points], axis=0)
+        for place, of_run in zip(batch.places, means, strict=True):
+            own[place] = OwnPosterior(of_run, best.own[place].by_others, best.own[place].alone)
     scale = np.sqrt(np.mean([one.scale**2 for one in each], axis=0))
-    return Posterior(
-        mean=mean,
-        spread=spread,
-        scale=scale,
-        own=own,
-        own_told=best.own_told,
-        told=best.told,
-        of_prior=of_prior,
-    )
+    return replace(best, mean=mean, spread=spread, scale=scale, own=tuple(own), of_prior=of_prior)

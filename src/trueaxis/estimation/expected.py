@@ -10,11 +10,12 @@ import numpy as np
 
 from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.evidence import posterior_at
-from trueaxis.estimation.instruments import OWN_SIZES, own_kinds
+from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import RunRows, pieces
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.own_part import own_part
 from trueaxis.estimation.parts import parted_root
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import reduced
@@ -86,9 +87,7 @@ def informing_rows(layout: Layout, rows: RunRows, noise: float, scale: FloatArra
     """
     parts = [(own, others) for _, own, others in pieces(layout, rows)]
     own, others = (np.vstack(columns) / noise for columns in zip(*parts, strict=True))
-    kinds = own_kinds(rows.run, layout.straightness[rows.index])
-    left, singular, _ = np.linalg.svd(own * np.array([OWN_SIZES[kind] for kind in kinds]), full_matrices=False)
-    found = others * (scale / layout.sizes)
-    found -= left @ ((1.0 - 1.0 / np.hypot(1.0, singular))[:, np.newaxis] * (left.T @ found))
+    sizes = np.array([CLASSES[kind].size for kind in own_kinds(rows.run, layout.straightness[rows.index])])
+    found = own_part(own * sizes).root(others * (scale / layout.sizes))
     variance, vectors = np.linalg.eigh(found @ found.T)
     return np.asarray(vectors[:, variance > NEGLIGIBLE].T @ found)

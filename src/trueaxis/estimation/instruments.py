@@ -17,12 +17,12 @@ scale was calibrated, is then found out.
 
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.set_up import (
-    along_line,
     ball_columns,
     ball_of,
     carried,
@@ -31,39 +31,58 @@ from trueaxis.estimation.set_up import (
 )
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_context import along
+from trueaxis.measure.reading_geometry import along_line
 from trueaxis.measure.reading_model import home_positions, sensed_directions
 from trueaxis.measure.setup import Run
 
-# mm, rad or 1: one standard deviation of each class, before the data have their say
-OWN_SIZES: Mapping[str, float] = {
-    "laser zero": 3e-3,
-    "laser drift": 1e-3,
-    "straightness zero": 0.1,
-    "straightness slope": 50e-6,
-    "straightness drift": 1e-3,
-    "probe zero": 3e-3,
-    "probe drift": 1e-3,
-    "ballbar zero": 2e-3,
-    "ballbar drift": 1e-3,
-    "ballbar centre of a run": 2e-3,
-}
-SHARED_SIZES: Mapping[str, float] = {
-    "ballbar centre": 50e-3,
-    "ballbar length": 20e-3,
-    "laser scale": 1e-6,
-    "laser cosine": 0.5e-6,
-    "probe sphere": 50e-3,
-    "probe origin": 50e-3,
-    "probe alignment": 1e-3,
-    "stated length": 1.0,
-    "stated scale": 1.0,
-}
-# By what a class may be larger or smaller, one standard deviation. Set-ups differ by orders of magnitude, and many runs
-# tell; a laser is calibrated and aligned as its makers say, and one value tells nothing of a size.
+# By what the size of a class may be larger or smaller, one standard deviation. Set-ups differ by orders of magnitude,
+# and many runs tell; a laser is calibrated and aligned as its makers say, and one value tells nothing of a size; what a
+# device's table states is in no need of correction.
 SET_UP_FACTOR, CALIBRATED_FACTOR, STATED_FACTOR = 10.0, 2.0, 1.1
-CALIBRATED = ("laser scale", "laser cosine")
-SCALES = ("laser scale", "stated scale", "laser cosine")  # shares of the length that is read
-STATED = ("stated length", "stated scale")  # with an uncertainty that is known: in no need of correction
+
+Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UnknownClass:
+    """A class of unknowns of instruments. size: one standard deviation in its unit, before the data have their say;
+    factor: by what the size may be wrong, one standard deviation; of_point: three unknowns, along or about x, y and z,
+    that belong to a point of the set-up.
+    """
+
+    name: str
+    unit: Unit
+    size: float
+    factor: float = SET_UP_FACTOR
+    of_point: bool = False
+
+
+CLASSES: Mapping[str, UnknownClass] = {
+    one.name: one
+    for one in (
+        # of single runs
+        UnknownClass(name="laser zero", unit="mm", size=3e-3),
+        UnknownClass(name="laser drift", unit="mm", size=1e-3),
+        UnknownClass(name="straightness zero", unit="mm", size=0.1),
+        UnknownClass(name="straightness slope", unit="rad", size=50e-6),
+        UnknownClass(name="straightness drift", unit="mm", size=1e-3),
+        UnknownClass(name="probe zero", unit="mm", size=3e-3),
+        UnknownClass(name="probe drift", unit="mm", size=1e-3),
+        UnknownClass(name="ballbar zero", unit="mm", size=2e-3),
+        UnknownClass(name="ballbar drift", unit="mm", size=1e-3),
+        UnknownClass(name="ballbar centre of a run", unit="mm", size=2e-3, of_point=True),
+        # of several runs
+        UnknownClass(name="ballbar centre", unit="mm", size=50e-3, of_point=True),
+        UnknownClass(name="ballbar length", unit="mm", size=20e-3),
+        UnknownClass(name="laser scale", unit="1", size=1e-6, factor=CALIBRATED_FACTOR),
+        UnknownClass(name="laser cosine", unit="1", size=0.5e-6, factor=CALIBRATED_FACTOR),
+        UnknownClass(name="probe sphere", unit="mm", size=50e-3, of_point=True),
+        UnknownClass(name="probe origin", unit="mm", size=50e-3, of_point=True),
+        UnknownClass(name="probe alignment", unit="rad", size=1e-3, of_point=True),
+        UnknownClass(name="stated length", unit="mm", size=1.0, factor=STATED_FACTOR),
+        UnknownClass(name="stated scale", unit="1", size=1.0, factor=STATED_FACTOR),
+    )
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +96,16 @@ class SharedUnknown:
     runs: tuple[int, ...]
     coordinate: int = 0
     size: float = 1.0
+
+    @property
+    def unknown_class(self) -> UnknownClass:
+        """Which it belongs to."""
+        return CLASSES[self.kind]
+
+    @property
+    def label(self) -> str:
+        """`ballbar centre z`, `laser scale`."""
+        return f"{self.kind} {'xyz'[self.coordinate]}" if self.unknown_class.of_point else self.kind
 
 
 def own_kinds(run: Run, straightness: bool) -> tuple[str, ...]:
@@ -131,15 +160,13 @@ def shared_unknowns(runs: Sequence[Run], present: Sequence[int], straightness: S
 
 
 def _shared_size(kind: str, run: Run) -> float:
-    stated = None
-    if run.device is not None and kind in STATED:
-        stated = run.device.length_u if kind == "stated length" else run.device.scale_u
-    return stated or SHARED_SIZES[kind]
+    stated = {} if run.device is None else {"stated length": run.device.length_u, "stated scale": run.device.scale_u}
+    return stated.get(kind) or CLASSES[kind].size
 
 
 def shared_column(machine: IdentifiedMachine, run: Run, unknown: SharedUnknown, positions: FloatArray) -> FloatArray:
     """(n,): derivative of the readings of a run by a shared unknown, per mm or per 1."""
-    if unknown.kind in SCALES:
+    if unknown.unknown_class.unit == "1":
         return along(machine, run, positions)
     if unknown.kind in ("ballbar length", "stated length"):
         return np.ones(positions.shape[1])

@@ -10,6 +10,7 @@ from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.instruments import own_columns, shared_column
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.machine import IntArray
+from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import home_positions
 from trueaxis.measure.setup import Run
@@ -33,47 +34,97 @@ class RunRows:
     steps: FloatArray
 
 
-def pieces(layout: Layout, rows: RunRows) -> Iterator[tuple[slice, FloatArray, FloatArray]]:
-    """(rows, (m, k) by the run's own unknowns per mm or rad, (m, n) by the others per scaled unit), in order."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Derivative:
+    """Of m readings of a run. own: (m, k), by the run's own unknowns, per mm or rad; others: (u, n), by the others, per
+    scaled unit, at the u places where they were taken; place: (m,), that of each reading.
+    """
+
+    own: FloatArray
+    others: FloatArray
+    place: IntArray
+
+    @property
+    def by_others(self) -> FloatArray:
+        """(m, n)."""
+        if self.place.size == self.others.shape[0]:
+            return self.others
+        return self.others.T.take(self.place, axis=1).T
+
+    def change(self, own: FloatArray, others: FloatArray) -> FloatArray:
+        """(m, ...): of the readings, by own unknowns (k, ...), mm or rad, and the others, scaled, (n, ...)."""
+        return np.asarray((self.others @ others)[self.place] + self.own @ own)
+
+    def of(self, rows: BoolArray) -> "Derivative":
+        """Of some readings."""
+        return self if rows.all() else Derivative(self.own[rows], self.others, self.place[rows])
+
+
+def derivatives(layout: Layout, rows: RunRows) -> Iterator[Derivative]:
+    """Of the readings of a run, piece by piece in their order."""
     count = rows.positions.shape[1]
     longest = max(PIECE // max(layout.count, 1), 1)
-    at_home = None
     run = layout.effects.set_up(rows.run)
     home = sensed_at_home(layout.model, run)
     zeroed = home_positions(rows.run, layout.model.axes)
+    at_home = np.zeros((1, layout.count))
     if zeroed is not None:
-        at_home = _of_machine(layout, home, zeroed)
+        _of_machine(layout, home, zeroed, at_home)
     for start in range(0, count, longest):
         part = slice(start, min(start + longest, count))
         positions = np.ascontiguousarray(rows.positions[:, part])
-        found = np.zeros((positions.shape[1], layout.count))
-        here = sensed(layout.model, run, positions)
-        found[:, : layout.of_machine] = _of_machine(layout, here, positions)
-        if at_home is not None:
-            found[:, : layout.of_machine] -= at_home
-        for place, unknown in enumerate(layout.shared, layout.of_machine):
-            if rows.index in unknown.runs:
-                found[:, place] = shared_column(layout.model, rows.run, unknown, positions)
         straight = layout.straightness[rows.index]
         own = own_columns(layout.model, rows.run, straight, positions, rows.passed[part])
-        found *= layout.sizes
+        own[:, list(layout.silent.get(rows.index, ()))] = 0.0
+        # effects depend on more than on where the axes are
+        place = np.arange(positions.shape[1]) if layout.effects.count else _places(positions)
+        first = np.zeros(int(place.max()) + 1, dtype=np.int64)
+        first[place[::-1]] = np.arange(place.size)[::-1]
+        positions = np.ascontiguousarray(positions[:, first])
+        found = np.zeros((layout.count, positions.shape[1])).T  # column by column in memory, as LAPACK has it
+        here = sensed(layout.model, run, positions)
+        _of_machine(layout, here, positions, found)
+        if zeroed is not None:
+            found -= at_home
+        for column, unknown in enumerate(layout.shared, layout.of_machine):
+            if rows.index in unknown.runs:
+                found[:, column] = layout.sizes[column] * shared_column(layout.model, rows.run, unknown, positions)
         if layout.effects.count:
             found[:, layout.of_effects] = layout.effects.columns(EffectRows(rows.index, rows.at[part], here, home))
-        yield part, own, found
+        yield Derivative(own, found, place)
 
 
-def _of_machine(layout: Layout, sensitivity: FloatArray, positions: FloatArray) -> FloatArray:
-    """(n, of_machine) from sensitivities (n_components + n_location_errors, n)."""
+def pieces(layout: Layout, rows: RunRows) -> Iterator[tuple[slice, FloatArray, FloatArray]]:
+    """(rows, (m, k) by the run's own unknowns per mm or rad, (m, n) by the others per scaled unit), in order."""
+    start = 0
+    for one in derivatives(layout, rows):
+        part = slice(start, start + one.place.size)
+        yield part, one.own, one.by_others
+        start = part.stop
+
+
+def _places(positions: FloatArray) -> IntArray:
+    """(m,): the same number for the same positions (n_axes, m); in the order of the positions."""
+    order = np.lexsort(positions)
+    new = (np.diff(positions[:, order]) != 0.0).any(axis=0)
+    if new.all():
+        return np.arange(order.size)
+    place = np.empty(order.size, dtype=np.int64)
+    place[order] = np.concatenate([[0], np.cumsum(new)])
+    return place
+
+
+def _of_machine(layout: Layout, sensitivity: FloatArray, positions: FloatArray, into: FloatArray) -> None:
+    """Columns (n, of_machine), the first of `into`, from sensitivities (n_components + n_location_errors, n)."""
     model = layout.model
-    found = np.empty((positions.shape[1], layout.of_machine))
     offsets = layout.offsets
     cache: dict[tuple[int, object], FloatArray] = {}
     for name, basis, first in zip(layout.components, layout.bases, offsets.tolist(), strict=False):
         axis = model.axes.index(name[2])
         if (axis, basis) not in cache:
             cache[axis, basis] = basis.clamped(positions[axis])
-        found[:, first : first + basis.degree] = (sensitivity[model.components.index(name)] * cache[axis, basis]).T
+        scaled = sensitivity[model.components.index(name)] * layout.sizes[first]
+        np.multiply(scaled, cache[axis, basis], out=into.T[first : first + basis.degree])
     start = len(model.components)
     rows = [start + model.location_errors.index(name) for name in layout.locations]
-    found[:, offsets[-1] :] = sensitivity[rows].T
-    return found
+    into[:, offsets[-1] : layout.of_machine] = sensitivity[rows].T * layout.sizes[offsets[-1] : layout.of_machine]

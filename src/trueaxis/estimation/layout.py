@@ -1,7 +1,7 @@
 """The unknowns of an estimate, where each stands, and to which class of sizes it belongs."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -29,7 +29,8 @@ class Layout:
     components, locations: names of those that are unknown; bases: of each component; shared: of the instruments;
     straightness: of each run; effects: whose parameters are sought, linearised at their values; sizes: (n,), what one
     scaled unit is, mm, rad or 1: the size of [prior] or of the class; of an effect what changes a reading by 1 mm;
-    kinds: name of the class of each component, location error, shared unknown and unknown of effects, in their order.
+    kinds: name of the class of each component, location error, shared unknown and unknown of effects, in their order;
+    silent: by index of a run, which of its own unknowns add nothing, since an effect of that run has their shape.
     """
 
     model: MachineModel
@@ -41,6 +42,7 @@ class Layout:
     effects: EffectUnknowns
     sizes: FloatArray
     kinds: tuple[str, ...]
+    silent: Mapping[int, tuple[int, ...]] = field(default_factory=dict)
 
     @property
     def count(self) -> int:

@@ -56,24 +56,29 @@ class Whitening:
         """The next rows (m, k), whitened."""
         rows = slice(self._at, self._at + columns.shape[0])
         self._at = rows.stop
-        if columns.size == 0:  # LAPACK's wrapper writes beyond arrays without columns
-            return columns.copy()
-        found = columns.copy()
+        if columns.size == 0 or not self._kept.any():  # LAPACK's wrapper writes beyond arrays without columns
+            return columns / self._factor[0, rows, np.newaxis]
+        found = np.array(columns, order="F")
         found[1:] -= self._kept[rows][1:, np.newaxis] * columns[:-1]
         if self._before is not None and self._solved is not None:
             found[0] -= self._kept[rows.start] * self._before
             found[0] -= self._factor[1, rows.start - 1] * self._solved
         self._before = columns[-1].copy()
-        solved, _ = dtbtrs(np.ascontiguousarray(self._factor[:, rows]), found, uplo="L", trans="N")
-        self._solved = np.asarray(solved)[-1].copy()
-        return np.asarray(solved)
+        solved = np.asarray(dtbtrs(self._factor[:, rows], found, uplo="L", trans="N", overwrite_b=1)[0])
+        self._solved = solved[-1].copy()
+        return solved
 
     def weighed(self, column: FloatArray) -> FloatArray:
         """(n,): the inverse of the covariance times a column of all rows."""
-        white = self(column[:, np.newaxis])
-        found, _ = dtbtrs(self._factor, white, uplo="L", trans="T")
-        found = np.asarray(found)[:, 0]
-        found[:-1] -= self._kept[1:] * found[1:]
+        return self.transposed(self(column[:, np.newaxis]))[:, 0]
+
+    def transposed(self, columns: FloatArray) -> FloatArray:
+        """The transpose of the inverse root times columns (n, k) of all rows."""
+        if columns.size == 0:
+            return columns.copy()
+        solved, _ = dtbtrs(self._factor, columns, uplo="L", trans="T")
+        found = np.asarray(solved)
+        found[:-1] -= self._kept[1:, np.newaxis] * found[1:]
         return found
 
     def weights(self) -> FloatArray:

@@ -12,7 +12,8 @@ EXPECTED = 0.05  # good readings that are taken for outliers, of a whole data se
 NEIGHBOURS = 2  # more than two spoilt readings in a row are not chance
 SHARED = 0.5  # of a deviation, that its repeats show as well: then it is structure
 ALIKE = 0.5  # of the largest one: a large outlier lifts the slow noise of its whole run, and smaller ones wait
-MOST = 0.1  # of a run: where more are off, the model is
+HALF = 0.6745  # of a normal distribution lies within so many standard deviations
+MOST = 0.1  # of a run, or two readings of a short one: where more are off, the model is
 
 
 def spoilt(
@@ -23,19 +24,29 @@ def spoilt(
     """
     limit = float(norm.isf(0.5 * EXPECTED / max(readings, 1)))
     found = np.zeros(residual.size, dtype=bool)
-    for _ in range(int(MOST * residual.size) + 1):
+    most = max(MOST * residual.size, NEIGHBOURS)
+    for _ in range(int(most) + 1):
         good = np.flatnonzero(~found)
         if good.size < 3:
             break
         between = np.diff(np.cumsum(steps)[good], prepend=0.0)
-        off = Whitening(noise, between, scale).weighed(residual[good])
-        z = np.abs(off) / np.sqrt(Whitening(noise, between, scale).weights())
+        whiten = Whitening(noise, between, scale)
+        z = np.abs(whiten.weighed(residual[good])) / np.sqrt(whiten.weights())
         z[_shared(residual[good], repeats[good])] = 0.0
         peaks = (z > max(limit, ALIKE * float(z.max()))) & (z >= _largest_around(z))
         if not peaks.any():
             break
         found[good[peaks]] = True
-    return found & ~_long(found) if found.mean() <= MOST else np.zeros(residual.size, dtype=bool)
+    return found & ~_long(found) if found.sum() <= most else np.zeros(residual.size, dtype=bool)
+
+
+def excess(residual: FloatArray, scale: float) -> float:
+    """By what residuals of a run, (n,), mm, exceed a noise that is known, mm; 1 at least.
+
+    A gross outlier pulls the values along, and with them good readings of its run: the largest residual goes first, the
+    others wait. A noise that is estimated from the residuals is then as large by itself.
+    """
+    return max(1.0, float(np.median(np.abs(residual))) / (HALF * scale))
 
 
 def _largest_around(z: FloatArray) -> FloatArray:
@@ -47,11 +58,13 @@ def _shared(residual: FloatArray, repeats: IntArray) -> BoolArray:
     """(n,): whether the repeats of a reading deviate like it."""
     found = np.zeros(residual.size, dtype=bool)
     order = np.argsort(repeats, kind="stable")
-    for mine in np.split(order, np.flatnonzero(np.diff(repeats[order])) + 1):
-        if mine.size > 1:
-            own = residual[mine]
-            others = np.array([np.median(np.delete(own, k)) for k in range(own.size)])
-            found[mine] = others * np.sign(own) > SHARED * np.abs(own)
+    first = np.flatnonzero(np.diff(repeats[order], prepend=-1))
+    count = np.diff(first, append=order.size)
+    for many in np.unique(count[count > 1]).tolist():  # all places that were read as often at once
+        mine = order[first[count == many][:, np.newaxis] + np.arange(many)]
+        own = residual[mine]
+        others = np.stack([np.median(np.delete(own, k, axis=1), axis=1) for k in range(many)], axis=1)
+        found[mine] = others * np.sign(own) > SHARED * np.abs(own)
     return found
 
 

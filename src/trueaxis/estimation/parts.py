@@ -12,7 +12,7 @@ import numpy as np
 from scipy.linalg import solve_triangular
 
 from trueaxis.estimation.posterior import Posterior
-from trueaxis.estimation.reduce import triangle_of
+from trueaxis.estimation.triangle import triangle_of
 from trueaxis.measure.machine import FloatArray
 
 

@@ -3,15 +3,16 @@
 Time is linear in the number of readings, memory bounded.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from trueaxis.estimation.instruments import own_kinds
-from trueaxis.estimation.jacobian import RunRows, pieces
+from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Whitening
+from trueaxis.estimation.triangle import triangle_of, with_rows
 from trueaxis.measure.machine import FloatArray
 
 
@@ -22,7 +23,6 @@ class OwnBlock:
     kinds: class of each of the k own unknowns; own: (k, k); others: (k, n); readings: (k,).
     """
 
-    index: int
     kinds: tuple[str, ...]
     own: FloatArray
     others: FloatArray
@@ -48,11 +48,6 @@ class Reduced:
         return bool(self.triangle[:, :first].any()) or any(block.others[:, :first].any() for block in self.blocks)
 
 
-def triangle_of(rows: Sequence[FloatArray]) -> FloatArray:
-    """R of the QR factorisation of stacked rows: it says the same of the unknowns."""
-    return np.asarray(np.linalg.qr(np.vstack(rows), mode="r"))
-
-
 def reduced(
     layout: Layout,
     runs: Sequence[RunRows],
@@ -60,42 +55,38 @@ def reduced(
     readings: Sequence[FloatArray],
     unknowns: FloatArray | None = None,
     own_unknowns: Sequence[FloatArray] | None = None,
+    kept: Sequence[Iterable[Derivative]] | None = None,
 ) -> Reduced:
     """readings: of each run (n,), mm, less what is expected with the unknowns (n,) and the runs' own ones, mm or rad;
-    None: none of them is known yet.
+    None: none of them is known yet; kept: the derivatives of each run's readings, where they are known.
     """
     n = layout.count
     scaled = None if unknowns is None else unknowns / layout.sizes
-    folded = np.zeros((0, n + 1))
+    folded = np.zeros((n + 1, n + 1))
     waiting: list[FloatArray] = []
     blocks = []
     log_root = 0.0
     for place, (rows, whiten, values) in enumerate(zip(runs, whitenings, readings, strict=True)):
         kinds = own_kinds(rows.run, layout.straightness[rows.index])
         k = len(kinds)
-        triangle = np.zeros((0, k + n + 1))
-        for part, own, others in pieces(layout, rows):
-            whole = values[part]
+        triangle, start = np.zeros((k + n + 1, k + n + 1)), 0
+        for one in derivatives(layout, rows) if kept is None else kept[place]:
+            whole = values[start : start + one.place.size]
+            start += one.place.size
             if scaled is not None and own_unknowns is not None:
-                whole = whole + others @ scaled + own @ own_unknowns[place]
-            white = whiten(np.hstack([own, others, whole[:, np.newaxis]]))
-            triangle = triangle_of([triangle, white])
+                whole = whole + one.change(own_unknowns[place], scaled)
+            if one.others.shape[0] <= n and one.place.size == rows.at.size:
+                triangle = _by_places(one, whole, whiten)
+            else:
+                triangle = with_rows(triangle, whiten(np.hstack([one.own, one.by_others, whole[:, np.newaxis]])))
         if triangle.shape[0] < k:
             triangle = np.vstack([triangle, np.zeros((k - triangle.shape[0], k + n + 1))])
-        blocks.append(
-            OwnBlock(
-                index=rows.index,
-                kinds=kinds,
-                own=triangle[:k, :k],
-                others=triangle[:k, k:-1],
-                readings=triangle[:k, -1],
-            )
-        )
+        blocks.append(OwnBlock(kinds=kinds, own=triangle[:k, :k], others=triangle[:k, k:-1], readings=triangle[:k, -1]))
         waiting.append(triangle[k:, k:])
-        if sum(part.shape[0] for part in waiting) > 3 * n:
-            folded, waiting = triangle_of([folded, *waiting]), []
+        if sum(part.shape[0] for part in waiting) > n:
+            folded, waiting = with_rows(folded, np.vstack(waiting)), []
         log_root += whiten.log_root
-    folded = triangle_of([folded, *waiting, np.zeros((n + 1, n + 1))])
+    folded = with_rows(folded, np.vstack([*waiting, np.zeros((0, n + 1))]))
     return Reduced(
         triangle=folded[:n, :n],
         readings=folded[:n, n],
@@ -103,3 +94,17 @@ def reduced(
         blocks=tuple(blocks),
         log_root=log_root,
     )
+
+
+def _by_places(one: Derivative, readings: FloatArray, whiten: Whitening) -> FloatArray:
+    """(r, k + n + 1): what the readings (m,) of a run say, by its own unknowns, the others, and whitened readings.
+
+    What is read at each of a few places takes the place of the n others: QR of columns that are not so many.
+    """
+    m, k = one.own.shape
+    chosen = np.zeros((k + one.others.shape[0] + 1, m)).T
+    chosen[:, :k] = one.own
+    chosen[np.arange(m), k + one.place] = 1.0
+    chosen[:, -1] = readings
+    triangle = triangle_of([whiten(chosen)])
+    return np.hstack([triangle[:, :k], triangle[:, k:-1] @ one.others, triangle[:, -1:]])

@@ -1,4 +1,4 @@
-"""What the exact model with estimated unknowns leaves of the readings, and what the unknowns are to first order."""
+"""What the exact model with estimated unknowns leaves of the readings."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 
 from trueaxis.estimation.instruments import own_columns, shared_column
-from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.set_up import ball_of
@@ -55,17 +54,6 @@ def residuals_of(
     """Of every run."""
     model = layout.model.with_values(layout.values(unknowns, given))
     return [residual_of(layout, model, one, unknowns, mine) for one, mine in zip(runs, own, strict=True)]
-
-
-def first_order(
-    layout: Layout, runs: Sequence[MeasuredRun], unknowns: FloatArray, own: Sequence[FloatArray]
-) -> list[FloatArray]:
-    """Of every run (n,) or (n, q), mm, by what unknowns (n_unknowns,) or (n_unknowns, q) change its readings."""
-    scaled = unknowns / (layout.sizes if unknowns.ndim == 1 else layout.sizes[:, np.newaxis])
-    return [
-        np.concatenate([others @ scaled + by_own @ mine for _, by_own, others in pieces(layout, one.rows)])
-        for one, mine in zip(runs, own, strict=True)
-    ]
 
 
 def _moved(run: Run, centre: FloatArray) -> Run:

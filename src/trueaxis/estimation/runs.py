@@ -30,16 +30,18 @@ class MeasuredRun:
 
     def kept(self) -> RunRows:
         """The rows that count."""
-        if self.good.all():
-            return self.rows
-        time = np.cumsum(self.rows.steps)[self.good]
-        return replace(
+        return self.rows if self.good.all() else self.of(self.good).rows
+
+    def of(self, keep: BoolArray) -> "MeasuredRun":
+        """Some of the readings, (n,)."""
+        rows = replace(
             self.rows,
-            at=self.rows.at[self.good],
-            positions=np.ascontiguousarray(self.rows.positions[:, self.good]),
-            passed=self.rows.passed[self.good],
-            steps=np.diff(time, prepend=0.0),
+            at=self.rows.at[keep],
+            positions=np.ascontiguousarray(self.rows.positions[:, keep]),
+            passed=self.rows.passed[keep],
+            steps=np.diff(np.cumsum(self.rows.steps)[keep], prepend=0.0),
         )
+        return MeasuredRun(rows=rows, reading=self.reading[keep], repeats=self.repeats[keep], good=self.good[keep])
 
 
 def measured_runs(observed: Observations) -> list[MeasuredRun]:

@@ -6,7 +6,8 @@ import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.measure.machine import FloatArray, View
-from trueaxis.measure.reading_model import column, home_positions, measuring_frame, sensed_directions
+from trueaxis.measure.reading_geometry import ideal_displacement
+from trueaxis.measure.reading_model import home_positions, measuring_frame, sensed_directions
 from trueaxis.measure.setup import PointOn, Run
 
 STRAIGHT = 1e-6  # share of a motion that may lie along the sensed direction or beside the line of the motion
@@ -25,26 +26,7 @@ def is_straightness(machine: IdentifiedMachine, run: Run, positions: FloatArray)
 
 def relative_motion(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
     """(3, n): ideal displacement of the target relative to the reference since home, mm, measuring frame."""
-    home = cast(FloatArray, home_positions(run, machine.axes))
-    frame = measuring_frame(run)
-    total = np.zeros((3, positions.shape[1]))
-    for end, sign in ((run.target, 1.0), (run.reference, -1.0)):
-        if end.on != frame:
-            view = cast(View, f"{end.on}_in_{frame}")
-            point = column(end.point)
-            total += sign * (machine.view_ideal(view, positions, point) - machine.view_ideal(view, home, point))
-    return total
-
-
-def along_line(moved: FloatArray) -> FloatArray:
-    """(n,): signed way along the line of the motion, towards growing coordinates, from home."""
-    farthest = moved[:, int(np.linalg.norm(moved, axis=0).argmax())]
-    size = float(np.linalg.norm(farthest))
-    if size == 0.0:
-        return np.zeros(moved.shape[1])
-    line = farthest / size
-    line = line * np.sign(line[int(np.abs(line).argmax())])
-    return cast(FloatArray, line @ moved)
+    return ideal_displacement(machine, run, positions, cast(FloatArray, home_positions(run, machine.axes)))
 
 
 def ball_of(run: Run) -> tuple[float, PointOn]:

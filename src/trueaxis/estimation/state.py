@@ -1,19 +1,19 @@
 """Where an estimation stands: linearised, whitened, moved to the posterior mean, its noise and outliers renewed."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.estimation.instruments import own_kinds
-from trueaxis.estimation.jacobian import RunRows
+from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.noise_of_residuals import first_noise, noise_of_draws
-from trueaxis.estimation.outliers import spoilt
+from trueaxis.estimation.outliers import excess, spoilt
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import Reduced, reduced
-from trueaxis.estimation.residuals import first_order, residuals_of
+from trueaxis.estimation.residuals import residuals_of
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
@@ -21,15 +21,17 @@ from trueaxis.runtime.errors import ErrorValues
 
 NOTHING, LEAST_SHARE = 1e-3, 1e-3  # of a sum of squares in units of their variances; of a step
 DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
-HALF = 0.6745  # of a normal distribution lies within so many standard deviations
-DRAWS = 8  # of the posterior, from which the noise is taken
+KEPT = 50_000_000  # entries of derivatives that are kept: 400 MB, less than a million readings need without
+# of the posterior, from which the noise is taken: as many residuals as tell it to half a percent of that of one draw
+DRAWS, DRAWN = 8, 40_000
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class State:
     """layout: linearised at the unknowns; given: values that are taken as they are; stated: instruments whose noise is
     known, white and 1, the scales of their runs being the noise in mm; noise: of each instrument; scales: of each run;
-    unknowns: (n,), own: of each run, mm, rad or 1; residual: of each run, mm.
+    unknowns: (n,), own: of each run, mm, rad or 1; residual: of each run, mm; kept: derivatives of each run's readings,
+    where they fit into the memory and stay.
     """
 
     layout: Layout
@@ -41,6 +43,7 @@ class State:
     unknowns: FloatArray
     own: tuple[FloatArray, ...]
     residual: tuple[FloatArray, ...]
+    kept: tuple[tuple[Derivative, ...], ...] = ()
 
     @property
     def own_kinds(self) -> list[tuple[str, ...]]:
@@ -51,11 +54,28 @@ class State:
         """Of the rows that count of the run at a place."""
         return Whitening(self.noise[self.runs[place].instrument], rows.steps, float(self.scales[place]))
 
+    def derivatives(self, place: int) -> Iterable[Derivative]:
+        """Of all readings of the run at a place, piece by piece."""
+        return self.kept[place] if self.kept else derivatives(self.layout, self.runs[place].rows)
+
+    def derivatives_kept(self, place: int) -> Iterator[Derivative]:
+        """The same of the readings that count."""
+        start = 0
+        for one in self.derivatives(place):
+            yield one.of(self.runs[place].good[start : start + one.place.size])
+            start += one.place.size
+
 
 def started(
-    layout: Layout, runs: tuple[MeasuredRun, ...], given: ErrorValues, stated_noise: Mapping[int, float]
+    layout: Layout,
+    runs: tuple[MeasuredRun, ...],
+    given: ErrorValues,
+    stated_noise: Mapping[int, float],
+    kept: tuple[tuple[Derivative, ...], ...] = (),
 ) -> State:
-    """Nothing known but the values at which effects are linearised; stated_noise: mm, of runs by index."""
+    """Nothing known but the values at which effects are linearised; stated_noise: mm, of runs by index; kept:
+    derivatives of these runs that are at hand.
+    """
     kinds = [own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs]
     unknowns, own = layout.start(), tuple(np.zeros(len(of_run)) for of_run in kinds)
     residual = residuals_of(layout, runs, unknowns, own, given)
@@ -65,6 +85,8 @@ def started(
         mine = [rest for one, rest in zip(runs, residual, strict=True) if one.instrument == name]
         found[name] = first_noise(mine) if name in unstated else Noise(1.0)
     scales = [1.0 if one.instrument in unstated else stated_noise[one.rows.index] for one in runs]
+    # first order about the machine without errors: nothing but what effects are changes it
+    stays = not layout.effects.count and sum(one.reading.size for one in runs) * layout.count <= KEPT
     return State(
         layout=layout.at(unknowns, given),
         given=given,
@@ -75,6 +97,7 @@ def started(
         unknowns=unknowns,
         own=own,
         residual=tuple(residual),
+        kept=kept or (tuple(tuple(derivatives(layout, one.rows)) for one in runs) if stays else ()),
     )
 
 
@@ -83,7 +106,8 @@ def linearised(state: State) -> Reduced:
     kept = [one.kept() for one in state.runs]
     left = [rest[one.good] for one, rest in zip(state.runs, state.residual, strict=True)]
     whitenings = [state.whitening(place, rows) for place, rows in enumerate(kept)]
-    return reduced(state.layout, kept, whitenings, left, state.unknowns, state.own)
+    each = [state.derivatives_kept(place) for place in range(len(kept))]
+    return reduced(state.layout, kept, whitenings, left, state.unknowns, state.own, each)
 
 
 def moved(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) -> State:
@@ -94,7 +118,7 @@ def moved(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]) 
     before = _misfit(state, posterior, own_scales)
     share = 1.0
     while share >= LEAST_SHARE:
-        if state.layout.effects.within(_stepped(state, posterior, share)[0][state.layout.of_effects]):
+        if stays_within(state, posterior, share):
             after = at_share(state, posterior, share)
             if _misfit(after, posterior, own_scales) <= before + NOTHING:
                 return after
@@ -108,6 +132,11 @@ def at_share(state: State, posterior: Posterior, share: float = 1.0) -> State:
     residual = tuple(residuals_of(state.layout, state.runs, unknowns, own, state.given))
     layout = state.layout.at(unknowns, state.given)
     return replace(state, layout=layout, unknowns=unknowns, own=own, residual=residual)
+
+
+def stays_within(state: State, posterior: Posterior, share: float = 1.0) -> bool:
+    """Whether a share of the step to the posterior mean leaves effects where their terms make sense."""
+    return state.layout.effects.within(_stepped(state, posterior, share)[0][state.layout.of_effects])
 
 
 def _stepped(state: State, posterior: Posterior, share: float) -> tuple[FloatArray, tuple[FloatArray, ...]]:
@@ -127,20 +156,21 @@ def _misfit(state: State, posterior: Posterior, own_scales: Sequence[FloatArray]
 
 def with_noise(state: State, posterior: Posterior, draw: np.random.Generator) -> State:
     """With the noise of every instrument whose noise is not stated, from residuals of draws of the posterior."""
-    layout = state.layout
     normal = draw.standard_normal((posterior.spread.shape[1], DRAWS))
     own = [
         one.by_others @ normal + one.alone @ draw.standard_normal((one.alone.shape[1], DRAWS)) for one in posterior.own
     ]
-    change = first_order(layout, state.runs, layout.sizes[:, np.newaxis] * (posterior.spread @ normal), own)
-    draws = [
-        (rest[:, np.newaxis] - off)[one.good] for one, rest, off in zip(state.runs, state.residual, change, strict=True)
-    ]
+    others = posterior.spread @ normal
+    draws = []
+    for place, (one, rest) in enumerate(zip(state.runs, state.residual, strict=True)):
+        change = [part.change(own[place], others) for part in state.derivatives_kept(place)]
+        draws.append(rest[one.good][:, np.newaxis] - np.concatenate(change))
     noise, scales = dict(state.noise), state.scales.copy()
     for name in sorted(state.noise.keys() - state.stated):
         members = [place for place, one in enumerate(state.runs) if one.instrument == name]
         steps = [state.runs[place].kept().steps for place in members]
-        found, scales[members] = noise_of_draws([draws[place] for place in members], steps)
+        enough = -(-DRAWN // max(sum(one.size for one in steps), 1))
+        found, scales[members] = noise_of_draws([draws[place][:, :enough] for place in members], steps)
         devices = {state.runs[place].rows.run.device for place in members}
         resolved = max((one.resolution for one in devices if one is not None and one.resolution), default=0.0)
         noise[name] = replace(found, white=max(found.white, resolved * DISPLAY))
@@ -152,15 +182,6 @@ def without_outliers(state: State) -> State:
     readings = sum(one.reading.size for one in state.runs)
     good: list[BoolArray] = []
     for one, rest, scale in zip(state.runs, state.residual, state.scales.tolist(), strict=True):
-        exceeded = scale * _excess(rest, scale) if one.instrument in state.stated else scale
+        exceeded = scale * excess(rest, scale) if one.instrument in state.stated else scale
         good.append(~spoilt(state.noise[one.instrument], exceeded, one.rows.steps, rest, one.repeats, readings))
     return replace(state, runs=tuple(replace(one, good=now) for one, now in zip(state.runs, good, strict=True)))
-
-
-def _excess(residual: FloatArray, scale: float) -> float:
-    """By what residuals of a run, (n,), mm, exceed its stated noise, 1 at least.
-
-    A gross outlier pulls the values along, and with them good readings of its run: the largest residual goes first, the
-    others wait. A noise that is estimated is then as large by itself.
-    """
-    return max(1.0, float(np.median(np.abs(residual))) / (HALF * scale))

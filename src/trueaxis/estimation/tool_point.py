@@ -12,6 +12,8 @@ from trueaxis.estimation.layout import Layout
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Vector
 from trueaxis.runtime.best_fit import placements
+from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.extent import uncertainty_extent, volume_grid
 from trueaxis.runtime.model import MachineModel
 from trueaxis.runtime.uncertainty import derivative, home_of
 
@@ -35,8 +37,10 @@ class ToolPoint:
 class ToolSummary:
     """The tool point over the volume, seen from home, mm. u_rms, u_prior_rms, prior_rms: root mean squares of the
     standard uncertainty, of its part that rests on the prior, and of what is expected without readings; u_placed_rms,
-    prior_placed_rms: the first and the last of a workpiece placed where it fits best; u_worst: the largest u of the
-    positions looked at, at `worst` (axis -> mm or deg).
+    prior_placed_rms: the first and the last of a workpiece placed where it fits best; all of lengths of vectors over
+    POINTS positions. largest_u: the largest u of a coordinate over a grid with the corners of the travel, at
+    `largest_at` (axis -> mm or deg), as `uncertainty_extent` has it for commands that use the values. estimated:
+    whether sizes of errors were estimated, by which prior_rms is, or are those of [prior].
     """
 
     tools: tuple[Vector, ...]
@@ -45,8 +49,9 @@ class ToolSummary:
     prior_rms: float
     u_placed_rms: float
     prior_placed_rms: float
-    u_worst: float
-    worst: dict[str, float]
+    largest_u: float
+    largest_at: dict[str, float]
+    estimated: bool
 
 
 def volume(model: MachineModel) -> FloatArray:
@@ -91,12 +96,16 @@ def _length(rows: FloatArray, count: int) -> FloatArray:
     return np.asarray(np.sqrt(np.sum((rows**2).sum(axis=1).reshape(-1, count), axis=0)))
 
 
-def tool_summary(found: Estimate, tools: Sequence[Vector]) -> ToolSummary:
-    """Over the volume. found: before the convention for straightness and squareness, which moves no tool point."""
+def tool_summary(found: Estimate, tools: Sequence[Vector], covariance: Covariance | None = None) -> ToolSummary:
+    """Over the volume. found: before the convention for straightness and squareness, which moves no tool point;
+    covariance: of its values, with effects; None: without.
+    """
     positions = volume(found.layout.model)
     seen, placed = tool_point(found, positions, tools), tool_point(found, positions, tools, "best-fit")
-    worst = int(np.argmax(seen.u))
-    at = dict(zip(found.layout.model.axes, np.round(seen.positions[:, worst], 1).tolist(), strict=True))
+    model, known = found.layout.model.with_values(found.values), covariance or covariance_of(found.layout, found.spread)
+    grid = volume_grid(model, known)
+    extents = [uncertainty_extent(model, known, grid, np.array(tool)[:, np.newaxis]) for tool in tools]
+    largest = max(extents, key=lambda one: one.largest_u)
     return ToolSummary(
         tools=tuple(tools),
         u_rms=_rms(seen.u),
@@ -104,8 +113,9 @@ def tool_summary(found: Estimate, tools: Sequence[Vector]) -> ToolSummary:
         prior_rms=_rms(seen.prior),
         u_placed_rms=_rms(placed.u),
         prior_placed_rms=_rms(placed.prior),
-        u_worst=float(seen.u[worst]),
-        worst=at,
+        largest_u=largest.largest_u,
+        largest_at=dict(zip(model.axes, np.round(largest.largest_at, 1).tolist(), strict=True)),
+        estimated=found.rounds > 0,
     )
 
 

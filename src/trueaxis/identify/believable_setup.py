@@ -30,12 +30,25 @@ IN_MM = "is the reading in mm? [prior] of the machine's spec says what errors ma
 
 def setup_faults(model: MachineModel, data: MeasuredData, folder: Path) -> list[Fault]:
     """Runs whose set-up or readings are not believable on the machine; dimensions are those of the model's values."""
-    found = []
+    found: dict[str, list[Fault]] = {}
     for index, run in enumerate(data.setup.runs):
         rows = data.readings.of_run(index)
         if rows.size:
-            found += _faults_of_run(model, run, data.readings, rows, folder)
-    return found
+            found[run.id] = _faults_of_run(model, run, data.readings, rows, folder)
+    wrong = [run for run, faults in found.items() if faults]
+    silent = _silent(model)
+    if not silent or len(wrong) < 2:
+        return [fault for faults in found.values() for fault in faults]
+    problem = f"{len(wrong)} runs contradict them as zero, which is what they are taken for: {', '.join(wrong)}"
+    remedy = (
+        "give them with --known E.json (a file of error values with these parameters, mm); the first of these runs:"
+    )
+    return [Fault("dimensions not given", ", ".join(silent), problem, remedy), found[wrong[0]][0]]
+
+
+def _silent(model: MachineModel) -> list[str]:
+    """Dimensions that no error value gives: one missing file is more likely than several wrong runs."""
+    return [name for name in model.dimensions if name not in model.errors.parameters]
 
 
 def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.ndarray, folder: Path) -> list[Fault]:
@@ -90,7 +103,7 @@ def _ball(model: MachineModel, run: Run, positions: FloatArray, reading: FloatAr
     if float(np.ptp(distance - length + cast(float, run.length))) <= SET_UP["ballbar"]:
         return f"is the length {float(np.mean(distance - reading[every])):.6g} mm?"
     moved = _centre(other, length)
-    silent = [name for name in model.dimensions if name not in model.errors.parameters]
+    silent = _silent(model)
     hint = f"; {', '.join(silent)} are taken as zero (--known gives them)" if silent else ""
     if moved is None:
         return f"points, positions and length that agree{hint}"

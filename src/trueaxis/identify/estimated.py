@@ -84,9 +84,9 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     residuals = _residuals(model, observed, found, noise)
     if not found.converged:
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
-    turned = {observed.runs[index].id: log_ratio for index, log_ratio in found.reversed.items()}
-    judged = with_reversed(quality(residuals, observed.runs), turned)
-    together, tool = combinations(found), tool_summary(found, [ORIGIN]) if options.prior else None
+    judged = with_reversed(quality(residuals, observed.runs), [observed.runs[index].id for index in found.reversed])
+    together = combinations(found)
+    tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if options.prior else None
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}

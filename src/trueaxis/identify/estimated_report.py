@@ -5,7 +5,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from trueaxis.estimation.estimate import Estimate
-from trueaxis.estimation.instruments import SCALES
 from trueaxis.estimation.judgement import NINE_TENTHS, Judged, open_counts
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
@@ -20,22 +19,14 @@ from trueaxis.identify.report import (
     LocationReport,
     NoiseGroupReport,
 )
-from trueaxis.identify.words import enumerated, unit_of
+from trueaxis.identify.words import DETERMINED_BY, enumerated, unit_of
 from trueaxis.runtime.errors import Determined, ErrorValues
 from trueaxis.runtime.model import MachineModel
 
 KNOWN: dict[Determined, Known] = {"data": "determined", "partly": "partly", "prior": "undetermined"}
 ORIGINS: dict[bool, dict[Determined, str]] = {
-    True: {
-        "data": "from the readings",
-        "partly": "from the readings and the prior",
-        "prior": "undetermined: from the prior alone",
-    },
-    False: {
-        "data": "from the readings",
-        "partly": "from the readings, partly open",
-        "prior": "undetermined: zero",
-    },
+    True: DETERMINED_BY,
+    False: {"data": DETERMINED_BY["data"], "partly": "partly open", "prior": "open: zero"},
 }
 RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
 
@@ -79,13 +70,14 @@ def estimated_report(
         locations=tuple(
             _location(found, name, locations.get(name), unit[name], ORIGINS[prior]) for name in model.location_errors
         ),
-        components=tuple(_component(name, components.get(name)) for name in model.components),
+        components=tuple(_component(name, components.get(name), ORIGINS[prior]) for name in model.components),
         undetermined=values.undetermined,
         quality=judged,
         instruments=_instruments(observed, found),
         noise_groups=_noise_groups(observed, found),
         effects=effect_reports(values, found),
-        notes=(*dimension_notes(model, given), *estimate_notes(model, observed, found, given)),
+        notes=estimate_notes(model, observed, found, given),
+        caveats=dimension_notes(model, given),
     )
 
 
@@ -110,7 +102,7 @@ def _known_u(judged: Judged) -> float | None:
     return judged.u if np.isfinite(judged.u) else None
 
 
-def _component(name: str, judged: Judged | None) -> ComponentReport:
+def _component(name: str, judged: Judged | None, origins: Mapping[Determined, str]) -> ComponentReport:
     if judged is None:
         return ComponentReport(name, "given", 0.0, None, unit_of(name))
     return ComponentReport(
@@ -121,6 +113,7 @@ def _component(name: str, judged: Judged | None) -> ComponentReport:
         unit_of(name),
         u_readings=judged.u_readings,
         u_prior=judged.u_prior,
+        origin=origins[judged.determined],
     )
 
 
@@ -132,12 +125,9 @@ def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentRep
     for place, unknown in enumerate(layout.shared, layout.of_machine):
         if silent[place]:
             continue
-        letter = f" {'xyz'[unknown.coordinate]}" if "centre" in unknown.kind or "probe" in unknown.kind else ""
         runs = ", ".join(observed.runs[index].id for index in unknown.runs)
-        unit = "1" if unknown.kind in SCALES else "mm"
-        unit = "rad" if unknown.kind == "probe alignment" else unit
-        value = float(found.unknowns[place])
-        reports.append(InstrumentReport(f"{unknown.kind}{letter} ({runs})", value, float(u[place]), unit, ""))
+        value, unit = float(found.unknowns[place]), unknown.unknown_class.unit
+        reports.append(InstrumentReport(f"{unknown.label} ({runs})", value, float(u[place]), unit, ""))
     return tuple(reports)
 
 

@@ -1,6 +1,6 @@
 """How a fit ended: whether it stands still, and whether its residuals are of the size of the noise that is known."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -8,7 +8,6 @@ import numpy as np
 from trueaxis.estimation.machine import IdentifiedMachine, IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
-from trueaxis.estimation.signs import REVERSED
 from trueaxis.identify.expected_size import expected_size
 from trueaxis.identify.weighting import INSTRUMENTS, LEAST_FREEDOM
 from trueaxis.identify.words import enumerated
@@ -137,15 +136,8 @@ def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
     return FitQuality(Fit("converged"), each)
 
 
-def with_reversed(judged: FitQuality, log_ratios: Mapping[str, float]) -> FitQuality:
-    """A misfit where runs read as if their sign were reversed, surest first: the values follow them, too.
-
-    log_ratios: of those that do by the noise that is stated or found, by id. Residuals that are larger say that the
-    noise is larger, which makes the logarithm smaller by as much as chi-square is above 1.
-    """
-    excess = max(judged.fit.chi2 or 1.0, 1.0)
-    sure = {run: ratio for run, ratio in log_ratios.items() if ratio / excess > REVERSED}
-    runs = sorted(sure, key=lambda run: -sure[run])
+def with_reversed(judged: FitQuality, runs: Sequence[str]) -> FitQuality:
+    """A misfit where runs, by id, surest first, read as if their sign were reversed: the values follow them, too."""
     if not runs:
         return judged
     named = f"run {runs[0]} reads" if len(runs) == 1 else f"runs {', '.join(runs)}: one of them at least reads"

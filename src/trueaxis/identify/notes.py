@@ -23,7 +23,10 @@ def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str
     silent = [n for n in machine.parameters if n not in machine.location_errors and n not in given.parameters]
     if not silent:
         return ()
-    return (f"dimensions {enumerated(silent)} are not given (--known); they are taken as zero",)
+    return (
+        f"dimensions {enumerated(silent)} are not given (--known) and taken as zero: what follows is of a machine "
+        "with its axes and points there",
+    )
 
 
 def weak_notes(components: Sequence[ComponentReport]) -> tuple[str, ...]:

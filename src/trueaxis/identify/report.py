@@ -54,7 +54,7 @@ class ComponentReport:
     """A component over the measured positions: largest value and standard uncertainty (None: unknown), mm or rad.
 
     u_readings, u_prior: the parts of u, where it is largest, by the readings and by the prior, None where they are not
-    known.
+    known; origin: where it comes from, in words, empty where `known` says it.
     """
 
     name: str
@@ -64,6 +64,7 @@ class ComponentReport:
     unit: str
     u_readings: float | None = None
     u_prior: float | None = None
+    origin: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +131,7 @@ class IdentificationReport:
     noise_groups: of each instrument; curve_orders: of tables that were made polynomials; effects: those of the
     machine; quality: how the fit ended, and the residuals of each run; combinations: errors of which the readings tell
     a sum much better than its parts; tool: how well the tool point is known over the volume, None without a prior;
-    measurement: free text of setup.toml about it.
+    measurement: free text of setup.toml about it; caveats: what must be known before all else.
     """
 
     machine: str
@@ -159,6 +160,7 @@ class IdentificationReport:
     combinations: tuple[Combination, ...] = ()
     tool: ToolSummary | None = None
     measurement: Mapping[str, str] = field(default_factory=dict)
+    caveats: tuple[str, ...] = ()
 
     @property
     def nothing_determined(self) -> bool:

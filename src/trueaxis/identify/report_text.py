@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from trueaxis.identify.fit_quality import MOST_RUNS, FitQuality, RunResidual
+from trueaxis.identify.fit_quality import MISFIT, MOST_RUNS, FitQuality, RunResidual
 from trueaxis.identify.report import (
     BlockReport,
     ComponentReport,
@@ -17,7 +17,7 @@ from trueaxis.identify.report import (
     InstrumentReport,
     LocationReport,
 )
-from trueaxis.identify.words import combination_text, tool_sentence
+from trueaxis.identify.words import IN_COMBINATION, combination_text, tool_sentence
 
 WIDTH = 100
 MICRO = 1e6
@@ -33,6 +33,8 @@ def report_text(report: IdentificationReport) -> str:
         f"squareness: {report.squareness}",
         f"fit: {fit_text(report.quality)}",
     ]
+    for caveat in report.caveats:
+        lines[1:1] = _wrapped(caveat, "NOTE: ")
     if report.noise_groups:
         said = (f"{group.group} {group.noise_um:.4g} um" for group in report.noise_groups)
         lines += _wrapped(", ".join(said), "noise by group:")
@@ -72,7 +74,7 @@ def _known_of_tool(report: IdentificationReport) -> list[str]:
     if report.tool is not None:
         lines += ["", *_wrapped(tool_sentence(report.tool), "tool point:")]
     if report.combinations:
-        lines += ["", "known only in combination (before straightness and squareness are parted by convention):"]
+        lines += ["", f"{IN_COMBINATION}:"]
         for combination in report.combinations:
             lines += _wrapped(combination_text(combination), "- ")
     return lines
@@ -99,12 +101,14 @@ def fit_text(judged: FitQuality) -> str:
 
 
 def runs_text(runs: Sequence[RunResidual]) -> str:
-    """The worst runs with the rms of their residuals: `X1 12 um (40 times the noise)`."""
+    """The worst runs with the rms of their residuals: `X1 12 um (40 times the noise)`, and how many more misfit."""
     said = [
         f"{one.run} {one.rms_um:.4g} um" + ("" if one.ratio is None else f" ({one.ratio:.3g} times the noise)")
         for one in runs[:MOST_RUNS]
+        if one.ratio is None or one.ratio > MISFIT or one is runs[0]
     ]
-    return ", ".join([*said, f"and {len(runs) - MOST_RUNS} more"] if len(runs) > MOST_RUNS else said)
+    more = sum(one.ratio is not None and one.ratio > MISFIT for one in runs[MOST_RUNS:])
+    return ", ".join([*said, f"and {more} more"] if more else said)
 
 
 def _curve_order(one: CurveOrderReport) -> str:
@@ -157,7 +161,8 @@ def _component(component: ComponentReport) -> str:
     largest = f"largest {value:10.4g} {unit:<5} {_with_u(component.u, component.unit)}{_parts(component)}"
     if component.known in ("not measured", "given"):
         largest = ""
-    return f"  {component.name:<4} {component.known:<13} {largest}".rstrip()
+    known = f"{component.origin:<22}" if component.origin else f"{component.known:<13}"
+    return f"  {component.name:<4} {known} {largest}".rstrip()
 
 
 def _parts(one: LocationReport | ComponentReport) -> str:

@@ -9,7 +9,14 @@ from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.machine import LINEAR
 from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.errors import Determined
 
+DETERMINED_BY: dict[Determined, str] = {
+    "data": "determined by readings",
+    "partly": "partly by the prior",
+    "prior": "by the prior alone",
+}
+IN_COMBINATION = "known only in combination (before straightness and squareness are parted by convention)"
 NEARLY = 0.01  # of 1: what a factor may be off by and count as 1
 
 
@@ -46,19 +53,23 @@ def split_apart(names: Sequence[str], partners: Sequence[str], shares: Sequence[
 
 
 def combination_text(one: Combination) -> str:
-    """`eps_xy and the slope of EYX: only their sum, to 0.8 urad (by themselves to 41 and 39 urad)`."""
+    """`eps_xy and the slope of EYX: only their sum, to 0.8 urad (by themselves to 41 and 39 urad)`; of more parts
+    `eps_xy + the slope of EYX - 754 x the slope of EBX: to 0.8 urad (by themselves: eps_xy to 41 urad, ...)`.
+    """
     names = [f"the slope of {part.name}" if part.what == "slope" else part.name for part in one.parts]
     units = {part.unit.replace("mm/mm", "rad") for part in one.parts}
+    alone = [small(u, part.unit) for u, part in zip(one.alone, one.parts, strict=True)]
+    u = small(one.u, one.parts[0].unit)
     last = one.parts[-1].factor
     if len(one.parts) == 2 and len(units) == 1 and abs(abs(last) - 1.0) < NEARLY:
-        kind = "only their sum" if last > 0.0 else "only their difference"
-    else:
-        kind = "only " + "".join(
-            f"{_sign(part.factor, first=index == 0)}{_times(part.factor)}{name}"
-            for index, (name, part) in enumerate(zip(names, one.parts, strict=True))
-        )
-    alone = [small(u, part.unit) for u, part in zip(one.alone, one.parts, strict=True)]
-    return f"{enumerated(names)}: {kind}, to {small(one.u, one.parts[0].unit)} (by themselves to {enumerated(alone)})"
+        kind = "sum" if last > 0.0 else "difference"
+        return f"{enumerated(names)}: only their {kind}, to {u} (by themselves to {enumerated(alone)})"
+    terms = "".join(
+        f"{_sign(part.factor, first=index == 0)}{_times(part.factor)}{name}"
+        for index, (name, part) in enumerate(zip(names, one.parts, strict=True))
+    )
+    each = [f"{name} to {of}" for name, of in zip(names, alone, strict=True)]
+    return f"{terms}: to {u} (by themselves: {enumerated(each)})"
 
 
 def _sign(factor: float, *, first: bool) -> str:
@@ -71,10 +82,10 @@ def _times(factor: float) -> str:
 
 
 def small(value: float, unit: str) -> str:
-    """A value in mm or rad, or per mm or deg, in micrometres or microradians: `0.8 urad`."""
+    """A value in mm or rad, or per mm or deg, in micrometres or microradians: `0.8 urad`; of a scale `1 ppm`."""
     of, _, per = unit.partition("/")
-    if unit == "mm/mm":
-        return f"{value * 1e6:.3g} urad"
+    if unit in ("mm/mm", "1"):
+        return f"{value * 1e6:.3g} {'ppm' if unit == '1' else 'urad'}"
     return f"{value * (1e3 if of == 'mm' else 1e6):.3g} {'um' if of == 'mm' else 'urad'}{'/' + per if per else ''}"
 
 
@@ -101,11 +112,13 @@ def only_slope(positions: FloatArray, values: FloatArray, origin: float) -> floa
 
 def tool_sentence(tool: ToolSummary) -> str:
     """Seen from home and on a workpiece placed where it fits best; beside what is known without readings."""
-    at = " ".join(f"{axis}{position:g}" for axis, position in tool.worst.items())
+    at = " ".join(f"{axis}{position:g}" for axis, position in tool.largest_at.items())
     points = enumerated([f"({', '.join(f'{part:g}' for part in point)})" for point in tool.tools])
+    sizes = "errors of the sizes that the readings show" if tool.estimated else "[prior]"
     return (
-        f"u of {points} over the volume, seen from home: {small(tool.u_rms, 'mm')} RMS, "
-        f"{small(tool.u_worst, 'mm')} at worst ({at}); {small(tool.u_prior_rms, 'mm')} of the RMS rest on [prior]; "
-        f"without readings {small(tool.prior_rms, 'mm')}. On a workpiece placed where it fits best: "
-        f"{small(tool.u_placed_rms, 'mm')} RMS, without readings {small(tool.prior_placed_rms, 'mm')}"
+        f"u of {points}, seen from home: {small(tool.u_rms, 'mm')} RMS over the volume, of which "
+        f"{small(tool.u_prior_rms, 'mm')} rest on the prior ({small(tool.prior_rms, 'mm')} without readings, by "
+        f"{sizes}); at most {small(tool.largest_u, 'mm')} in one coordinate, over a grid of the travel (at {at}). On a "
+        f"workpiece placed where it fits best: {small(tool.u_placed_rms, 'mm')} RMS "
+        f"({small(tool.prior_placed_rms, 'mm')} without readings)"
     )

@@ -8,10 +8,16 @@ import numpy.typing as npt
 
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Run
+from trueaxis.measure.since_reversal import (
+    SECONDS,
+    distance_since_reversal,
+    duration_by_feed,
+    path_since_reversal,
+    time_since_reversal,
+)
 from trueaxis.runtime.context import Context
 
 IntArray = npt.NDArray[np.int64]
-SECONDS = 60.0  # of a minute: feeds are in mm/min
 
 
 class Rows(Protocol):
@@ -63,9 +69,10 @@ class Rows(Protocol):
 def context_of(runs: Sequence[Run], rows: Rows) -> Context:
     """The context of every row, with that of its run's home.
 
-    Directions are those of the rows. The distance since the last reversal is that of the commanded positions, from the
-    reading before the direction changed. Laser and probe read standing axes, which come to the first target of a run
-    from a reversal beyond it (ISO 230-1, approach from one side); a ball bar is read on the way: its
+    Directions are those of the rows. What has passed since the last reversal is that of the commanded positions, from
+    the reading before the direction changed. Laser and probe read standing axes, which come to the first target of a
+    run from a reversal beyond it (ISO 230-1, approach from one side): ways count from the first target; since when the
+    axis stands there, nobody knows, and the time since that reversal is infinite. A ball bar is read on the way: its
     velocities have the feed along the tangent of the path or, where no feed is given, follow from the times. Home is
     where laser and probe were zeroed before they read: no axis has moved or turned back yet, and time and temperature
     are those of the run's first row.
@@ -76,43 +83,25 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
         np.full(count, np.nan) if values is None else values for values in (rows.time, rows.feed, rows.temperature)
     )
     directions = rows.directions.astype(np.float64)
-    velocity, since = np.zeros(shape), np.full(shape, np.inf)
+    velocity = np.zeros(shape)
+    since, time_since, path_since = (np.full(shape, np.inf) for _ in range(3))
     home_time, home_temperature = np.full(count, np.nan), np.full(count, np.nan)
     order = np.lexsort((rows.seq, rows.run))
     starts = np.flatnonzero(np.diff(rows.run[order], prepend=-1))
     for mine in np.split(order, starts[1:]):
         if mine.size == 0:
             continue
-        path = rows.positions[:, mine]
+        path, ways = rows.positions[:, mine], directions[:, mine]
         standing = runs[rows.run[mine[0]]].instrument != "ballbar"
-        since[:, mine] = distance_since_reversal(directions[:, mine], path, turned_before=standing)
+        fed = np.full(mine.size, np.nan) if standing else feed[mine]  # how long an axis stood no feed tells
+        since[:, mine] = distance_since_reversal(ways, path, turned_before=standing)
+        time_since[:, mine] = time_since_reversal(ways, time[mine], duration_by_feed(rows.axes, path, fed))
+        path_since[:, mine] = path_since_reversal(rows.axes, ways, path, turned_before=standing)
         home_time[mine], home_temperature[mine] = time[mine[0]], temperature[mine[0]]
         if not standing:
             velocity[:, mine] = path_velocity(rows.axes, path, feed[mine], time[mine])
     home = Context.at_rest(shape[0], count, home_time, home_temperature)
-    return Context(directions, velocity, since, time, temperature, home)
-
-
-def distance_since_reversal(directions: FloatArray, path: FloatArray, *, turned_before: bool = False) -> FloatArray:
-    """(n_axes, n): the way of each axis since its direction changed last, mm or deg; infinite before the first change.
-
-    directions: (n_axes, n), +1, -1, or 0, which changes nothing; path: (n_axes, n), both in the order of reading. The
-    change is taken to have happened at the reading before the first one with the new direction. turned_before: the
-    first direction of an axis is a change, too.
-    """
-    rows = np.arange(path.shape[1])
-    last = np.maximum.accumulate(np.where(directions != 0.0, rows, 0), axis=1)
-    held = np.take_along_axis(directions, last, axis=1)
-    changed = np.zeros(path.shape, dtype=bool)
-    changed[:, 1:] = held[:, 1:] * held[:, :-1] < 0.0
-    way = np.cumsum(np.abs(np.diff(path, prepend=path[:, :1], axis=1)), axis=1)
-    turned = np.maximum.accumulate(np.where(changed, rows, 0), axis=1)
-    before = np.take_along_axis(way, np.maximum(turned - 1, 0), axis=1)
-    found: FloatArray = np.where(turned > 0, way - before, np.inf)
-    if turned_before:
-        first = np.maximum(np.argmax(directions != 0.0, axis=1) - 1, 0)[:, np.newaxis]
-        found = np.where((turned == 0) & (held != 0.0), way - np.take_along_axis(way, first, axis=1), found)
-    return found
+    return Context(directions, velocity, since, time_since, path_since, time, temperature, home)
 
 
 def path_velocity(axes: Sequence[str], path: FloatArray, feed: FloatArray, time: FloatArray) -> FloatArray:

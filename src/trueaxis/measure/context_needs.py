@@ -6,10 +6,9 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.effects.kind import Kind
-from trueaxis.effects.placement import context_of as variables_of_term
+from trueaxis.effects.placement import concerns, used_variables
 from trueaxis.faults import Fault
 from trueaxis.measure.machine import EffectMachine
-from trueaxis.measure.reading_effects import concerns
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import Run
 from trueaxis.runtime.context import Context
@@ -17,7 +16,12 @@ from trueaxis.runtime.effect_values import EffectValues
 
 BoolArray = npt.NDArray[np.bool_]
 
-_COLUMNS = {"time_s": ("t",), "temperature_c": ("T",), "feed": ("v", "v_b")}
+_COLUMNS = {  # variables of an axis and what tells them
+    "t": "time_s",
+    "T": "temperature_c",
+    "v": "feed (or time_s)",
+    "d_time": "time_s (or, by ball bar, feed)",
+}
 
 
 def faults_of_readings(
@@ -30,47 +34,47 @@ def faults_of_readings(
     home = context.home or context
     zeroed = np.array([run.instrument != "ballbar" for run in runs])[readings.run]
     unknown = {
-        "time_s": np.isnan(context.time) | (zeroed & np.isnan(home.time)),
-        "temperature_c": np.isnan(context.temperature) | (zeroed & np.isnan(home.temperature)),
-        "feed": np.isnan(context.velocity).any(axis=0),
+        "t": np.isnan(context.time) | (zeroed & np.isnan(home.time)),
+        "T": np.isnan(context.temperature) | (zeroed & np.isnan(home.temperature)),
+        "v": np.isnan(context.velocity).any(axis=0),
+        "d_time": np.isnan(context.time_since).any(axis=0),
     }
     found = []
-    for column, effects in _needed(machine):
+    for variable, effects in _needed(machine):
         wrong = np.zeros_like(asked)
         for values, kind in effects:
-            concerned = np.array([kind.place == "component" or concerns(kind, values.effect, run) for run in runs])
-            wrong |= unknown[column] & asked & concerned[readings.run]
+            concerned = np.array([concerns(kind, values.effect, run) for run in runs])
+            wrong |= unknown[variable] & asked & concerned[readings.run]
         if wrong.any():
             rows = np.flatnonzero(wrong)
             first = rows[np.lexsort((readings.seq[rows], readings.run[rows]))[0]]
             problem = f'is not known in row {readings.seq[first]} of run "{readings.run_ids[readings.run[first]]}"'
-            if zeroed[first] and column != "feed":
+            if zeroed[first] and variable in ("t", "T"):
                 problem += " or where the run began"
-            found.append(_fault(file, column, problem, effects))
+            found.append(_fault(file, variable, problem, effects))
     return found
 
 
 def faults_of_points(machine: EffectMachine, context: Context, file: str) -> list[Fault]:
     """What points lack for the machine's effects on component errors, a fault for each column."""
-    unknown = {"time_s": np.isnan(context.time), "temperature_c": np.isnan(context.temperature)}
+    unknown = {"t": np.isnan(context.time), "T": np.isnan(context.temperature)}
     found = []
-    for column, effects in _needed(machine):
+    for variable, effects in _needed(machine):
         mine = [(values, kind) for values, kind in effects if kind.place == "component"]
-        if mine and column in unknown and unknown[column].any():
-            found.append(_fault(file, column, f"is not known at point {int(np.argmax(unknown[column])) + 1}", mine))
+        if mine and variable in unknown and unknown[variable].any():
+            found.append(_fault(file, variable, f"is not known at point {int(np.argmax(unknown[variable])) + 1}", mine))
     return found
 
 
 def _needed(machine: EffectMachine) -> Iterator[tuple[str, list[tuple[EffectValues, Kind]]]]:
-    """Columns and the effects whose terms depend on them."""
+    """What columns tell and the effects whose terms depend on it, of the own or the other axis."""
     terms = [(values, machine.kinds[values.effect.kind]) for values in machine.effect_values]
-    for column, variables in _COLUMNS.items():
-        mine = [(values, kind) for values, kind in terms if set(variables) & set(variables_of_term(kind))]
+    for variable in _COLUMNS:
+        mine = [(values, kind) for values, kind in terms if {variable, f"{variable}_b"} & set(used_variables(kind))]
         if mine:
-            yield column, mine
+            yield variable, mine
 
 
-def _fault(file: str, column: str, problem: str, effects: Sequence[tuple[EffectValues, Kind]]) -> Fault:
+def _fault(file: str, variable: str, problem: str, effects: Sequence[tuple[EffectValues, Kind]]) -> Fault:
     told = ", ".join(values.effect.label for values, _ in effects)
-    more = " (or time_s)" if column == "feed" else ""
-    return Fault(file, f"column {column}{more}", problem, f"a value: it is needed for {told}")
+    return Fault(file, f"column {_COLUMNS[variable]}", problem, f"a value: it is needed for {told}")

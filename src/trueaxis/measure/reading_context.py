@@ -1,4 +1,6 @@
-"""What effects on readings depend on: the displacement that is sensed, the polar angle of a ball bar."""
+"""What effects on readings depend on: the displacement that is sensed, the way along the line of the motion, the polar
+angle of a ball bar.
+"""
 
 from collections.abc import Sequence
 from typing import cast
@@ -8,32 +10,48 @@ import numpy.typing as npt
 
 from trueaxis.measure.context import Rows
 from trueaxis.measure.machine import FloatArray, MeasuredMachine
-from trueaxis.measure.reading_geometry import column, home_positions, ideal_bar, ideal_displacement
+from trueaxis.measure.reading_geometry import along_line, column, home_positions, ideal_bar, ideal_displacement
 from trueaxis.measure.setup import Run
 from trueaxis.runtime.context import ReadingContext
 
-__all__ = ["ReadingContext", "along", "polar_angle", "reading_context_of", "run_reading_context", "theta"]
+__all__ = [
+    "ReadingContext",
+    "along",
+    "polar_angle",
+    "reading_context",
+    "reading_context_of",
+    "run_reading_context",
+    "theta",
+    "way",
+]
 
 STILL = 1e-4  # of its length, by which the ends of a bar that does not turn may move in rounded positions
 
 
 def reading_context_of(machine: MeasuredMachine, runs: Sequence[Run], rows: Rows) -> ReadingContext:
-    """The reading context of every row; `along` is NaN for ball bars, `theta` for laser and probe."""
-    count = rows.positions.shape[1]
-    nothing = np.full(count, np.nan)
-    found = ReadingContext(
-        nothing.copy(),
-        nothing.copy(),
-        nothing if rows.time is None else rows.time,
-        nothing if rows.temperature is None else rows.temperature,
-    )
-    order = np.argsort(rows.run, kind="stable")
-    starts = np.flatnonzero(np.diff(rows.run[order], prepend=-1))
+    """The reading context of every row; `along` and `way` are NaN for ball bars, `theta` for laser and probe."""
+    unknown = np.full(rows.positions.shape[1], np.nan)
+    time, temperature = (unknown if values is None else values for values in (rows.time, rows.temperature))
+    return reading_context(machine, runs, rows.run, rows.positions, time, temperature)
+
+
+def reading_context(
+    machine: MeasuredMachine,
+    runs: Sequence[Run],
+    run: npt.NDArray[np.int64],
+    positions: FloatArray,
+    time: FloatArray,
+    temperature: FloatArray,
+) -> ReadingContext:
+    """The same. run: (n,), index into runs; positions: (n_axes, n), mm or deg; time (s), temperature (degC): (n,)."""
+    unknown = np.full(run.size, np.nan)
+    found = ReadingContext(unknown, unknown.copy(), unknown.copy(), time, temperature)
+    order = np.argsort(run, kind="stable")
+    starts = np.flatnonzero(np.diff(run[order], prepend=-1))
     for mine in np.split(order, starts[1:]):
         if mine.size:
-            run = runs[rows.run[mine[0]]]
-            here = run_reading_context(machine, run, rows.positions[:, mine], found.time[mine], found.temperature[mine])
-            found.along[mine], found.theta[mine] = here.along, here.theta
+            here = run_reading_context(machine, runs[run[mine[0]]], positions[:, mine], time[mine], temperature[mine])
+            found.along[mine], found.theta[mine], found.way[mine] = here.along, here.theta, here.way
     return found
 
 
@@ -43,8 +61,8 @@ def run_reading_context(
     """The reading context of rows of one run. positions: (n_axes, n), mm or deg; time (s), temperature (degC): (n,)."""
     nothing = np.full(positions.shape[1], np.nan)
     if run.instrument == "ballbar":
-        return ReadingContext(nothing, theta(machine, run, positions), time, temperature)
-    return ReadingContext(along(machine, run, positions), nothing, time, temperature)
+        return ReadingContext(nothing, theta(machine, run, positions), nothing, time, temperature)
+    return ReadingContext(along(machine, run, positions), nothing, way(machine, run, positions), time, temperature)
 
 
 def along(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:
@@ -52,11 +70,24 @@ def along(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArr
 
     For laser and probe; positions: (n_axes, n), mm or deg.
     """
-    home = home_positions(run, machine.axes)
-    if home is None or run.direction is None:
+    if run.direction is None:
         raise ValueError(f"run {run.id} senses no direction")
-    away = ideal_displacement(machine, run, np.ascontiguousarray(positions), home)
-    return cast(FloatArray, (column(run.direction) * away).sum(axis=0))
+    return cast(FloatArray, (column(run.direction) * _since_home(machine, run, positions)).sum(axis=0))
+
+
+def way(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:
+    """Ideal way of target minus reference along the line of the motion, since home, towards growing coordinates.
+
+    (n,), mm. For laser and probe; positions: (n_axes, n), mm or deg, of enough of the line to tell its direction.
+    """
+    return along_line(_since_home(machine, run, positions))
+
+
+def _since_home(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:
+    home = home_positions(run, machine.axes)
+    if home is None:
+        raise ValueError(f"run {run.id} has no home")
+    return ideal_displacement(machine, run, np.ascontiguousarray(positions), home)
 
 
 def theta(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:

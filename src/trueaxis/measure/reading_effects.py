@@ -5,18 +5,14 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.kind import Effect
+from trueaxis.effects.placement import concerns
 from trueaxis.measure.machine import EffectMachine, FloatArray
 from trueaxis.measure.reading_context import run_reading_context
 from trueaxis.measure.setup import PointOn, Run
 from trueaxis.runtime.context import Context
 
 End = Literal["target", "reference"]
-
-
-def concerns(kind: Kind, effect: Effect, run: Run) -> bool:
-    """Whether an effect of the places `reading` and `point` is in the readings of a run."""
-    return run.instrument == kind.instrument and (not effect.runs or run.id in effect.runs)
 
 
 def reading_effects(machine: EffectMachine, run: Run, positions: FloatArray, context: Context) -> FloatArray:

@@ -80,6 +80,22 @@ def ideal_displacement(machine: MeasuredMachine, run: Run, positions: FloatArray
     return total
 
 
+def along_line(moved: FloatArray) -> FloatArray:
+    """(n,), mm: the part of displacements since home (3, n) along the line of the motion, towards growing coordinates.
+
+    The line goes through the first and the farthest from it; home need not lie on it, unless there is but one point.
+    """
+    between = moved - moved[:, :1]
+    between = between if between.any() else moved
+    farthest = between[:, int(np.linalg.norm(between, axis=0).argmax())]
+    size = float(np.linalg.norm(farthest))
+    if size == 0.0:
+        return np.zeros(moved.shape[1])
+    line = farthest / size
+    line = line * np.sign(line[int(np.abs(line).argmax())])
+    return cast(FloatArray, line @ moved)
+
+
 def column(point: Vector) -> FloatArray:
     """A point as the (3, 1) array that views take."""
     return np.array(point)[:, np.newaxis]

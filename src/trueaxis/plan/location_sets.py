@@ -18,8 +18,12 @@ from trueaxis.runtime.errors import ErrorValues
 
 DEPENDENT = 1e-7  # share of a column that others leave over, below which they stand for it
 TOOL_POINT = (23.0, 41.0, -97.0)  # mm: a point in no special place, so that every dimension counts
-PLACEMENTS = ("workpiece and tool where they should be", "workpiece placed anyhow", "tool point anywhere",
-              "workpiece placed anyhow, tool point anywhere")  # fmt: skip
+PLACEMENTS = (  # in words, and whether the workpiece may be placed anyhow
+    ("workpiece and tool where they should be", False),
+    ("workpiece placed anyhow", True),
+    ("tool point anywhere", False),
+    ("workpiece placed anyhow, tool point anywhere", True),
+)
 MOST_POINTS = 4096
 
 
@@ -48,8 +52,8 @@ def location_sets(machine: IdentifiedMachine, known: ErrorValues) -> tuple[Locat
         [*_labels("workpiece"), *_labels("tool")[:3]],
     )
     return tuple(
-        _set(generic, placement, (free, label), errors, (constant, names))
-        for placement, free, label in zip(PLACEMENTS, placed, labels, strict=True)
+        _set(generic, placement, (free, label), errors, (constant, names), workpiece_free=workpiece_free)
+        for (placement, workpiece_free), free, label in zip(PLACEMENTS, placed, labels, strict=True)
     )
 
 
@@ -73,6 +77,8 @@ def _set(
     free: tuple[FloatArray, Sequence[str]],
     errors: FloatArray,
     constant: tuple[FloatArray, Sequence[str]],
+    *,
+    workpiece_free: bool,
 ) -> LocationSet:
     kept = independent(errors, free[0])
     redundant = [i for i in range(errors.shape[1]) if i not in kept]
@@ -85,7 +91,15 @@ def _set(
     ]
     more = independent(constant[0], np.hstack([free[0], errors]))
     complete = len(kept) + len(more)
-    return LocationSet(placement, len(kept), tuple(held), tuple(spoken), complete, tuple(constant[1][i] for i in more))
+    return LocationSet(
+        placement=placement,
+        workpiece_free=workpiece_free,
+        rank=len(kept),
+        kept=tuple(held),
+        redundant=tuple(spoken),
+        complete=complete,
+        missing=tuple(constant[1][i] for i in more),
+    )
 
 
 def _stands_for(

@@ -68,12 +68,14 @@ class Redundant:
 class LocationSet:
     """The smallest set of location errors under one assumption on the placements.
 
-    rank: of the spec's location errors; kept, redundant: the set, in the order of the spec, and the rest; complete: how
+    placement: in words; workpiece_free: whether the workpiece may be placed anyhow; rank: of the spec's location
+    errors; kept, redundant: the set, in the order of the spec, and the rest; complete: how
     many any set needs that describes all axes; missing: constant errors that the spec's location errors cannot stand
     for.
     """
 
     placement: str
+    workpiece_free: bool
     rank: int
     kept: tuple[str, ...]
     redundant: tuple[Redundant, ...]
@@ -83,8 +85,8 @@ class LocationSet:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Expectations:
-    """What runs will tell. combinations: what they tell together alone; freedom: degrees of freedom left for the noise
-    beside what the readings tell of the unknowns.
+    """What runs will tell. combinations: what is known only in combination; freedom: degrees of freedom left for the
+    noise beside what the readings tell of the unknowns.
     """
 
     tool: ToolSummary
@@ -134,7 +136,7 @@ class PlanReport:
     """Everything. Lengths mm and angles rad unless a name says otherwise.
 
     expected: None for a plan from nothing, whose runs are all proposed; blocks_fault: why there is no order of blocks,
-    or empty; free_of_order: runs that take no part in it.
+    or empty; free_of_order: runs that take no part in it; caveats: what must be known before all else.
     """
 
     machine: str
@@ -146,6 +148,7 @@ class PlanReport:
     location_sets: tuple[LocationSet, ...] = ()
     proposal: ProposalReport | None = None
     notes: tuple[str, ...] = ()
+    caveats: tuple[str, ...] = ()
 
     @property
     def nothing_determined(self) -> bool:

@@ -6,7 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from trueaxis.identify.words import combination_text, enumerated, small, tool_sentence
+from trueaxis.identify.words import (
+    DETERMINED_BY,
+    IN_COMBINATION,
+    combination_text,
+    enumerated,
+    small,
+    tool_sentence,
+)
 from trueaxis.plan.propose import LEAST_FREEDOM
 from trueaxis.plan.report import (
     BlockReport,
@@ -20,16 +27,13 @@ from trueaxis.plan.report import (
 
 WIDTH = 110
 LEVEL = "least-squares lines of the straightness are level (ISO 230-1): the location errors take their slopes"
-STATES = {
-    "data": "determined by readings",
-    "partly": "partly by the prior",
-    "prior": "by the prior alone",
-}
 
 
 def report_text(report: PlanReport) -> str:
     """Lines of text, ending with a newline."""
     lines = [f"{report.machine}: {_size(report)}"]
+    for caveat in report.caveats:
+        lines += _wrapped(caveat, "NOTE: ")
     if report.expected is not None:
         lines += _expectations(report.expected)
     lines += _order(report)
@@ -73,7 +77,7 @@ def _expectations(found: Expectations) -> list[str]:
         lines += ["", f"location errors: standard uncertainty; what [prior] lets expect; {LEVEL}"]
         lines[-1:] = _wrapped(lines[-1], "")
         lines += _errors(found.locations)
-    lines += ["", "what these runs tell together alone:" if found.combinations else "told together alone: nothing"]
+    lines += ["", f"{IN_COMBINATION}:" if found.combinations else f"{IN_COMBINATION}: nothing"]
     for combination in found.combinations:
         lines += _wrapped(combination_text(combination), "- ")
     return lines
@@ -100,12 +104,13 @@ def _errors(found: Sequence[ErrorReport]) -> list[str]:
 
 
 def _error(one: ErrorReport) -> str:
+    assert one.state != "given"
     assert one.u is not None
     assert one.u_rms is not None
     assert one.prior is not None
     u = _column(one.u, one.unit)
     parts = u if one.u == one.u_rms else f"{_column(one.u_rms, one.unit)} {u}"
-    return f"  {one.name:<8} {STATES[one.state]:<23}{parts}  of {small(one.prior, one.unit)}".rstrip()
+    return f"  {one.name:<8} {DETERMINED_BY[one.state]:<23}{parts}  of {small(one.prior, one.unit)}".rstrip()
 
 
 def _column(value: float, unit: str) -> str:
@@ -115,7 +120,7 @@ def _column(value: float, unit: str) -> str:
 def _order(report: PlanReport) -> list[str]:
     if report.expected is None:
         return []
-    lines = ["", "order in which blocks can be solved (identify --method stepwise):"]
+    lines = ["", "order of blocks in identify --method stepwise (RANK in capitals: singular, not solved everywhere):"]
     if not report.blocks:
         lines[-1] += " none"
     for number, block in enumerate(report.blocks, 1):
@@ -140,7 +145,7 @@ def _block(number: int, block: BlockReport) -> list[str]:
 def _set(one: LocationSet, first: bool) -> list[str]:
     lines = ["", "location errors that the machine needs, from the rank over its volume:"] if first else []
     text = f"{one.placement}: {one.rank} of {one.rank + len(one.redundant)}: {' '.join(one.kept)}"
-    if one.placement.startswith("workpiece placed anyhow"):
+    if one.workpiece_free:
         if one.missing:
             text += f"; {one.complete} would be complete: without counterpart is a constant {enumerated(one.missing)}"
         else:

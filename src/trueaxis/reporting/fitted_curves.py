@@ -4,12 +4,14 @@ from collections.abc import Sequence
 
 
 def curve_sentences(without_polynomial: Sequence[str], by_prior: Sequence[str]) -> tuple[str, ...]:
-    """without_polynomial: curves of which no polynomial is significant; by_prior: curves that no reading determines."""
+    """without_polynomial: curves of which no polynomial is significant and near; by_prior: those that no reading
+    determines.
+    """
     found = []
     if without_polynomial:
         found.append(
-            f"{', '.join(without_polynomial)}: no polynomial is significant beside the uncertainty of the curve; the "
-            "Legendre curve is kept"
+            f"{', '.join(without_polynomial)}: no polynomial is both significant and near to the curve, by its u; "
+            "the Legendre curve is kept"
         )
     if by_prior:
         found.append(

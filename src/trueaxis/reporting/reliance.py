@@ -31,6 +31,18 @@ def range_sentences(beyond: Sequence[BeyondMeasured], total: int) -> list[str]:
     return found
 
 
+def travel_sentences(beyond: Sequence[BeyondMeasured]) -> list[str]:
+    """Of tables over the whole travel: where they go on beyond what was measured. Where curves rest on the prior the
+    uncertainty over the travel says it.
+    """
+    return [
+        f"{', '.join(one.components)}: measured from {one.axis} = {one.low:g} to {one.high:g} {_unit(one.axis)}, "
+        f"written for {_reached(one)}; {_CONTINUED}"
+        for one in beyond
+        if not one.by_prior
+    ]
+
+
 def _ranges(beyond: Sequence[BeyondMeasured]) -> str:
     """`EXX, EYX 10 to 400 mm, EZX 20 to 380 mm`."""
     return ", ".join(
@@ -70,7 +82,8 @@ def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:
         prior = extent.largest_u_prior
         part = "" if not prior else f" (largest part from [prior] of the spec: {_um(prior)})"
         found.append(
-            f"largest standard uncertainty of the tool point {where}{of}, from home: {_um(extent.largest_u)}{part}"
+            f"largest standard uncertainty of the tool point {where}{of}, from home, in one coordinate: "
+            f"{_um(extent.largest_u)}{part}"
         )
     if extent.open:
         found.append(

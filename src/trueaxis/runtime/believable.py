@@ -57,7 +57,7 @@ def _sizes(machine: Machine, errors: ErrorValues) -> Iterator[tuple[JsonPath, fl
     for index, values in enumerate(errors.effects):
         limit, unit = _limit_of_effect(machine, values.effect)
         for parameter in machine.kinds[values.effect.kind].parameters:
-            if parameter.unit in ("u", "mm") and parameter.name in values.parameters:
+            if parameter.role != "grid" and parameter.unit in ("u", "mm") and parameter.name in values.parameters:
                 path = ("effects", index, "parameters", parameter.name)
                 yield path, abs(values.parameters[parameter.name]), limit, unit
 

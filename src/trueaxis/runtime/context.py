@@ -16,14 +16,18 @@ class Context:
     """The context of n commanded positions; NaN where something is not known.
 
     directions: (n_axes, n), direction by which each axis came: +1, -1, 0 before it has moved; velocity: (n_axes, n),
-    mm/s or deg/s; since_reversal: (n_axes, n), distance since the last reversal, mm or deg, infinite before the first;
-    time: (n,), s; temperature: (n,), degC. home: context of the position where each reading was zeroed, n as well;
+    mm/s or deg/s; since_reversal: (n_axes, n), distance since the last reversal of each axis, mm or deg, infinite
+    before the first; time_since: (n_axes, n), time since it, s; path_since: (n_axes, n), way along the path of all
+    linear axes since it, mm; time: (n,), s; temperature: (n,), degC. home: context of the position where each reading
+    was zeroed, n as well;
     None where nothing was zeroed.
     """
 
     directions: FloatArray
     velocity: FloatArray
     since_reversal: FloatArray
+    time_since: FloatArray
+    path_since: FloatArray
     time: FloatArray
     temperature: FloatArray
     home: "Context | None" = None
@@ -36,11 +40,13 @@ class Context:
 
         time, temperature: (count,); by default 0 and the reference temperature of 20 degC.
         """
-        still = np.zeros((axes, count))
+        still, never = np.zeros((axes, count)), np.full((axes, count), np.inf)
         return cls(
             directions=still,
             velocity=still,
-            since_reversal=np.full((axes, count), np.inf),
+            since_reversal=never,
+            time_since=never,
+            path_since=never,
             time=np.zeros(count) if time is None else time,
             temperature=np.full(count, REFERENCE_TEMPERATURE) if temperature is None else temperature,
         )
@@ -56,6 +62,8 @@ class Context:
             np.ascontiguousarray(self.directions[:, rows]),
             np.ascontiguousarray(self.velocity[:, rows]),
             np.ascontiguousarray(self.since_reversal[:, rows]),
+            np.ascontiguousarray(self.time_since[:, rows]),
+            np.ascontiguousarray(self.path_since[:, rows]),
             self.time[rows],
             self.temperature[rows],
             None if self.home is None else self.home.of(rows),
@@ -67,6 +75,8 @@ class Context:
             self.directions,
             np.nan_to_num(self.velocity, nan=0.0),
             np.minimum(self.since_reversal, FARTHEST),
+            np.nan_to_num(np.minimum(self.time_since, FARTHEST), nan=FARTHEST),
+            np.minimum(self.path_since, FARTHEST),
             np.nan_to_num(self.time, nan=0.0),
             np.nan_to_num(self.temperature, nan=REFERENCE_TEMPERATURE),
             None if self.home is None else self.home.filled(),
@@ -78,14 +88,18 @@ class ReadingContext:
     """What effects on the readings of an instrument depend on, (n,) each; NaN where something is not known.
 
     along: ideal displacement that laser or probe sense, since home, mm; theta: polar angle of a ball bar in the plane
-    of its circle, rad; time: s; temperature: degC.
+    of its circle, rad; way: ideal way of laser or probe along the line of the motion, since home, mm; time: s;
+    temperature: degC.
     """
 
     along: FloatArray
     theta: FloatArray
+    way: FloatArray
     time: FloatArray
     temperature: FloatArray
 
     def of(self, rows: Rows) -> "ReadingContext":
         """The context of some of the readings: indices, a mask or a slice."""
-        return ReadingContext(self.along[rows], self.theta[rows], self.time[rows], self.temperature[rows])
+        return ReadingContext(
+            self.along[rows], self.theta[rows], self.way[rows], self.time[rows], self.temperature[rows]
+        )

@@ -8,6 +8,7 @@ import hashlib
 import json
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from scipy.sparse import block_diag, csr_array, eye_array
@@ -174,7 +175,21 @@ def factor(matrix: FloatArray) -> FloatArray:
 
 
 def digest_of_values(errors: ErrorValues) -> str:
-    """SHA-256 of the values alone: uncertainties, remarks and the order in the file do not count."""
+    """SHA-256 of the values and of what is decided by: how their identification ended, what it determined and left
+    open, the ranges that were measured. Uncertainties and the order in the file do not count.
+    """
+    measured = {name: curve.measured for name, curve in errors.motion_errors.items()}
+    judged = {
+        "fit": None if errors.fit is None else [errors.fit.state, errors.fit.runs],
+        "determined": dict(errors.determined),
+        "undetermined": [[one.combination, one.parameters] for one in errors.undetermined],
+        "measured": {name: None if ends is None else [float(end) for end in ends] for name, ends in measured.items()},
+    }
+    return _digest({"values": digest_of_numbers(errors), **judged})
+
+
+def digest_of_numbers(errors: ErrorValues) -> str:
+    """SHA-256 of the values alone, as files of earlier versions have it."""
     curves = {name: curve_object(curve) for name, curve in errors.motion_errors.items()}
     for curve in curves.values():
         for remark in ("u", "u_readings", "u_prior", "measured"):
@@ -182,5 +197,8 @@ def digest_of_values(errors: ErrorValues) -> str:
     effects = [{key: part for key, part in effect_object(one).items() if key != "u"} for one in errors.effects]
     effects.sort(key=lambda effect: json.dumps(effect, sort_keys=True))
     parameters = {name: float(value) for name, value in errors.parameters.items()}
-    values = {"parameters": parameters, "motion_errors": curves, "effects": effects}
-    return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()
+    return _digest({"parameters": parameters, "motion_errors": curves, "effects": effects})
+
+
+def _digest(tree: dict[str, Any]) -> str:
+    return hashlib.sha256(json.dumps(tree, sort_keys=True).encode()).hexdigest()

@@ -11,7 +11,6 @@ from trueaxis.runtime.effect_values import EffectValues, identity, in_order
 from trueaxis.runtime.strict_json import JsonPath, key_path, number, shown
 
 _KEYS = ("kind", "component", "axis", "runs", "end", "parameters", "u")
-_LENGTHS = ("pitch", "time", "reversal")  # what a term divides by
 
 
 def read_effects(
@@ -95,7 +94,7 @@ def _parameters(entry: dict[str, Any], kind: Kind, path: JsonPath, faults: Fault
             faults.add(key_path(place), "is missing", one.meaning)
             continue
         found[one.name] = value = number(given[one.name], place, faults)
-        if one.grid in _LENGTHS and value <= 0.0:
+        if one.is_divisor and value <= 0.0:
             faults.add(key_path(place), f"{value!r} is not above 0", one.meaning)
     return found
 

@@ -31,10 +31,18 @@ META = {'effects': {'kinds': {'backlash': {'place': 'component', 'context': ['di
                        'reversal_spike': {'place': 'component',
                                           'context': ['direction', 'd'],
                                           'parameters': ['height', 'decay']},
+                       'reversal_spike_time': {'place': 'component',
+                                               'context': ['direction', 'd_time'],
+                                               'parameters': ['height', 'tau']},
+                       'reversal_spike_path': {'place': 'component',
+                                               'context': ['direction', 'd_path'],
+                                               'parameters': ['height', 'decay']},
                        'cross_axis': {'place': 'component', 'context': ['s', 's_b'], 'parameters': ['k']},
                        'laser_cosine': {'place': 'reading', 'context': ['along'], 'parameters': ['angle']},
                        'laser_scale': {'place': 'reading', 'context': ['along'], 'parameters': ['k']},
                        'laser_step': {'place': 'reading', 'context': ['t'], 'parameters': ['jump', 't_0']},
+                       'reading_zero': {'place': 'reading', 'context': ['along'], 'parameters': ['zero']},
+                       'reading_slope': {'place': 'reading', 'context': ['along_line'], 'parameters': ['slope']},
                        'point_offset': {'place': 'point', 'context': [], 'parameters': ['x', 'y', 'z']},
                        'ballbar_length': {'place': 'reading', 'context': ['theta'], 'parameters': ['length']},
                        'ballbar_centre': {'place': 'point', 'context': [], 'parameters': ['x', 'y', 'z']},
@@ -114,6 +122,34 @@ META = {'effects': {'kinds': {'backlash': {'place': 'component', 'context': ['di
                                         'outputs': [{'name': 'term', 'shape': [3], 'per_point': True, 'unit': 'u'}],
                                         'operations': 7,
                                         'operations_per_call': 0},
+              'effect_reversal_spike_time': {'inputs': [{'name': 'context',
+                                                         'shape': [2],
+                                                         'per_point': True,
+                                                         'unit': '1, s'},
+                                                        {'name': 'parameters',
+                                                         'shape': [2],
+                                                         'per_point': False,
+                                                         'unit': 'u, s'}],
+                                             'outputs': [{'name': 'term',
+                                                          'shape': [3],
+                                                          'per_point': True,
+                                                          'unit': 'u'}],
+                                             'operations': 7,
+                                             'operations_per_call': 0},
+              'effect_reversal_spike_path': {'inputs': [{'name': 'context',
+                                                         'shape': [2],
+                                                         'per_point': True,
+                                                         'unit': '1, mm'},
+                                                        {'name': 'parameters',
+                                                         'shape': [2],
+                                                         'per_point': False,
+                                                         'unit': 'u, mm'}],
+                                             'outputs': [{'name': 'term',
+                                                          'shape': [3],
+                                                          'per_point': True,
+                                                          'unit': 'u'}],
+                                             'operations': 7,
+                                             'operations_per_call': 0},
               'effect_cross_axis': {'inputs': [{'name': 'context', 'shape': [2], 'per_point': True, 'unit': '1, 1'},
                                                {'name': 'parameters', 'shape': [1], 'per_point': False, 'unit': 'u'}],
                                     'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'u'}],
@@ -143,6 +179,22 @@ META = {'effects': {'kinds': {'backlash': {'place': 'component', 'context': ['di
                                     'outputs': [{'name': 'term', 'shape': [3], 'per_point': True, 'unit': 'mm'}],
                                     'operations': 3,
                                     'operations_per_call': 0},
+              'effect_reading_zero': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 'mm'},
+                                                 {'name': 'parameters',
+                                                  'shape': [1],
+                                                  'per_point': False,
+                                                  'unit': 'mm'}],
+                                      'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'mm'}],
+                                      'operations': 0,
+                                      'operations_per_call': 0},
+              'effect_reading_slope': {'inputs': [{'name': 'context', 'shape': [1], 'per_point': True, 'unit': 'mm'},
+                                                  {'name': 'parameters',
+                                                   'shape': [1],
+                                                   'per_point': False,
+                                                   'unit': '1'}],
+                                       'outputs': [{'name': 'term', 'shape': [2], 'per_point': True, 'unit': 'mm'}],
+                                       'operations': 1,
+                                       'operations_per_call': 0},
               'effect_ballbar_length': {'inputs': [{'name': 'context',
                                                     'shape': [1],
                                                     'per_point': True,
@@ -476,6 +528,70 @@ def effect_reversal_spike(context, parameters):
     return term
 
 
+def effect_reversal_spike_time(context, parameters):
+    """Term of the effect reversal_spike_time: friction at a reversal that the integral part of the control loop overcomes: as long at any feed.
+
+    Source: reversal_spike_time = height*direction*exp(-d_time/tau). Operations: 7 per point.
+
+    Arguments (float64):
+        context (2, n): direction: direction by which the axis came: +1, -1, 0 before it has moved; d_time: time since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, s]
+            rows: direction d_time
+        parameters (2,): height: height right after the reversal; tau: time over which it dies away (u: unit of the component, axis: of its axis) [u, s]
+            rows: height tau
+
+    Returns:
+        term (3, n): the term in u, then its derivative by height, tau [u]
+            rows: term term_by_height term_by_tau
+    """
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (2,))
+    term = np.zeros((3, n))
+    # constants
+    height = float(parameters[0])
+    tau = float(parameters[1])
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        direction = context[0, at]
+        d_time = context[1, at]
+        # per point
+        term[1, at] = term_by_height = direction*np.exp(-d_time/tau)
+        term[0, at] = term_ = height*term_by_height
+        term[2, at] = d_time*term_/(tau*tau)
+    return term
+
+
+def effect_reversal_spike_path(context, parameters):
+    """Term of the effect reversal_spike_path: friction at a reversal that is overcome as the path goes on, whichever axis moves.
+
+    Source: reversal_spike_path = height*direction*exp(-d_path/decay). Operations: 7 per point.
+
+    Arguments (float64):
+        context (2, n): direction: direction by which the axis came: +1, -1, 0 before it has moved; d_path: way along the path of all linear axes since its last reversal, 1e9 before the first (u: unit of the component, axis: of its axis) [1, mm]
+            rows: direction d_path
+        parameters (2,): height: height right after the reversal; decay: way along the path over which it dies away (u: unit of the component, axis: of its axis) [u, mm]
+            rows: height decay
+
+    Returns:
+        term (3, n): the term in u, then its derivative by height, decay [u]
+            rows: term term_by_height term_by_decay
+    """
+    n, context = _points(context=(context, 2))
+    parameters = _constant("parameters", parameters, (2,))
+    term = np.zeros((3, n))
+    # constants
+    height = float(parameters[0])
+    decay = float(parameters[1])
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        direction = context[0, at]
+        d_path = context[1, at]
+        # per point
+        term[1, at] = term_by_height = direction*np.exp(-d_path/decay)
+        term[0, at] = term_ = height*term_by_height
+        term[2, at] = d_path*term_/(decay*decay)
+    return term
+
+
 def effect_cross_axis(context, parameters):
     """Term of the effect cross_axis: a body that bends under another one: the component error of one axis depends on where another axis stands.
 
@@ -591,6 +707,63 @@ def effect_laser_step(context, parameters):
         # per point
         term[1, at] = term_by_jump = np.heaviside(t - t_0, 1.0)
         term[0, at] = jump*term_by_jump
+    return term
+
+
+def effect_reading_zero(context, parameters):
+    """Term of the effect reading_zero: the readings were zeroed elsewhere than the set-up says, or the instrument was touched between runs.
+
+    Source: reading_zero = zero. Operations: 0 per point.
+
+    Arguments (float64):
+        context (1, n): along: ideal displacement that the instrument senses, since home [mm]
+            rows: along
+        parameters (1,): zero: what is added to all readings of the runs [mm]
+            rows: zero
+
+    Returns:
+        term (2, n): the term in mm, then its derivative by zero [mm]
+            rows: term term_by_zero
+    """
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
+    term = np.zeros((2, n))
+    # constants
+    zero = float(parameters[0])
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        # per point
+        term[0, at] = zero
+        term[1, at] = 1.0
+    return term
+
+
+def effect_reading_slope(context, parameters):
+    """Term of the effect reading_slope: the reference line of a straightness run (its optics, a straightedge) is not parallel to the motion.
+
+    Source: reading_slope = slope*along_line. Operations: 1 per point.
+
+    Arguments (float64):
+        context (1, n): along_line: ideal way of laser or probe along the line of the motion, since home [mm]
+            rows: along_line
+        parameters (1,): slope: what readings grow by per way along the line of the motion, mm/mm [1]
+            rows: slope
+
+    Returns:
+        term (2, n): the term in mm, then its derivative by slope [mm]
+            rows: term term_by_slope
+    """
+    n, context = _points(context=(context, 1))
+    parameters = _constant("parameters", parameters, (1,))
+    term = np.zeros((2, n))
+    # constants
+    slope = float(parameters[0])
+    for start in range(0, n, BLOCK):
+        at = slice(start, start + BLOCK)
+        along_line = context[0, at]
+        # per point
+        term[0, at] = along_line*slope
+        term[1, at] = along_line
     return term
 
 

@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from trueaxis.effects.kind import Effect, Place
-from trueaxis.effects.variables import FARTHEST, REFERENCE_TEMPERATURE
+from trueaxis.effects.kind import Effect, Kind, Place
+from trueaxis.effects.placement import used_variables
+from trueaxis.effects.variables import FARTHEST, REFERENCE_TEMPERATURE, SINCE_REVERSAL
 from trueaxis.runtime import effect_library
 from trueaxis.runtime.context import Context, FloatArray, ReadingContext
 from trueaxis.runtime.kernels import Kernels
@@ -42,7 +43,7 @@ def component_term(
             raise ValueError(f"{effect.label} has no other axis")
         return _of_axis(name.removesuffix("_b"), machine, axis, positions, context)
 
-    return _term(kernels, effect.kind, parameters, row)
+    return _term(kernels, machine.kinds[effect.kind], parameters, row)
 
 
 def reading_term(
@@ -56,10 +57,11 @@ def reading_term(
     rows = {
         "along": context.along,
         "theta": context.theta,
+        "along_line": context.way,
         "t": context.time,
         "T": context.temperature - REFERENCE_TEMPERATURE,
     }
-    return _term(kernels, effect.kind, parameters, rows.__getitem__)
+    return _term(kernels, machine.kinds[effect.kind], parameters, rows.__getitem__)
 
 
 def component_axis(effect: Effect) -> str:
@@ -77,17 +79,19 @@ def _of_axis(name: str, machine: Machine, axis: str, positions: FloatArray, cont
     if name == "s":
         low, high = machine.travel[axis]
         return np.asarray((positions[row] - low) / (high - low))
-    if name == "d":  # derivatives at infinity may have no value
-        return np.asarray(np.minimum(context.since_reversal[row], FARTHEST))
+    if name in SINCE_REVERSAL:  # derivatives at infinity may have no value
+        since = {"d": context.since_reversal, "d_time": context.time_since, "d_path": context.path_since}[name]
+        return np.asarray(np.minimum(since[row], FARTHEST))
     return np.asarray({"q": positions, "direction": context.directions, "v": context.velocity}[name][row])
 
 
-def _term(kernels: Kernels, kind: str, parameters: FloatArray, row: Callable[[str], FloatArray]) -> FloatArray:
-    given = np.array([row(name) for name in context_variables(kernels, kind)])
-    name = f"effect_{kind}"
+def _term(kernels: Kernels, kind: Kind, parameters: FloatArray, row: Callable[[str], FloatArray]) -> FloatArray:
+    taken, used = context_variables(kernels, kind.name), used_variables(kind)
+    given = np.array([row(name) for name in taken])
+    name = f"effect_{kind.name}"
     # The machine's kernels have the effects of its spec; a search tries those of the whole library.
     kernel = kernels[name] if name in kernels else getattr(_LIBRARY, name)
     term: FloatArray = kernel(given, np.asarray(parameters, dtype=np.float64))
     # A comparison with an unknown value, as in a step, would pass for a known one.
-    term[:, np.isnan(given).any(axis=0)] = np.nan
+    term[:, np.isnan(given[[name in used for name in taken]]).any(axis=0)] = np.nan
     return term

@@ -21,7 +21,8 @@ _TAKES_PART = 1e-6  # share of an open combination from which a component belong
 class UncertaintyExtent:
     """Of the tool point at a number of positions, relative to home.
 
-    points: how many; largest_u: largest standard uncertainty of a coordinate, mm, of those that are known (0: none);
+    points: how many; largest_u: largest standard uncertainty of a coordinate, mm, of those that are known (0: none),
+    at the position largest_at (n_axes,), mm or deg;
     largest_u_prior: largest part of one that rests on the prior, mm, None where the parts are not known;
     unknown: positions at which an uncertainty is not known; open: those of them that rest on what nothing determines;
     largest_open: by how much that moves the tool at the size of the prior, mm; components: those that are open there,
@@ -38,6 +39,7 @@ class UncertaintyExtent:
     largest_open: float
     components: tuple[str, ...]
     shift: float = 0.0
+    largest_at: tuple[float, ...] = ()
 
     @property
     def counted(self) -> float:
@@ -65,6 +67,7 @@ def uncertainty_extent(
         largest_open=float(uncertainty.open.max(initial=0.0)),
         components=open_names(model, covariance, positions[:, rests][:, :MOST_NAMED], tool),
         shift=float(at_home.open.max()),
+        largest_at=tuple(positions[:, int(known.max(axis=0, initial=0.0).argmax())].tolist()) if known.size else (),
     )
 
 
@@ -97,7 +100,8 @@ def table_positions(covariance: Covariance, axis: str) -> list[float]:
 def _after_reversals(model: MachineModel, positions: FloatArray) -> Context:
     """All axes have just turned back: where effects of direction and of reversals are largest."""
     still = Context.at_rest(len(model.axes), positions.shape[1])
-    return replace(still, directions=np.ones_like(positions), since_reversal=np.zeros_like(positions))
+    just = np.zeros_like(positions)
+    return replace(still, directions=np.ones_like(positions), since_reversal=just, time_since=just, path_since=just)
 
 
 def open_names(model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray) -> tuple[str, ...]:

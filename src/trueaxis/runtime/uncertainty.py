@@ -14,7 +14,7 @@ from trueaxis.effects.kind import Effect
 from trueaxis.faults import Fault, InputError
 from trueaxis.runtime.best_fit import Placements
 from trueaxis.runtime.context import Context
-from trueaxis.runtime.covariance import Covariance, digest_of_values
+from trueaxis.runtime.covariance import Covariance, digest_of_numbers, digest_of_values
 from trueaxis.runtime.covariance_file import read_covariance
 from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.effect_terms import component_term
@@ -63,8 +63,11 @@ def load_uncertainty(path: Path, errors: ErrorValues, machine: Machine, file: Pa
         problem = f"{found}, the covariance of these values, is not there"
         raise InputError([Fault(str(path), "covariance", problem, "copy it as well, or remove the key covariance")])
     covariance = read_covariance(found, machine)
-    if covariance.sha256_of_values != digest_of_values(errors):
-        problem = f"{found} is the covariance of other values: these were edited, or it was written again since"
+    if covariance.sha256_of_values not in (digest_of_values(errors), digest_of_numbers(errors)):
+        problem = (
+            f"{found} is the covariance of other values: these, or how they were judged (fit, determined, "
+            "undetermined, measured), were edited, or it was written again since"
+        )
         raise InputError(
             [Fault(str(path), "covariance", problem, "identify again: edited values have no uncertainty of their own")]
         )

@@ -88,7 +88,7 @@ def _keys(kind: Kind) -> Iterator[str]:
         yield "axis"
     if kind.by_run:
         yield "runs"
-    if kind.place == "point" and kind.instrument == "laser":  # of a ball bar, it is the ball on the workpiece
+    if kind.place == "point" and kind.instruments == ("laser",):  # of a ball bar, it is the ball on the workpiece
         yield "end"
 
 

@@ -21,6 +21,8 @@ from trueaxis.diagnose.result import (
     Outlier,
     Residuals,
     Stage,
+    Stale,
+    StructureClass,
     Verdict,
 )
 from trueaxis.effects.kind import Effect
@@ -136,6 +138,10 @@ SCAN = (
     Evidence(CROSS, math.nan, math.nan, 40.0, 1),
     Evidence(OFFSET, -0.3, 1.0, 40.0, 3),
 )
+STALE = (
+    Stale("EYY", 300.0, 400.0, 0.0007, 0.0001, "mm", 1e-9),
+    Stale("EC0X", None, None, -5.2e-6, 4e-7, "rad", 2e-7),
+)
 EFFECTS = (BACKLASH, LAG, CYCLIC, COSINE, CROSS, OFFSET)
 
 
@@ -182,8 +188,8 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
         machine="mill <3 & more>",
         verdict=verdict,
         noise=(
-            NoiseOf("laser", 0.00029, 0.00008, 0.4, 0.0001, 180.0, "repeats of lines"),
-            NoiseOf("ballbar", 0.0003, 0.0, 0.0, 0.0, math.inf, "given"),
+            NoiseOf("laser", 0.00029, 0.00008, 0.4, 0.0001, 180.0, "repeats"),
+            NoiseOf("ballbar", 0.0003, 0.0, 0.0, 0.0, 1e6, "given"),
         ),
         causes=causes,
         limits=limits(),
@@ -192,21 +198,23 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
         scan=SCAN if explained else tuple(replace(one, evidence=0.1, p_value=0.1) for one in SCAN),
         threshold=3.9,
         checks=(
-            Check("even in direction", "structure that the direction of approach does not change", 0.7, False, 0.00002),
+            Check(StructureClass.LINE_BY_LINE, "X", 1.0, False, 0.00002),
             Check(
-                "odd in direction",
-                "structure that changes sign with the direction",
+                StructureClass.LINE_DIRECTION,
+                "X",
                 1e-9 if fired else 0.3,
                 fired,
                 0.003 if fired else 3e-5,
             ),
         ),
         outliers=(Outlier("X-2", 17, 0.0042, 9.3),),
+        stale=STALE if verdict == "recalibrate" else (),
         gain=Gain(
             Stage(given, refitted, left),
             Stage(given, 1.03 * refitted, 1.03 * left),
             "whole runs left out, one at a time",
             0.0003,
+            1.03,
         ),
         circles=(
             Circle("XY-500-ccw", 0.0123, 0.0101, 0.0098, 0.0016),

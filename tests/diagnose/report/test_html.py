@@ -102,7 +102,9 @@ def test_a_verdict_without_cause_names_none() -> None:
     for verdict in ("no_discrepancy", "recalibrate", "unexplained_structure"):
         assert not page(verdict).all("article")
         assert 'id="causes"' not in html(verdict)
-    assert "odd in direction (3.00 \u00b5m RMS)" in page("unexplained_structure").text.replace("\u00a0", " ")
+    assert "lines of X, between directions (3.00 \u00b5m RMS)" in page("unexplained_structure").text.replace(
+        "\u00a0", " "
+    )
     assert "by chance with a probability of 1 \u00d7 10\u207b\u2078" in page("recalibrate").text.replace("\u00a0", " ")
 
 
@@ -143,19 +145,68 @@ def test_everything_found_is_in_the_page() -> None:
         "whole runs left out, one at a time",
         "XY-500-ccw",
         "12.3",
-        "structure that changes sign with the direction",
+        "lines of X, between directions",
+        "differs by the direction of approach",
         "X-2, 17",
         "+9.3",
         "unobservable: lines at one offset only",
         "1100 \u00b5rad",
         "never",
-        "repeats of lines",
+        "repeats",
+        "Held-out residuals have 1.03 times the scatter predicted of them: as it should be.",
     ):
         assert said in text
 
 
+def tables_of(root: Element) -> dict[str, Element]:
+    return {table.all("caption")[0].text: table for table in root.all("table")}
+
+
+def cells(table: Element) -> list[list[str]]:
+    """Of the body, without no-break spaces."""
+    rows = table.all("tbody")[0].all("tr")
+    return [[one.text.replace("\u00a0", " ") for one in (*row.all("th"), *row.all("td"))] for row in rows]
+
+
+def test_stale_values_are_a_table_and_said_at_the_head() -> None:
+    """With the place where they have changed, and by how much; a location error has no place."""
+    root = page("recalibrate")
+    assert cells(tables_of(root)["Values that have changed"]) == [
+        ["EYY", "300", "400 mm", "0.700 \u00b5m", "0.10 \u00b5m", "1 \u00d7 10\u207b\u2079"],
+        ["EC0X", "\u2013", "\u2013", "\N{MINUS SIGN}5.20 \u00b5rad", "0.40 \u00b5rad", "2 \u00d7 10\u207b\u2077"],
+    ]
+    (head,) = root.all("header")
+    text = head.text.replace("\u00a0", " ")
+    assert "Changed: EYY from 300 to 400 mm by 0.700 \u00b5m, u 0.10 \u00b5m; EC0X by" in text
+    first = next(one.attributes["id"] for one in root.all("section"))
+    assert first == "stale"
+    assert 'id="stale"' not in html("explained")
+
+
+def test_stale_values_are_shown_beside_a_cause() -> None:
+    told = read(report_html(replace(builders.diagnosis("explained"), stale=builders.STALE)))
+    assert [row[0] for row in cells(tables_of(told)["Values that have changed"])] == ["EYY", "EC0X"]
+
+
+def test_the_noise_says_where_it_is_known_from() -> None:
+    """A noise that was given has no degrees of freedom, a white one no correlation."""
+    found = {row[0]: row for row in cells(tables_of(page("explained"))["Noise of a reading, \u00b5m"])}
+    assert found["laser"] == ["laser", "0.301", "0.290", "0.0800", "0.40", "0.100", "180", "repeats"]
+    assert found["ballbar"] == ["ballbar", "0.300", "0.300", "0", "\u2013", "0", "\u2013", "given"]
+
+
+def test_no_p_value_is_one() -> None:
+    """Multiplied by the number of checks most come to 1, which reads as a fault of the program."""
+    checks = cells(tables_of(page("explained"))["Structure left by the final model"])
+    assert [row[2] for row in checks] == ["0.3", "above 0.5"]
+    evidence = next(t for c, t in tables_of(page("explained")).items() if c.startswith("Evidence of every candidate"))
+    assert {row[2] for row in cells(evidence)}.isdisjoint({"1", "1.0", "0.6"})
+    for verdict in VERDICTS:
+        assert not re.search(r"\bp\s*=\s*1\b(?!\.|\s*\u00d7)", page(verdict).text)
+
+
 def test_every_candidate_is_in_both_tables() -> None:
-    tables = {table.all("caption")[0].text: table for table in page("explained").all("table")}
+    tables = tables_of(page("explained"))
     evidence = next(table for caption, table in tables.items() if caption.startswith("Evidence of every candidate"))
     limits = next(table for caption, table in tables.items() if caption.startswith("Detection limits"))
     for table in (evidence, limits):

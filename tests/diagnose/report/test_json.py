@@ -24,6 +24,7 @@ def test_the_keys_of_the_contract(verdict: Verdict) -> None:
     assert told["verdict"] == verdict
     assert told["noise_um"] == pytest.approx(0.3, rel=0.01)
     assert told["gain"].keys() >= {"rms_um", "held_out_rms_um", "held_out"}
+    assert (told["gain"]["held_out_standardised"], told["gain"]["floor_um"]) == (1.03, pytest.approx(0.3))
     for stage in ("rms_um", "held_out_rms_um"):
         assert list(told["gain"][stage]) == ["given", "refitted", "extended"]
     assert told["gain"]["held_out"] == "whole runs left out, one at a time"
@@ -39,6 +40,28 @@ def test_a_cause_as_the_contract_has_it() -> None:
     assert cause["evidence"]["held_out_gain"] == 0.84
     assert cause["evidence"]["rms_um"] == pytest.approx(2.1)
     assert cause["cannot_be_told_from"] == []
+
+
+def test_stale_values_as_the_contract_has_them() -> None:
+    of_curve, of_joint = load("recalibrate")["stale"]
+    assert of_curve == {
+        "component": "EYY",
+        "from": 300.0,
+        "to": 400.0,
+        "value": 0.0007,
+        "u": 0.0001,
+        "unit": "mm",
+        "p_value": 1e-9,
+    }
+    assert (of_joint["from"], of_joint["to"], of_joint["unit"]) == (None, None, "rad")
+    assert load("explained")["stale"] == []
+
+
+def test_checks_carry_an_id_and_their_place() -> None:
+    quiet, fired = load("unexplained_structure")["checks"]
+    assert (quiet["id"], quiet["place"], quiet["fired"]) == ("line_by_line", "X", False)
+    assert (fired["id"], fired["place"], fired["fired"]) == ("line_direction", "X", True)
+    assert fired["check"] == "lines of X, between directions"
 
 
 def test_rivals_are_named_as_causes_are() -> None:
@@ -68,7 +91,9 @@ def test_axis_runs_and_end_are_told_where_an_effect_has_them() -> None:
     limits = {one["effect"]: one for one in load("explained")["limits"]}
     assert limits["cross_axis"]["axis"] == "Y"
     assert limits["laser_cosine"]["runs"] == ["X-2", "X-3"]
-    assert limits["laser_cosine"]["component"] is None
+    assert limits["laser_cosine"]["of"] == "instrument"
+    assert "component" not in limits["laser_cosine"]
+    assert "of" not in limits["backlash"]
     assert limits["point_offset"]["end"] == "target"
     assert "axis" not in limits["backlash"]
 

@@ -1,3 +1,4 @@
+import math
 from dataclasses import replace
 from typing import get_args
 
@@ -5,7 +6,7 @@ import pytest
 
 from tests.diagnose.report import builders
 from trueaxis.diagnose.report.text import summary_text
-from trueaxis.diagnose.result import LACK_OF_FIT, Check, Verdict
+from trueaxis.diagnose.result import Check, Gain, Stage, StructureClass, Verdict
 from trueaxis.effects.kind import Effect
 
 
@@ -28,6 +29,7 @@ def test_a_cause_on_the_console() -> None:
         "  cannot be told from: Servo lag in EXX",
         "  what would tell: circles in XY at another feed, both directions",
         "RMS: given 4.10, refitted 3.20, extended 0.310 um; noise floor 0.300 um",
+        "held-out residuals have 1.03 times the scatter predicted of them: as it should be",
     ):
         assert line in lines
 
@@ -42,15 +44,50 @@ def test_an_own_kind_is_told_by_its_formula() -> None:
 
 def test_structure_without_a_cause_is_described() -> None:
     text = summary_text(builders.diagnosis("unexplained_structure"))
-    assert "looks like: odd in direction: structure that changes sign with the direction (3.00 um RMS, p 1e-9)" in text
+    assert (
+        "looks like: lines of X, between directions: differs by the direction of approach (3.00 um RMS, p 1e-9)" in text
+    )
     assert "cause" not in text.replace("no cause is named", "")
 
 
 def test_of_many_classes_the_largest_are_named_and_the_others_counted() -> None:
     """One structure makes many fire; that all together is too much is the least telling of them."""
     diagnosis = builders.diagnosis("unexplained_structure")
-    checks = [Check(f"class {k}", "seen so", 1e-9, fired=True, rms=k * 1e-3) for k in range(1, 8)]
-    checks.append(Check(LACK_OF_FIT, "too much", 1e-9, fired=True, rms=1.0))
+    checks = [Check(StructureClass.LINE_LOCAL, f"X{k}", 1e-9, fired=True, rms=k * 1e-3) for k in range(1, 8)]
+    checks.append(Check(StructureClass.LACK_OF_FIT, "laser", 1e-9, fired=True, rms=1.0))
     lines = [line for line in summary_text(replace(diagnosis, checks=tuple(checks))).splitlines() if "looks" in line]
-    assert [line.split(": ")[1] for line in lines[:5]] == [f"class {k}" for k in (7, 6, 5, 4, 3)]
+    assert [line.split(": ")[1] for line in lines[:5]] == [f"lines of X{k}, locally" for k in (7, 6, 5, 4, 3)]
     assert lines[5:] == ["looks like: 3 more classes, smaller or the same seen otherwise (report.html)"]
+
+
+def test_stale_values_are_said_with_place_size_and_uncertainty() -> None:
+    lines = summary_text(builders.diagnosis("recalibrate")).splitlines()
+    assert lines[1:3] == [
+        "stale: EYY from 300 to 400 mm by 0.700 um, u 0.10 um (p of the whole 1e-9)",
+        "stale: EC0X by -5.20 urad, u 0.40 urad (p of the whole 2e-7)",
+    ]
+    beside = summary_text(replace(builders.diagnosis("explained"), stale=builders.STALE))
+    assert "stale: EYY from 300 to 400 mm" in beside
+
+
+@pytest.mark.parametrize(
+    ("standardised", "judged"),
+    [
+        (0.6, "less than predicted: the noise is taken for larger than it is"),
+        (1.4, "more than noise and the uncertainty of the values account for"),
+    ],
+)
+def test_a_scatter_that_is_not_as_predicted_is_said(standardised: float, judged: str) -> None:
+    diagnosis = builders.diagnosis("explained")
+    text = summary_text(replace(diagnosis, gain=replace(diagnosis.gain, standardised=standardised)))
+    assert f"held-out residuals have {standardised:.2f} times the scatter predicted of them: {judged}\n" in text
+
+
+def test_held_out_readings_that_tell_nothing_are_said_to() -> None:
+    """All of them taken up by what is unknown of their instruments."""
+    diagnosis = builders.diagnosis("explained")
+    nothing = Stage(math.nan, math.nan, math.nan)
+    text = summary_text(replace(diagnosis, gain=Gain(diagnosis.gain.rms, nothing, "3 passes", 3e-4)))
+    assert "held-out RMS (3 passes): none, the zeros of their instruments take up all of these readings\n" in text
+    assert "nan" not in text
+    assert "scatter" not in text

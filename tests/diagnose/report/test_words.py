@@ -11,7 +11,8 @@ from trueaxis.diagnose.report.quantity import (
     with_expanded,
     written,
 )
-from trueaxis.diagnose.report.words import effect_title, enumerated, in_words, joint
+from trueaxis.diagnose.report.words import effect_title, enumerated, held_out_warning, in_words, joint
+from trueaxis.diagnose.result import Gain, Stage
 from trueaxis.effects.kind import Effect
 
 
@@ -84,6 +85,7 @@ def test_numbers_for_people_and_their_console_form() -> None:
         (written(math.nan, ".2f"), "\N{EN DASH}", "-"),
         (probability(2.34e-12), "2.3 \u00d7 10\u207b\u00b9\u00b2", "2.3e-12"),
         (equals_p(2.34e-12), "p = 2.3 \u00d7 10\u207b\u00b9\u00b2", "p = 2.3e-12"),
+        (equals_p(1.0), "p above 0.5", "p above 0.5"),
         (equals_p(0.0), "p below 1 \u00d7 10\u207b\u00b3\u2070\u2070", "p below 1e-300"),
         (percent(-0.031), "\N{MINUS SIGN}3 %", "-3 %"),
         (with_expanded(-0.0061, 0.0002, "mm"), "\N{MINUS SIGN}6.10 \u00b5m \u00b1 0.40 \u00b5m (k = 2)",
@@ -108,3 +110,33 @@ def test_numbers_for_people_and_their_console_form() -> None:
 )
 def test_labels_in_words_and_nothing_else(text: str, told: str) -> None:
     assert in_words(text, {"my_own"}).replace("\N{NO-BREAK SPACE}", " ") == told
+
+
+@pytest.mark.parametrize(
+    ("held", "standardised", "figures", "why"),
+    [
+        (
+            (0.4, 0.5, 0.45),
+            1.02,
+            "refitted 0.500 um and extended 0.450 um",
+            "the other readings leave them as uncertain",
+        ),
+        ((0.4, 0.3, 0.9), 2.5, "extended 0.900 um", "they hold what the other readings do not show"),
+    ],
+)
+def test_a_held_out_figure_above_that_of_the_given_values_is_explained(
+    held: tuple[float, float, float], standardised: float, figures: str, why: str
+) -> None:
+    said = held_out_warning(gain(held, standardised))
+    assert said.startswith(f"held-out readings are predicted worse ({figures}) than by the values given (0.400 um): ")
+    assert why in said
+
+
+@pytest.mark.parametrize("held", [(0.4, 0.39, 0.3), (0.4, 0.4000001, 0.4), (math.nan, math.nan, math.nan)])
+def test_where_none_is_nothing_is_said(held: tuple[float, float, float]) -> None:
+    assert held_out_warning(gain(held, 1.0)) == ""
+
+
+def gain(held: tuple[float, float, float], standardised: float) -> Gain:
+    """held: um."""
+    return Gain(Stage(1e-3, 1e-3, 1e-3), Stage(*(1e-3 * one for one in held)), "whole runs", 3e-4, standardised)

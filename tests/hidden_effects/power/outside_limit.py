@@ -15,18 +15,16 @@ import numpy as np
 from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.hidden import Hidden
 from tests.hidden_effects.machine import Array
-from tests.hidden_effects.power.bench import kernels_of
+from tests.kept import derived
 from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
-from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.freedom import freedom_of
-from trueaxis.diagnose.noise_of_runs import noise_of_runs
+from trueaxis.diagnose.null import null_of
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.search import MOST_CAUSES, Ground, scan_all, whitened_columns, zoomed
 from trueaxis.diagnose.signatures import readings_of
 from trueaxis.diagnose.temperature import smoothed
-from trueaxis.diagnose.whiten import whitening
 from trueaxis.measure.data import read_data
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.model import MachineModel, load_model
@@ -39,7 +37,7 @@ def outside_limit(case: Case) -> float:
     """The size of the effect of a case at its isolation limit, positive; infinite where it is not outside."""
     (effect,) = case.effects
     ground = _ground(replace(case, effects=()))
-    signature = _exact(case, replace(effect, size=UNIT)) - _exact(case)
+    signature = _exact(case, ground.readings.rows, replace(effect, size=UNIT)) - _exact(case, ground.readings.rows)
     white = ground.whitening(signature)
     of_unit = float(np.sum(ground.base.rest(white) ** 2))
     if of_unit < 1e-9 * float(white @ white):
@@ -57,27 +55,36 @@ def outside_limit(case: Case) -> float:
     return UNIT * float(np.sqrt(max(DETECTION / of_unit, ISOLATION / left)))
 
 
-def _exact(case: Case, *effects: Hidden) -> Array:
-    """(n,), mm, without noise, in the order of the diagnosis."""
+def _exact(case: Case, kept: Rows, *effects: Hidden) -> Array:
+    """(n,), mm, without noise, of the readings kept, in the order of the diagnosis."""
     rows, _ = _rows(replace(case, noise="none", given="exact", effects=effects))
-    return np.asarray(rows.reading)
+    return np.asarray(rows.reading[np.isin(rows.row, kept.row)])
 
 
 def _rows(case: Case) -> tuple[Rows, MachineModel]:
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         generate(case).write(folder)
-        model = load_model(folder / "machine.toml", folder / "errors.json", kernels_of(folder / "machine.toml"))
+        model = load_model(folder / "machine.toml", folder / "errors.json", derived(folder / "machine.toml"))
         return rows_of(smoothed(read_data(folder / "data", model.machine))), model
 
 
 def _ground(case: Case) -> Ground:
     """What the diagnosis of data without effects searches on."""
     rows, model = _rows(case)
-    readings = readings_of(model, rows)
     values = rows.reading - expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
-    noise = noise_of_runs(rows, readings.reading, values, None)
-    white = whitening(rows.run, [noise[index] for index in rows.present])
-    base = Projection(orthonormal(white(base_of(model, rows).columns)))
-    effects = candidates(model, rows)
-    return Ground(readings, effects, white, base, base, white(values), freedom_of(white), lambda _: None)
+    null = null_of(model, rows, values, None)
+    white = null.whitening
+    plain = Projection(orthonormal(white(null.base.columns)))
+    base = plain.softened(white(null.base.by_chance))
+    return Ground(
+        readings=readings_of(model, null.rows),
+        effects=candidates(model, null.rows),
+        whitening=white,
+        plain=plain,
+        base=base,
+        wide=base,
+        values=white(null.values),
+        freedom=freedom_of(null.rows, white.sigma, null.noise),
+        progress=lambda _: None,
+    )

@@ -98,7 +98,6 @@ def separated(count: int, bounds: Bounds) -> Iterator[Trial]:
     scale = Design()
     pairs = {
         "laser_scale": (scale, replace(scale, gauge=True), Name("laser_scale")),
-        "ballbar_length": (scale, replace(scale, gauge=True), Name("ballbar_length")),
         "laser_cosine": (replace(scale, lines=3), replace(scale, lines=6), Name("laser_cosine", runs=_line("X1"))),
     }
     for kind, (without, with_it, name) in pairs.items():

@@ -1,5 +1,6 @@
 """The report as one HTML file that needs nothing else: no network, no script."""
 
+import math
 from dataclasses import dataclass
 
 from trueaxis.diagnose.report import tables
@@ -17,7 +18,15 @@ from trueaxis.diagnose.report.formula import mathml
 from trueaxis.diagnose.report.quantity import UM, equals_p, micrometres, percent, with_expanded, written
 from trueaxis.diagnose.report.svg import Picture
 from trueaxis.diagnose.report.tables import Table
-from trueaxis.diagnose.report.words import TITLES, effect_title, explanation, headline, in_words, joint
+from trueaxis.diagnose.report.words import (
+    TITLES,
+    effect_title,
+    explanation,
+    headline,
+    in_words,
+    joint,
+    predicted_scatter,
+)
 from trueaxis.diagnose.result import Cause, Diagnosis
 from trueaxis.template_folders import template_folders
 
@@ -86,6 +95,7 @@ def report_html(diagnosis: Diagnosis) -> str:
 
 def _key_figures(diagnosis: Diagnosis) -> list[tuple[str, str]]:
     gain = diagnosis.gain
+    scatter = written(gain.standardised, ".2f")
     return [
         ("RMS as given", f"{micrometres(gain.rms.given)} {UM}"),
         ("RMS refitted", f"{micrometres(gain.rms.refitted)} {UM}"),
@@ -93,6 +103,7 @@ def _key_figures(diagnosis: Diagnosis) -> list[tuple[str, str]]:
         ("held out, refitted", f"{micrometres(gain.held_out.refitted)} {UM}"),
         ("held out, extended", f"{micrometres(gain.held_out.extended)} {UM}"),
         ("noise floor", f"{micrometres(gain.floor)} {UM}"),
+        *([("held out, over predicted scatter", scatter)] if math.isfinite(gain.standardised) else []),
     ]
 
 
@@ -123,14 +134,32 @@ def _cause(cause: Cause, number: int, kinds: frozenset[str]) -> CauseText:
     )
 
 
+def _sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}." if text else ""
+
+
 def _change(gain: float) -> str:
     return f"higher by {percent(-gain)}" if gain < 0.0 else f"lower by {percent(gain)}"
 
 
 def _sections(diagnosis: Diagnosis, kinds: frozenset[str]) -> list[Section]:
     return [
+        Section(
+            "stale",
+            "Values that are no longer true",
+            "The readings ask for other values than those given. Change: what they ask for less what was given, where "
+            "it exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; p: of all of it.",
+            (),
+            (tables.stale(diagnosis),),
+        ),
         Section("next", "What to measure next", "", (), (tables.next_runs(diagnosis, kinds),)),
-        Section("gain", "Before and after", "", tuple(stages(diagnosis)), (tables.circularity(diagnosis),)),
+        Section(
+            "gain",
+            "Before and after",
+            _sentence(predicted_scatter(diagnosis.gain)),
+            tuple(stages(diagnosis)),
+            (tables.circularity(diagnosis),),
+        ),
         Section(
             "residuals",
             "Residuals",

@@ -6,7 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from trueaxis.diagnose.result import Cause, Diagnosis, Evidence, Limit, Stage
+from trueaxis.diagnose.report.structures import check_meaning, check_name
+from trueaxis.diagnose.report.words import ESTIMATED
+from trueaxis.diagnose.result import Cause, Diagnosis, Evidence, Limit, Stage, Stale
 from trueaxis.effects.kind import Effect
 
 SCHEMA = 1
@@ -28,11 +30,13 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "gain": {
             "rms_um": _stage(gain.rms),
             "held_out_rms_um": _stage(gain.held_out),
+            "held_out_standardised": gain.standardised,
             "held_out": gain.split,
             "floor_um": _um(gain.floor),
         },
         "extended_machine": extended_machine,
         "extended_errors": extended_errors,
+        "stale": [_stale(one) for one in diagnosis.stale],
         "recalibration_p": diagnosis.recalibration_p,
         "warnings": list(diagnosis.warnings),
         "absences": list(diagnosis.absences),
@@ -43,8 +47,8 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
                 "white_um": _um(one.white),
                 "correlated_um": _um(one.correlated),
                 "correlation": one.correlation,
-                "slope_um": _um(one.slope),
-                "freedom": one.freedom,
+                "settles_um": _um(one.settles),
+                "freedom": one.freedom if one.origin in ESTIMATED else None,
                 "origin": one.origin,
             }
             for one in diagnosis.noise
@@ -59,8 +63,10 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         ],
         "checks": [
             {
-                "check": one.name,
-                "meaning": one.meaning,
+                "id": one.structure.value,
+                "place": one.place,
+                "check": check_name(one),
+                "meaning": check_meaning(one),
                 "p_value": one.p_value,
                 "fired": one.fired,
                 "rms_um": _um(one.rms),
@@ -91,6 +97,19 @@ def noise(diagnosis: Diagnosis) -> float:
     return math.sqrt(sum(n * value**2 for value, n in known) / sum(n for _, n in known))
 
 
+def _stale(one: Stale) -> dict[str, Any]:
+    """from, to: positions of the axis, null of a location error; value, u: in `unit`."""
+    return {
+        "component": one.component,
+        "from": one.first,
+        "to": one.last,
+        "value": one.value,
+        "u": one.u,
+        "unit": one.unit,
+        "p_value": one.p_value,
+    }
+
+
 def _cause(one: Cause) -> dict[str, Any]:
     return {
         **_effect(one.effect),
@@ -112,8 +131,9 @@ def _cause(one: Cause) -> dict[str, Any]:
 
 
 def _effect(effect: Effect) -> dict[str, Any]:
-    """The keys of an [[effect]], `effect` for its kind; `component` always, the others where it has them."""
-    told: dict[str, Any] = {"effect": effect.kind, "component": effect.component}
+    """The keys of an [[effect]], `effect` for its kind; of an instrument where it acts on no component."""
+    of = {"of": "instrument"} if effect.component is None else {"component": effect.component}
+    told: dict[str, Any] = {"effect": effect.kind, **of}
     if effect.axis:
         told["axis"] = effect.axis
     if effect.runs:

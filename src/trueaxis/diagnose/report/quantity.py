@@ -6,6 +6,7 @@ import re
 MICRO = "\N{MICRO SIGN}"
 UM = f"{MICRO}m"
 NBSP = "\N{NO-BREAK SPACE}"
+NO_EVIDENCE = 0.5  # p values above it differ in nothing that matters: multiplied by the tests made they often come to 1
 COVERAGE_FACTOR = 2.0  # of the expanded uncertainty, as ISO 230-2 has it
 
 # unit of the records: below this size, shown so many times larger, in this unit
@@ -81,14 +82,16 @@ def micrometres(value: float) -> str:
 
 
 def probability(p: float) -> str:
-    """`0.03`; `2 x 10^-12` with signs of its own; `below` 10^-300 where it underflows."""
+    """`0.03`; `2 x 10^-12` with signs of its own; `below` 10^-300 where it underflows, `above` a half: no evidence."""
+    if p > NO_EVIDENCE:
+        return f"above{NBSP}{written(NO_EVIDENCE, 'g')}"
     return f"below{NBSP}{written(1e-300, '.2g')}" if p < 1e-300 else written(p, ".2g")
 
 
 def equals_p(p: float) -> str:
-    """`p = 0.03`, `p below ...`."""
+    """`p = 0.03`, `p below ...`, `p above ...`."""
     told = probability(p)
-    return f"p {told}" if told.startswith("below") else f"p{NBSP}={NBSP}{told}"
+    return f"p {told}" if told.startswith(("below", "above")) else f"p{NBSP}={NBSP}{told}"
 
 
 def percent(share: float) -> str:

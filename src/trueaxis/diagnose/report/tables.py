@@ -5,7 +5,8 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from trueaxis.diagnose.report.quantity import NBSP, UM, micrometres, percent, probability, quantity, written
-from trueaxis.diagnose.report.words import effect_title, in_words
+from trueaxis.diagnose.report.structures import check_meaning, check_name
+from trueaxis.diagnose.report.words import ESTIMATED, effect_title, in_words, noise_origin, stale_range
 from trueaxis.diagnose.result import Cause, Diagnosis
 
 R2 = "R\N{SUPERSCRIPT TWO}"
@@ -73,7 +74,13 @@ def limits(diagnosis: Diagnosis) -> Table:
 def checks(diagnosis: Diagnosis) -> Table:
     """Those that fired first, then by p."""
     rows = tuple(
-        (one.name, one.meaning, probability(one.p_value), micrometres(one.rms), "FIRED" if one.fired else "quiet")
+        (
+            check_name(one),
+            check_meaning(one),
+            probability(one.p_value),
+            micrometres(one.rms),
+            "FIRED" if one.fired else "quiet",
+        )
         for one in sorted(diagnosis.checks, key=lambda one: (not one.fired, _last(one.p_value)))
     )
     head = ("check", "what it looks for", "p", f"RMS ({UM})", "result")
@@ -86,7 +93,7 @@ def outliers(diagnosis: Diagnosis) -> Table:
         (f"{one.run}, {one.seq}", micrometres(one.deviation), written(one.z, "+.1f"))
         for one in sorted(diagnosis.outliers, key=lambda one: -abs(one.z))
     )
-    head = ("run, seq", f"deviation ({UM})", "robust standard deviations")
+    head = ("run, seq", f"deviation ({UM})", "standard deviations")
     return Table("Readings left out as outliers", head, rows, frozenset({1, 2}))
 
 
@@ -99,22 +106,38 @@ def next_runs(diagnosis: Diagnosis, kinds: Collection[str]) -> Table:
     return Table("Runs that would help", ("run", "purpose", "what it would tell"), rows)
 
 
+def stale(diagnosis: Diagnosis) -> Table:
+    """Values given that are no longer true, the most evident first."""
+    rows = tuple(
+        (
+            one.component,
+            *(end or DASH for end in stale_range(one)),
+            quantity(one.value, one.unit),
+            quantity(one.u, one.unit, 2),
+            probability(one.p_value),
+        )
+        for one in diagnosis.stale
+    )
+    head = ("error", "from", "to", "change", "u", "p")
+    return Table("Values that have changed", head, rows, frozenset(range(1, 6)))
+
+
 def noise(diagnosis: Diagnosis) -> Table:
-    """Noise of each instrument."""
+    """Noise of each instrument: correlation is that of the slow part from one reading to the next."""
     rows = tuple(
         (
             one.instrument,
             micrometres(one.sigma),
             micrometres(one.white),
             micrometres(one.correlated),
-            _short(one.correlation),
-            micrometres(one.slope),
-            f"{one.freedom:.0f}" if math.isfinite(one.freedom) else DASH,
-            one.origin,
+            _short(one.correlation) if one.correlated else DASH,
+            micrometres(one.settles),
+            f"{one.freedom:.0f}" if one.origin in ESTIMATED else DASH,
+            noise_origin(one.origin),
         )
         for one in diagnosis.noise
     )
-    head = ("instrument", "sigma", "white", "correlated", "correlation", "slope of a run", "d.o.f.", "from")
+    head = ("instrument", "in all", "white", "slow", "correlation", "runs settle by", "d.o.f.", "known from")
     return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 7)))
 
 

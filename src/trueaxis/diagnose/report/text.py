@@ -1,10 +1,19 @@
 """The diagnosis on the console."""
 
+import math
 from collections.abc import Iterator
 
 from trueaxis.diagnose.report.quantity import ascii_only, micrometres, percent, probability, with_expanded
-from trueaxis.diagnose.report.words import effect_title, headline, joint, largest_structures
-from trueaxis.diagnose.result import Cause, Diagnosis
+from trueaxis.diagnose.report.structures import check_meaning, check_name
+from trueaxis.diagnose.report.words import (
+    effect_title,
+    headline,
+    joint,
+    largest_structures,
+    predicted_scatter,
+    stale_change,
+)
+from trueaxis.diagnose.result import Cause, Diagnosis, Gain
 from trueaxis.effects.library import BY_NAME
 
 
@@ -18,23 +27,33 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
     for number, cause in enumerate(diagnosis.causes, 1):
         yield from _cause(number, cause)
     if diagnosis.verdict == "unexplained_structure":
-        shown, more = largest_structures(diagnosis)
+        shown, more = largest_structures(diagnosis.checks)
         yield from (
-            f"looks like: {one.name}: {one.meaning} ({micrometres(one.rms)} um RMS, p {probability(one.p_value)})"
+            f"looks like: {check_name(one)}: {check_meaning(one)} "
+            f"({micrometres(one.rms)} um RMS, p {probability(one.p_value)})"
             for one in shown
         )
         if more:
             yield f"looks like: {more} more classes, smaller or the same seen otherwise (report.html)"
-    gain = diagnosis.gain
-    for what, stage in (("RMS", gain.rms), (f"held-out RMS ({gain.split})", gain.held_out)):
-        yield (
-            f"{what}: given {micrometres(stage.given)}, refitted {micrometres(stage.refitted)}, "
-            f"extended {micrometres(stage.extended)} um; noise floor {micrometres(gain.floor)} um"
-        )
+    yield from (f"stale: {stale_change(one)} (p of the whole {probability(one.p_value)})" for one in diagnosis.stale)
+    yield from _gain(diagnosis.gain)
     if diagnosis.outliers:
         yield f"left out as outliers: {len(diagnosis.outliers)} readings"
     yield from (f"next: {one.run} ({one.purpose}): {one.gain}" for one in diagnosis.next_runs)
     yield from (f"warning: {text}" for text in diagnosis.warnings)
+
+
+def _gain(gain: Gain) -> Iterator[str]:
+    for what, stage in (("RMS", gain.rms), (f"held-out RMS ({gain.split})", gain.held_out)):
+        if not math.isfinite(stage.given):
+            yield f"{what}: none, the zeros of their instruments take up all of these readings"
+            continue
+        yield (
+            f"{what}: given {micrometres(stage.given)}, refitted {micrometres(stage.refitted)}, "
+            f"extended {micrometres(stage.extended)} um; noise floor {micrometres(gain.floor)} um"
+        )
+    if predicted_scatter(gain):
+        yield predicted_scatter(gain)
 
 
 def _cause(number: int, cause: Cause) -> Iterator[str]:

@@ -1,10 +1,12 @@
 """Effects and verdicts in plain words."""
 
+import math
 import re
 from collections.abc import Iterable, Sequence
 
-from trueaxis.diagnose.report.quantity import NBSP, UM, probability, quantity, with_expanded
-from trueaxis.diagnose.result import LACK_OF_FIT, Cause, Check, Diagnosis, Verdict
+from trueaxis.diagnose.report.quantity import NBSP, UM, micrometres, probability, quantity, with_expanded, written
+from trueaxis.diagnose.report.structures import check_name
+from trueaxis.diagnose.result import Cause, Check, Diagnosis, Gain, Stale, StructureClass, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 
@@ -16,6 +18,9 @@ TITLES: dict[Verdict, str] = {
     "unexplained_structure": "Unexplained structure",
 }
 MOST_STRUCTURES = 5  # named in a line
+AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is right
+_LINEAR = "XYZ"
+ESTIMATED = frozenset({"repeats", "courses"})  # origins of a noise that has degrees of freedom
 _ABOUT = {"A": "X", "B": "Y", "C": "Z"}
 
 
@@ -120,19 +125,70 @@ _MEANING: dict[Verdict, str] = {
 def _detail(diagnosis: Diagnosis) -> str:
     if diagnosis.verdict == "recalibrate":
         p = probability(diagnosis.recalibration_p)
-        return f"The values given would look so stale by chance with a probability of {p}."
+        changed = [stale_change(one) for one in diagnosis.stale[:MOST_STRUCTURES]]
+        more = len(diagnosis.stale) - len(changed)
+        changed += [f"{more} more, listed below"] if more else []
+        listed = f"Changed: {'; '.join(changed)}. " if changed else ""
+        return f"{listed}The values given would look so stale by chance with a probability of {p}."
     if diagnosis.verdict == "unexplained_structure":
-        shown, more = largest_structures(diagnosis)
-        said = [f"{one.name} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
+        shown, more = largest_structures(diagnosis.checks)
+        said = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
         said += [f"{more} more classes, listed under the checks"] if more else []
         return f"It looks like: {enumerated(said)}." if said else ""
     return ""
 
 
-def largest_structures(diagnosis: Diagnosis) -> tuple[list[Check], int]:
+def stale_change(one: Stale) -> str:
+    """`EYY from 300 to 400 mm by 0.7 um, u 0.1 um`; a location error has no range."""
+    size = f"by{NBSP}{quantity(one.value, one.unit)}, u{NBSP}{quantity(one.u, one.unit, 2)}"
+    start, end = stale_range(one)
+    return f"{one.component} from {start} to {end} {size}" if start else f"{one.component} {size}"
+
+
+def stale_range(one: Stale) -> tuple[str, str]:
+    """From where to where values have changed, `300` and `400 mm`; empty of a location error."""
+    if one.first is None or one.last is None:
+        return "", ""
+    unit = "mm" if one.component[-1] in _LINEAR else "deg"
+    return written(one.first, ".4g"), f"{written(one.last, '.4g')}{NBSP}{unit}"
+
+
+def predicted_scatter(gain: Gain) -> str:
+    """What `standardised` comes to, as a sentence without its end; empty where it is unknown."""
+    if not math.isfinite(gain.standardised):
+        return ""
+    low, high = AS_PREDICTED
+    if gain.standardised > high:
+        judged = "more than noise and the uncertainty of the values account for"
+    elif gain.standardised < low:
+        judged = "less than predicted: the noise is taken for larger than it is"
+    else:
+        judged = "as it should be"
+    return f"held-out residuals have {written(gain.standardised, '.2f')} times the scatter predicted of them: {judged}"
+
+
+def held_out_warning(gain: Gain) -> str:
+    """Why held-out readings are predicted worse than by the values given; empty where they are not."""
+    shown = {name: micrometres(getattr(gain.held_out, name)) for name in ("given", "refitted", "extended")}
+    worse = [
+        name
+        for name in ("refitted", "extended")
+        if getattr(gain.held_out, name) > gain.held_out.given and shown[name] != shown["given"]
+    ]
+    if not worse:
+        return ""
+    if gain.standardised > AS_PREDICTED[1]:
+        why = "they hold what the other readings do not show, such as a change between the runs"
+    else:
+        why = "the other readings leave them as uncertain as this, and the values given rest on more than those"
+    figures = enumerated([f"{name} {shown[name]} um" for name in worse])
+    return f"held-out readings are predicted worse ({figures}) than by the values given ({shown['given']} um): {why}"
+
+
+def largest_structures(checks: Iterable[Check]) -> tuple[list[Check], int]:
     """The classes that fired, the largest ones first; how many more there are. One structure makes many fire."""
-    fired = [one for one in diagnosis.checks if one.fired]
-    fired.sort(key=lambda one: (one.name == LACK_OF_FIT, -one.rms))
+    fired = [one for one in checks if one.fired]
+    fired.sort(key=lambda one: (one.structure is StructureClass.LACK_OF_FIT, -one.rms))
     return fired[:MOST_STRUCTURES], len(fired[MOST_STRUCTURES:])
 
 
@@ -140,3 +196,13 @@ def short_title(effect: Effect, longest: int = 26) -> str:
     """`effect_title`, cut where a figure has no room for more."""
     title = effect_title(effect)
     return title if len(title) <= longest else f"{title[: longest - 1]}\N{HORIZONTAL ELLIPSIS}"
+
+
+def noise_origin(origin: str) -> str:
+    """Where the noise of an instrument comes from, in words."""
+    return {
+        "repeats": "repeats",
+        "courses": "nothing is repeated, from the course of each run",
+        "given": "given",
+        "unknown": "unknown: too few readings",
+    }[origin]

@@ -5,12 +5,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
-from trueaxis.estimation.effects.signature import Ground, RunRows, is_in
+from trueaxis.effects.placement import concerns, used_variables
+from trueaxis.estimation.effects.signature import Ground, RunRows
 from trueaxis.faults import Faults
 from trueaxis.runtime.context import FloatArray
-from trueaxis.runtime.effect_terms import component_axis, context_variables
+from trueaxis.runtime.effect_terms import component_axis
 
-COLUMNS = {"t": "time_s", "T": "temperature_c", "v": "feed"}
+COLUMNS = {"t": "time_s", "T": "temperature_c", "v": "feed", "d_time": "time_s (or, by ball bar, feed)"}
 
 
 def check_columns(ground: Ground, effects: Sequence[tuple[Effect, Kind]], chosen: Sequence[RunRows]) -> None:
@@ -27,10 +28,8 @@ def check_columns(ground: Ground, effects: Sequence[tuple[Effect, Kind]], chosen
 
 
 def _missing(ground: Ground, effect: Effect, kind: Kind, chosen: Sequence[RunRows]) -> list[str]:
-    if not kind.expression:
-        return []
     found = []
-    for name in context_variables(ground.model.kernels, kind.name):
+    for name in used_variables(kind):
         column = COLUMNS.get(name.removesuffix("_b"))
         if column and any(_unknown(ground, effect, kind, name, rows) for rows in chosen):
             found.append(column)
@@ -40,9 +39,9 @@ def _missing(ground: Ground, effect: Effect, kind: Kind, chosen: Sequence[RunRow
 def _unknown(ground: Ground, effect: Effect, kind: Kind, name: str, chosen: RunRows) -> bool:
     """Whether a reading of these rows holds the effect, and what the variable is of is not known there."""
     run = ground.observed.runs[chosen.index]
-    if not is_in(effect, kind, run):
+    if not concerns(kind, effect, run):
         return False
-    missing = ~np.isfinite(_values(ground, effect, name)[chosen.rows])
+    missing = np.isnan(_values(ground, effect, name)[chosen.rows])
     if kind.place == "component":
         lever = ground.model.components.index(effect.component or "")
         missing &= (chosen.here[lever] != 0.0) | (chosen.home[lever] != 0.0)
@@ -55,5 +54,6 @@ def _values(ground: Ground, effect: Effect, name: str) -> FloatArray:
     if name == "T":
         return ground.context.temperature
     axis = effect.axis if name.endswith("_b") else component_axis(effect)
-    row: FloatArray = ground.context.velocity[ground.model.axes.index(axis or "")]
+    of_axes = ground.context.time_since if name.removesuffix("_b") == "d_time" else ground.context.velocity
+    row: FloatArray = of_axes[ground.model.axes.index(axis or "")]
     return row

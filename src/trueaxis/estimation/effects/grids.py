@@ -1,32 +1,85 @@
-"""Where the parameters that a term is not linear in are searched."""
+"""Where the parameters that a term is not linear in are searched: one set of grids, for a fit and for a diagnosis."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 
-from trueaxis.effects.kind import Kind, Parameter
+from trueaxis.effects.kind import Effect, Kind, Parameter
+from trueaxis.effects.variables import FARTHEST
 from trueaxis.measure.machine import FloatArray
+from trueaxis.runtime.context import Context
+from trueaxis.spec.machine import LINEAR
 
-PERIODS = 150  # per range of the axis: the shortest pitch searched
+PITCH_MM = 6.0  # shortest pitch on linear axes so long that it is the shorter: screws are no coarser for being long
 FEWEST_PERIODS = 2.0
-STEPS_PER_PERIOD = 3  # of frequency, per 1/range: the next frequency is still within a tenth of the power
 TIMES = 6  # time constants, from a twentieth of the time covered to twice it
-WAYS = 6  # decay lengths, from a two-thousandth of the range of the axis to a twentieth
-MOST_MOMENTS = 400
+WAYS = (
+    6  # what a spike at a reversal dies away over: from a two-thousandth to a twentieth of what passes until the next
+)
 BETWEEN = 9  # points of the finer grid between the neighbours of a point
 
 Point = Mapping[str, float]
 
 
-def grid_of(kind: Kind, positions: FloatArray | None, time: FloatArray) -> tuple[Point, ...]:
-    """Values of the parameters with the role `grid`; one empty point where there is none.
+@dataclass(frozen=True, slots=True)
+class Fineness:
+    """How many points a grid has.
 
-    positions: (n,), of the axis whose component error the effect acts on, mm or deg; None for an effect on readings;
-    time: (n,), s, of the readings that it may be in, NaN where unknown.
+    periods: per range of the axis at the shortest pitch (PITCH_MM, where that is shorter); per_period: steps of
+    frequency, per 1/range; moments: of a jump, at most about so many; lasting: readings, at least, before and after it.
     """
+
+    periods: int
+    per_period: int
+    moments: int
+    lasting: int
+
+
+# Of an effect that the spec names: it is there, and the next frequency is still within a tenth of the power.
+OF_FIT = Fineness(periods=150, per_period=3, moments=400, lasting=2)
+# Of every cause that there may be: what lies between is looked at where the evidence is best. What lasts for a few
+# readings at either end of a run is no jump.
+OF_DIAGNOSIS = Fineness(periods=120, per_period=2, moments=40, lasting=5)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Covered:
+    """What the readings cover that may hold an effect.
+
+    travel: range of the axis whose component error it acts on, mm or deg; linear: whether it is X, Y or Z; time: (n,),
+    s, NaN where unknown; since: longest time (s) and way along the path (mm) since a reversal of the axis. 0 and empty
+    where there is none.
+    """
+
+    time: FloatArray
+    travel: float = 0.0
+    linear: bool = True
+    time_since: float = 0.0
+    path_since: float = 0.0
+
+
+def covered_by(effect: Effect, axes: tuple[str, ...], positions: FloatArray, context: Context) -> Covered:
+    """positions: (n_axes, n), mm or deg, of all readings that may hold the effect; context: theirs.
+
+    A spike is searched where axes are read on the way: where they stand, it has died away or is taken for something
+    else.
+    """
+    axis = (effect.component or "")[2:3]
+    if axis not in axes or not context.count:
+        return Covered(context.time)
+    row = axes.index(axis)
+    moving = context.velocity[row] != 0.0
+    time_since = context.time_since[row, moving if moving.any() else slice(None)]
+    travel = float(np.ptp(positions[row]))
+    return Covered(context.time, travel, axis in LINEAR, _longest(time_since), _longest(context.path_since[row]))
+
+
+def grid_of(kind: Kind, covered: Covered, fineness: Fineness) -> tuple[Point, ...]:
+    """Values of the parameters with the role `grid`; one empty point where there is none."""
     searched = [one for one in kind.parameters if one.role == "grid"]
-    each = [_values(one, positions, time) for one in searched]
+    each = [_values(one, covered, fineness) for one in searched]
     return tuple(dict(zip((one.name for one in searched), point, strict=True)) for point in product(*each))
 
 
@@ -46,32 +99,39 @@ def finer(points: tuple[Point, ...], place: int) -> tuple[Point, ...]:
     return tuple({name: float(value)} for value in values)
 
 
-def _values(parameter: Parameter, positions: FloatArray | None, time: FloatArray) -> list[float]:
-    if parameter.grid == "given":
-        return list(parameter.values)
-    known = time[np.isfinite(time)]
+def _longest(values: FloatArray) -> float:
+    return float(values[values < FARTHEST].max(initial=0.0))  # none before the first reversal, none that is unknown
+
+
+def _values(parameter: Parameter, covered: Covered, fineness: Fineness) -> list[float]:
+    known = covered.time[np.isfinite(covered.time)]
+    passed = {"reversal": covered.travel, "reversal_time": covered.time_since, "reversal_path": covered.path_since}
+    if parameter.grid in passed:
+        return _geometric(passed[parameter.grid] / 2000.0, passed[parameter.grid] / 20.0, WAYS)
     if parameter.grid == "moment":
-        return _moments(known)
+        return moments(known, fineness) or [float(np.mean(known)) if known.size else 0.0]
     if parameter.grid == "time":
         span = float(np.ptp(known)) if known.size else 0.0
-        return _geometric(span / 20.0, 2.0 * span, TIMES) if span > 0.0 else [1.0]
-    span = float(np.ptp(positions)) if positions is not None and positions.size else 0.0
-    if span == 0.0:
-        return [1.0]
-    if parameter.grid == "reversal":
-        return _geometric(span / 2000.0, span / 20.0, WAYS)
-    count = int((PERIODS - FEWEST_PERIODS) * STEPS_PER_PERIOD) + 1
-    return [span / float(periods) for periods in np.linspace(FEWEST_PERIODS, PERIODS, count)]
+        return _geometric(span / 20.0, 2.0 * span, TIMES)
+    return list(parameter.values) if parameter.grid == "given" else _pitches(covered, fineness)
 
 
 def _geometric(low: float, high: float, count: int) -> list[float]:
-    return [float(value) for value in np.geomspace(low, high, count)]
+    return [float(value) for value in np.geomspace(low, high, count)] if low > 0.0 else [1.0]
 
 
-def _moments(time: FloatArray) -> list[float]:
-    """Between neighbouring moments, two readings at least before and after; a part of them where there are many."""
+def _pitches(covered: Covered, fineness: Fineness) -> list[float]:
+    span = covered.travel
+    if span == 0.0:
+        return [1.0]
+    most = max(fineness.periods, round(span / PITCH_MM)) if covered.linear else fineness.periods
+    count = int((most - FEWEST_PERIODS) * fineness.per_period) + 1
+    return [span / float(periods) for periods in np.linspace(FEWEST_PERIODS, most, count)]
+
+
+def moments(time: FloatArray, fineness: Fineness) -> list[float]:
+    """Between neighbouring moments of times (n,), s, that are known; a part of them where there are many."""
     at = np.unique(time)
-    between = 0.5 * (at[1:] + at[:-1])[1:-1]
-    if between.size > MOST_MOMENTS:
-        between = between[np.linspace(0, between.size - 1, MOST_MOMENTS).astype(np.int64)]
-    return [float(moment) for moment in between] or [float(at.mean()) if at.size else 0.0]
+    between = 0.5 * (at[1:] + at[:-1])[fineness.lasting - 1 : -fineness.lasting + 1]
+    every = max(1, between.size // fineness.moments)
+    return [float(moment) for moment in between[::every]]

@@ -10,14 +10,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.placement import concerns
 from trueaxis.estimation.effects.amplitudes import amplitude_names, basis_vectors, searched_names
-from trueaxis.estimation.effects.grids import Point, finer, grid_of
-from trueaxis.estimation.effects.signature import Ground, is_in, of_term, reaches, rows_of
+from trueaxis.estimation.effects.grids import OF_FIT, Point, covered_by, finer, grid_of
+from trueaxis.estimation.effects.signature import Ground, of_term, reaches, rows_of
 from trueaxis.estimation.effects.unknowns import EffectUnknown
 from trueaxis.estimation.effects.variable_projection import explained
 from trueaxis.estimation.machine import IntArray
 from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.effect_terms import component_axis
 
 ZOOMS = 2
 ENTRIES = 2**22  # of signatures held at a time: 32 MB
@@ -28,15 +28,16 @@ class WhitenedRun:
     """Readings of one run in units of their noise, beside everything else that is estimated.
 
     index: of the run; rows: (m,), its readings in the order in which they were taken; whiten: makes the noise of
-    columns (m, q) white and 1; own: (m, k), what the run's own unknowns take of whitened columns c is own (own' c);
-    others: (m, r), the same for the unknowns that runs share, summed over all runs; residual: (m,), whitened.
+    columns (m, q) white and 1; rest: what the run's own unknowns leave of whitened columns (m, q); shared: (r, q) from
+    what they leave: the sum over all runs, squared, is what unknowns that runs share take of it; residual: (m,),
+    whitened.
     """
 
     index: int
     rows: IntArray
     whiten: Callable[[FloatArray], FloatArray]
-    own: FloatArray
-    others: FloatArray
+    rest: Callable[[FloatArray], FloatArray]
+    shared: Callable[[FloatArray], FloatArray]
     residual: FloatArray
 
 
@@ -69,11 +70,9 @@ def searched_start(ground: Ground, effect: Effect, kind: Kind, others: Others) -
 
 def _grid(ground: Ground, effect: Effect, kind: Kind) -> tuple[Point, ...]:
     observed = ground.observed
-    mine = np.array([is_in(effect, kind, run) for run in observed.runs], dtype=bool)[observed.run]
-    positions = None
-    if kind.place == "component":
-        positions = observed.positions[ground.model.axes.index(component_axis(effect))]
-    return grid_of(kind, positions, ground.context.time[mine])
+    mine = np.array([concerns(kind, effect, run) for run in observed.runs], dtype=bool)[observed.run]
+    covered = covered_by(effect, ground.model.axes, observed.positions[:, mine], ground.context.of(mine))
+    return grid_of(kind, covered, OF_FIT)
 
 
 def _explained(ground: Ground, effect: Effect, kind: Kind, points: tuple[Point, ...], others: Others) -> _Explained:
@@ -95,23 +94,24 @@ def _of_points(ground: Ground, effect: Effect, kind: Kind, points: tuple[Point, 
     total, gram = np.zeros((len(points), k, k)), np.zeros((len(points), k, k))
     right, inside = np.zeros((len(points), k)), np.zeros((0, len(vectors)))
     for run in others():
-        if not is_in(effect, kind, ground.observed.runs[run.index]):
+        if not concerns(kind, effect, ground.observed.runs[run.index]):
             continue
         chosen = rows_of(ground, run.index, run.rows)
         if not reaches(ground, effect, kind, chosen):
             continue
         columns = run.whiten(np.array([of_term(ground, effect, kind, vector, chosen)[0] for vector in vectors]).T)
-        total += _squares(columns, k)
-        gram -= _squares(run.own.T @ columns, k)
+        rest = run.rest(columns)
+        total += _products(columns, columns, k)
+        gram += _products(columns, rest, k)
         right += (run.residual @ columns).reshape(-1, k)
-        part = run.others.T @ columns
+        part = run.shared(rest)
         inside = part if inside.size == 0 else inside + part
-    gram += total - _squares(inside, k)
+    gram -= _products(inside, inside, k)
     root = any(one.role == "root" for one in kind.parameters)
     return _Explained(*explained(gram, right, np.trace(total, axis1=1, axis2=2), one_sided=root))
 
 
-def _squares(columns: FloatArray, k: int) -> FloatArray:
+def _products(left: FloatArray, right: FloatArray, k: int) -> FloatArray:
     """(points, k, k): products of the k columns of each point."""
-    shaped = columns.reshape(columns.shape[0], -1, k)
-    return np.asarray(np.einsum("npi,npj->pij", shaped, shaped, optimize=True))
+    shaped = [columns.reshape(columns.shape[0], -1, k) for columns in (left, right)]
+    return np.asarray(np.einsum("npi,npj->pij", *shaped, optimize=True))

@@ -10,13 +10,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.placement import concerns
 from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_context import run_reading_context
+from trueaxis.measure.reading_context import reading_context
 from trueaxis.measure.reading_model import expected_readings, home_positions
-from trueaxis.measure.setup import Run
 from trueaxis.runtime.context import Context, ReadingContext
 from trueaxis.runtime.effect_terms import component_term, reading_term
 from trueaxis.runtime.effect_values import EffectValues, identity
@@ -52,16 +52,8 @@ def ground_of(model: MachineModel, observed: Observations) -> Ground:
     """The readings with what effects depend on. Raises ValueError for observations without a context."""
     if observed.context is None:
         raise ValueError("readings of a machine with effects need the context in which they were taken")
-    count = observed.reading.size
-    found = ReadingContext(
-        np.full(count, np.nan), np.full(count, np.nan), observed.context.time, observed.context.temperature
-    )
-    for index, run in enumerate(observed.runs):
-        rows = np.flatnonzero(observed.run == index)
-        if rows.size:
-            time, temperature = found.time[rows], found.temperature[rows]
-            here = run_reading_context(model, run, observed.positions[:, rows], time, temperature)
-            found.along[rows], found.theta[rows] = here.along, here.theta
+    time, temperature = observed.context.time, observed.context.temperature
+    found = reading_context(model, observed.runs, observed.run, observed.positions, time, temperature)
     return Ground(model, observed, observed.context, found)
 
 
@@ -77,15 +69,10 @@ def all_rows(observed: Observations, ground: Ground) -> list[RunRows]:
     return [rows_of(ground, index, rows) for index, rows in enumerate(every) if rows.size]
 
 
-def is_in(effect: Effect, kind: Kind, run: Run) -> bool:
-    """Whether readings of the run may hold the effect."""
-    return kind.instrument in ("", run.instrument) and (not effect.runs or run.id in effect.runs)
-
-
 def reaches(ground: Ground, effect: Effect, kind: Kind, chosen: RunRows) -> bool:
     """Whether any of the readings may hold an effect with an expression."""
     if kind.place != "component":
-        return is_in(effect, kind, ground.observed.runs[chosen.index])
+        return concerns(kind, effect, ground.observed.runs[chosen.index])
     lever = ground.model.components.index(effect.component or "")
     return bool(chosen.here[lever].any() or chosen.home[lever].any())
 
@@ -118,7 +105,7 @@ def by_differences(ground: Ground, effect: Effect, kind: Kind, index: int, rows:
     observed, count = ground.observed, len(kind.parameters)
     run = observed.runs[index]
     found = np.zeros((count, rows.size))
-    if not is_in(effect, kind, run):
+    if not concerns(kind, effect, run):
         return found
     step = STEP_OF_BAR if run.length is not None else STEP_OF_LINE
     for place, parameter in enumerate(kind.parameters):

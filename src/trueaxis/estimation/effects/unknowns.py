@@ -24,11 +24,10 @@ from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues
 
 UNSEEN = 1e-9  # mm of reading per unit of a parameter, below which no reading holds it
-LENGTHS = ("pitch", "time", "reversal")  # grids of parameters that a term divides by: never zero
 POINT_SIZE = (
     20.0  # mm, one standard deviation: points are set up by eye and scale; readings that hardly tell would drift
 )
-MOST_CHANGE = 2.0  # factor by which such a parameter changes in a step
+MOST_CHANGE = 2.0  # factor by which a parameter that the term divides by changes in a step
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -112,13 +111,11 @@ class EffectUnknown:
 
     def within(self, values: FloatArray) -> bool:
         """Whether a step to the values leaves what a term divides by where it makes sense."""
-        grids = {one.name: one.grid for one in self.kind.parameters}
+        divisors = {one.name for one in self.kind.parameters if one.is_divisor}
         k = self.count - len(self.free)
         pairs = zip(self.free, self.values[k:].tolist(), values[k:].tolist(), strict=True)
         return all(
-            before / MOST_CHANGE <= after <= before * MOST_CHANGE
-            for name, before, after in pairs
-            if grids[name] in LENGTHS
+            before / MOST_CHANGE <= after <= before * MOST_CHANGE for name, before, after in pairs if name in divisors
         )
 
 

@@ -139,7 +139,7 @@ def _identification(result: PaperResult) -> Identification:
     grid, machine = result.grid, result.machine
     curves = tables(grid, result.solution.nodes, result.steps.reached, result.u_nodes)
     found = describe.components(result)
-    notes = (*dimension_notes(machine, result.given), *weak_notes(found))
+    notes = weak_notes(found)
     notes += alignment_notes(result.machine, result.observed)
     if result.options.squareness == "from-angles":
         notes += (describe.FROM_ANGLES,)
@@ -189,5 +189,6 @@ def _identification(result: PaperResult) -> Identification:
         quality=result.quality,
         notes=notes,
         curve_orders=orders,
+        caveats=dimension_notes(machine, result.given),
     )
     return Identification(values, report, covariance)
