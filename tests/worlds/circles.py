@@ -122,7 +122,9 @@ def _circle_track(
     zero, never = np.zeros(count), np.full(count, np.inf)
     positions = {axis: np.full(count, middle[axis]) for axis in machine.axes}
     directions, velocity = dict.fromkeys(machine.axes, zero), dict.fromkeys(machine.axes, zero)
-    since, path, turned = (dict.fromkeys(machine.axes, never) for _ in range(3))
+    since: dict[str, Array] = dict.fromkeys(machine.axes, never)
+    gone: dict[str, Array] = dict.fromkeys(machine.axes, never)
+    turned: dict[str, Array] = dict.fromkeys(machine.axes, never)
     for axis, phase in zip(plane, (angle, angle - np.pi / 2), strict=True):
         body = machine.body_of(axis)
         side = body.sense * (-1.0 if machine.carries("workpiece", axis) else 1.0)
@@ -130,9 +132,9 @@ def _circle_track(
         velocity[axis] = -way * side * speed * np.sin(phase)
         directions[axis] = np.sign(velocity[axis])
         since[axis] = radius * (1.0 - np.cos(np.mod(way * phase, np.pi)))
-        path[axis] = radius * np.mod(way * phase, np.pi)
-        turned[axis] = path[axis] / speed
-    return Track(positions, directions, since, path, turned, velocity, time, np.full(count, feed))
+        gone[axis] = radius * np.mod(way * phase, np.pi)
+        turned[axis] = gone[axis] / speed
+    return Track(positions, directions, since, gone, turned, velocity, time, np.full(count, feed))
 
 
 def _path_track(positions: Mapping[str, Array], axis: str, speed: float) -> Track:
