@@ -32,7 +32,7 @@ EQUATIONS = {
     ),
     r"L \leftarrow L + \mathrm{jump}_{1} H\left(t - t_{0,1}\right)": effect(kind="laser_step", runs=["X1"]),
     r"L \leftarrow L - \frac{\ell \mathrm{angle}_{1}^{2}}{2}": effect(kind="laser_cosine"),
-    r"L \leftarrow L + \mathrm{slope}_{1} w": effect(kind="reading_slope", runs=["X1"]),
+    r"L \leftarrow L + w \mathrm{slope}_{1}": effect(kind="reading_slope", runs=["X1"]),
     r"L \leftarrow L + \mathrm{zero}_{1}": effect(kind="reading_zero", runs=["X1"]),
     r"\delta_{x}(x) \leftarrow \delta_{x}(x) + \sigma_{x} \mathrm{height}_{1} "
     r"e^{- \frac{\Delta t_{x}}{\mathrm{tau}_{1}}}": effect(kind="reversal_spike_time", component="EXX"),

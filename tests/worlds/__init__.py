@@ -14,6 +14,7 @@ given values that are no longer true.
     python -m tests.worlds --table N                  # designs 1 to N, their ingredients, the oracle's figures
     python -m tests.worlds --shares N                 # in how many designs each ingredient is
     python -m tests.worlds.campaign --out DIR         # the package's estimate on many designs and machines
+    python -m tests.worlds.diagnosis --out DIR        # what the package's diagnosis makes of what they hide
 
 Of the modules, `layouts`, `lines`, `circles`, `probing`, `schedule`, `shop` draw; `machine`, `plan` hold; `kinematics`,
 `jacobian`, `readings`, `curves` compute. Lengths mm, angles rad, rotary positions deg, time s.

@@ -122,7 +122,9 @@ def _circle_track(
     zero, never = np.zeros(count), np.full(count, np.inf)
     positions = {axis: np.full(count, middle[axis]) for axis in machine.axes}
     directions, velocity = dict.fromkeys(machine.axes, zero), dict.fromkeys(machine.axes, zero)
-    since, turned = dict.fromkeys(machine.axes, never), dict.fromkeys(machine.axes, never)
+    since: dict[str, Array] = dict.fromkeys(machine.axes, never)
+    gone: dict[str, Array] = dict.fromkeys(machine.axes, never)
+    turned: dict[str, Array] = dict.fromkeys(machine.axes, never)
     for axis, phase in zip(plane, (angle, angle - np.pi / 2), strict=True):
         body = machine.body_of(axis)
         side = body.sense * (-1.0 if machine.carries("workpiece", axis) else 1.0)
@@ -130,8 +132,9 @@ def _circle_track(
         velocity[axis] = -way * side * speed * np.sin(phase)
         directions[axis] = np.sign(velocity[axis])
         since[axis] = radius * (1.0 - np.cos(np.mod(way * phase, np.pi)))
-        turned[axis] = radius * np.mod(way * phase, np.pi) / speed
-    return Track(positions, directions, since, turned, velocity, time, np.full(count, feed))
+        gone[axis] = radius * np.mod(way * phase, np.pi)
+        turned[axis] = gone[axis] / speed
+    return Track(positions, directions, since, gone, turned, velocity, time, np.full(count, feed))
 
 
 def _path_track(positions: Mapping[str, Array], axis: str, speed: float) -> Track:
@@ -141,12 +144,14 @@ def _path_track(positions: Mapping[str, Array], axis: str, speed: float) -> Trac
     velocity: dict[str, Array] = {letter: np.gradient(values, time) for letter, values in positions.items()}
     velocity = {letter: np.where(np.abs(v) > SLOWEST_SHARE, v, 0.0) for letter, v in velocity.items()}
     directions = {letter: np.sign(values) for letter, values in velocity.items()}
-    since, turned = ({letter: np.full(count, np.inf) for letter in positions} for _ in range(2))
+    since, path, turned = ({letter: np.full(count, np.inf) for letter in positions} for _ in range(3))
+    steps = np.linalg.norm([np.diff(values) for letter, values in positions.items() if letter in "XYZ"], axis=0)
     for letter, values in positions.items():
         turns = np.flatnonzero(np.diff(directions[letter]))
         for turn in turns:
             since[letter][turn + 1 :] = np.cumsum(np.abs(np.diff(values[turn:])))
+            path[letter][turn + 1 :] = np.cumsum(steps[turn:])
             turned[letter][turn + 1 :] = time[turn + 1 :] - time[turn]
     linear: Array = np.stack([velocity[letter] for letter in positions if letter in "XYZ"])
     feed: Array = np.asarray(60.0 * np.sqrt((linear**2).sum(axis=0)), float)
-    return Track(positions, directions, since, turned, velocity, time, np.where(feed > 1.0, feed, np.nan))
+    return Track(positions, directions, since, path, turned, velocity, time, np.where(feed > 1.0, feed, np.nan))

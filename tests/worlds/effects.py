@@ -47,6 +47,7 @@ class State:
     positions: Mapping[str, Array]
     directions: Mapping[str, Array]
     since: Mapping[str, Array]
+    path: Mapping[str, Array]
     turned: Mapping[str, Array]
     velocity: Mapping[str, Array]
     time: Array
@@ -144,8 +145,7 @@ def _reversal_spike_time(effect: Effect, state: State) -> Array:
 
 def _reversal_spike_path(effect: Effect, state: State) -> Array:
     """Of the way along the path since the reversal, whichever axis moves."""
-    source, speed = effect.draw(), np.nan_to_num(state.feed) / 60.0
-    passed = np.where(speed > 0, state.turned[effect.component[2]] * np.maximum(speed, 1e-9), np.inf)
+    source, passed = effect.draw(), state.path[effect.component[2]]
     rise, decay = source.uniform(0.1, 0.3), source.uniform(3.0, 20.0)
     return effect.size * state.way(effect) * (1.0 - np.exp(-passed / rise)) * np.exp(-passed / decay)
 

@@ -127,9 +127,11 @@ def _track(
     dwell = source.uniform(2.0, 6.0)
     time = np.cumsum(dwell + longest / RAPID)
     velocity = dict.fromkeys(machine.axes, zero)
-    return Track(
-        positions, directions, since, dict.fromkeys(machine.axes, never), velocity, time, np.full(count, np.nan)
-    )
+    extent = {axis: float(np.ptp(targets)) for axis, targets in moved.items()}
+    whole = float(np.linalg.norm(list(extent.values())))
+    path = since | {axis: since[axis] * whole / max(own, 1e-9) for axis, own in extent.items()}
+    turned = dict.fromkeys(machine.axes, never)
+    return Track(positions, directions, since, path, turned, velocity, time, np.full(count, np.nan))
 
 
 def steps_taken(path: Array, start: float) -> Array:

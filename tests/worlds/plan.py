@@ -44,13 +44,15 @@ class Track:
     """The rows of one run in the order of reading: axis -> (n,) and (n,).
 
     positions: commanded; directions: of approach, 0 where the axis has not moved; since: way since the axis turned
-    back, infinite where it has not; turned: s since then, infinite where axes stand; velocity: mm/s or deg/s; time: s
+    back, infinite where it has not; path: that of the linear axes together; turned: s
+    since then, infinite where axes stand; velocity: mm/s or deg/s; time: s
     from the start of the run; feed: mm/min, NaN where axes stand.
     """
 
     positions: Mapping[str, Array]
     directions: Mapping[str, Array]
     since: Mapping[str, Array]
+    path: Mapping[str, Array]
     turned: Mapping[str, Array]
     velocity: Mapping[str, Array]
     time: Array
@@ -75,6 +77,7 @@ class Plan:
     positions: Mapping[str, Array]
     directions: Mapping[str, Array]
     since: Mapping[str, Array]
+    path: Mapping[str, Array]
     turned: Mapping[str, Array]
     velocity: Mapping[str, Array]
     time: Array

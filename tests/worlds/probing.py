@@ -42,7 +42,7 @@ def draw_sphere(source: Source, machine: Machine, habits: Habits, name: str, fra
     zero = dict.fromkeys(machine.axes, np.zeros(count))
     time = np.cumsum(base + longest / RAPID)
     never = {axis: np.full(count, np.inf) for axis in positions}
-    track = Track(positions, directions, since, never, zero, time, np.full(count, np.nan))
+    track = Track(positions, directions, since, never, never, zero, time, np.full(count, np.nan))
     run = Run(name, "probe", ("tool", three(tool)), ("workpiece", three(ball)), frame, name, home)
     runs = []
     for k, letter in enumerate("XYZ"):

@@ -171,7 +171,7 @@ def reading_context(machine: Machine, plan: Plan) -> tuple[Array, Array]:
 
 def row_state(machine: Machine, plan: Plan) -> State:
     started = np.array([plan.time[plan.rows(index)[0]] for index in range(len(plan.runs))])[plan.run]
-    moving = (plan.directions, plan.since, plan.turned, plan.velocity)
+    moving = (plan.directions, plan.since, plan.path, plan.turned, plan.velocity)
     return State(machine, plan.positions, *moving, plan.time, plan.feed, plan.soaked, started)
 
 
@@ -187,4 +187,4 @@ def home_state(machine: Machine, plan: Plan) -> State:
     count = len(first)
     zero, never = dict.fromkeys(machine.axes, np.zeros(count)), dict.fromkeys(machine.axes, np.full(count, np.inf))
     time = plan.time[first]
-    return State(machine, at, zero, never, never, zero, time, np.full(count, np.nan), plan.soaked[first], time)
+    return State(machine, at, zero, never, never, never, zero, time, np.full(count, np.nan), plan.soaked[first], time)

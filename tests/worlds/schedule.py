@@ -60,6 +60,7 @@ def _joined(source: Source, machine: Machine, taken: Sequence[tuple[int, list[tu
         joined("positions"),
         joined("directions"),
         joined("since"),
+        joined("path"),
         joined("turned"),
         joined("velocity"),
         time,

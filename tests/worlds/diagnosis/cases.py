@@ -54,7 +54,7 @@ ABSORBED_SIGMA = 300.0  # norm of the signature of an effect that no reading sho
 # probability with which one that cannot be named is kept all the same
 NOT_WANTED = {"absorbed": 0.12, "mute": 0.15, "imitated": 0.1, "flawed": 0.1, "too small": 0.0}
 MACHINES_APART = 1000
-OF_BARS = ("servo_lag", "reversal_spike_time", "reversal_spike_path")  # axes stand on lines
+OF_BARS = ("servo_lag", "reversal_spike_time")  # axes stand on lines
 DIRECTIONAL = ("backlash", "backlash_slope", "reversal_spike")
 TEMPORAL = ("drift", "warm_up", "thermal_offset", "thermal_expansion")
 
@@ -260,7 +260,7 @@ def _sized(source: Source, bench: Bench, truth: Truth, effect: Effect, times: fl
     state = _state(design, effect, found, outside)
     limit = max(detection, isolation) if state == "isolable" else detection
     if state == "absorbed":
-        whole = float(np.linalg.norm(ground.white(shown)))
+        whole = float(np.linalg.norm(ground.noisy(shown)))
         size = _in_unit(effect, most, min(0.3, ABSORBED_SIGMA / max(whole, 1e-300)))
     else:
         size = _in_unit(effect, limit, times)

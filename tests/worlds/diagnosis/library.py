@@ -140,12 +140,10 @@ def _forms(design: Design, component: str, state: State, search: Search) -> Iter
         yield "warm_up", _column(s * np.exp(-state.time / tau))
     for decay in search.decays:
         yield "reversal_spike", _column(way * np.exp(-since / decay))
-    passed, speed = state.turned[axis], np.nan_to_num(state.feed) / 60.0
     for tau in search.times:
-        yield "reversal_spike_time", _column(way * np.exp(-passed / tau))
-    path = np.where(speed > 0, passed * np.maximum(speed, 1e-9), np.inf)
+        yield "reversal_spike_time", _column(way * np.exp(-state.turned[axis] / tau))
     for decay in search.decays:
-        yield "reversal_spike_path", _column(way * np.exp(-path / decay))
+        yield "reversal_spike_path", _column(way * np.exp(-state.path[axis] / decay))
 
 
 def _air(design: Design, state: State) -> Array:

@@ -68,15 +68,19 @@ class Ground:
             found.append(part - one.own @ (one.own.T @ part))
         return np.vstack([*found, np.zeros((self.pseudo, values.shape[1]))])
 
+    def noisy(self, values: Array) -> Array:
+        """(n,), mm -> of unit noise, and nothing taken away."""
+        parts = [solve_triangular(one.low, values[one.rows], lower=True, check_finite=False) for one in self.runs]
+        return np.concatenate(parts)
+
     def rest(self, white: Array) -> Array:
         """What is left beside all that is flat."""
         return np.asarray(white - self.q @ (self.q.T @ white), float)
 
     def left_of(self, signature: Array) -> Array:
         """(n,), mm -> what readings can show of it, of unit noise; zeros where that is within rounding."""
-        white = self.white(signature)
-        left = self.rest(white)[:, 0]
-        seen = float(left @ left) > NOT_SEEN * float(white[:, 0] @ white[:, 0])
+        left, whole = self.rest(self.white(signature))[:, 0], self.noisy(signature)
+        seen = float(left @ left) > NOT_SEEN * float(whole @ whole)
         return left if seen else np.zeros_like(left)
 
     @cached_property
