@@ -68,7 +68,6 @@ def test_runs_of_one_set_up_that_agree_are_one_cause() -> None:
 
 
 def test_the_diagnosis_names_the_instrument_and_extends_no_machine() -> None:
-    from trueaxis.diagnose.extend import named_effects, start_values
 
     case = prepared.__wrapped__(Case(seed=3, design=Design(lines=3, repeats=2, targets=15, samples=36), given="exact"))
     data = case.data
