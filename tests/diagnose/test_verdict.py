@@ -86,10 +86,10 @@ def test_verdicts() -> None:
     column = parameter_signature(where.readings, Effect("backlash", "EXX"), np.ones(1))[0]
     noise = SIGMA * np.random.default_rng(7).standard_normal(column.size)
     named, nothing = (search(where.ground(size * column + noise)) for size in (6e-3, 0.0))
-    assert verdict_of(named, True, [], ()) == "explained"
-    assert verdict_of(named, False, [], stale) == "unexplained_structure"
-    assert verdict_of(nothing, False, [check(RIPPLE)], stale) == "unexplained_structure"
+    assert verdict_of(named, True, [], (), ()) == "explained"
+    assert verdict_of(named, False, [], stale, ()) == "unexplained_structure"
+    assert verdict_of(nothing, False, [check(RIPPLE)], stale, ()) == "unexplained_structure"
     # beside effects that the machine has already a remainder of their own class is no news
-    assert verdict_of(nothing, True, [check(RIPPLE)], ()) == "no_discrepancy"
-    assert verdict_of(nothing, True, [], stale) == "recalibrate"
-    assert verdict_of(nothing, True, [], ()) == "no_discrepancy"
+    assert verdict_of(nothing, True, [check(RIPPLE)], (), ()) == "no_discrepancy"
+    assert verdict_of(nothing, True, [], stale, ()) == "recalibrate"
+    assert verdict_of(nothing, True, [], (), ()) == "no_discrepancy"

@@ -14,6 +14,7 @@ import numpy as np
 from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
+from trueaxis.estimation.instruments import own_kinds
 from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
@@ -35,7 +36,7 @@ class Base:
     runs share; of_machine: how many are the machine's; components: the component error or location error of each of
     these; units: `mm` or `rad` of each component and location error; expected: (p,), standard deviation of each before
     anything is measured; sizes: (p,), mm or rad, the units; bases: of the curves; by_chance: (n, k), one standard
-    deviation each; own: (n_r, k) of every run with readings; runs: these runs.
+    deviation each; own: (n_r, k) of every run with readings; own_kinds: the class of each of these; runs: these runs.
     """
 
     columns: FloatArray
@@ -47,6 +48,7 @@ class Base:
     bases: Mapping[str, LegendreBasis]
     by_chance: FloatArray
     own: tuple[FloatArray, ...]
+    own_kinds: tuple[tuple[str, ...], ...]
     runs: tuple[MeasuredRun, ...]
 
     @property
@@ -57,13 +59,15 @@ class Base:
     def only(self, keep: BoolArray) -> "Base":
         """Of some rows, (n,): a run of which none is kept is none."""
         place = np.cumsum(keep) - 1
-        kept = [one for one in zip(self.runs, self.own, strict=True) if keep[one[0].rows.at].any()]
+        members = zip(self.runs, self.own, self.own_kinds, strict=True)
+        kept = [one for one in members if keep[one[0].rows.at].any()]
         return replace(
             self,
             columns=self.columns[keep],
             by_chance=self.by_chance[keep],
-            own=tuple(own[keep[run.rows.at]] for run, own in kept),
-            runs=tuple(_renumbered(run.of(keep[run.rows.at]), place) for run, _ in kept),
+            own=tuple(own[keep[run.rows.at]] for run, own, _ in kept),
+            own_kinds=tuple(kinds for _, _, kinds in kept),
+            runs=tuple(_renumbered(run.of(keep[run.rows.at]), place) for run, _, _ in kept),
         )
 
     def curve(self, name: str, rows: Rows) -> tuple[FloatArray, FloatArray]:
@@ -114,5 +118,6 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
         bases=dict(zip(layout.components, layout.bases, strict=True)),
         by_chance=shared[:, chance],
         own=tuple(own),
+        own_kinds=tuple(own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs),
         runs=tuple(runs),
     )

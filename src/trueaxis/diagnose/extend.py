@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.polynomial import chebyshev
 
+from trueaxis.diagnose.instruments import OF_INSTRUMENTS
 from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
@@ -28,17 +29,21 @@ from trueaxis.runtime.model import MachineModel
 def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
     """The effects that the extended machine has besides: causes that were named.
 
-    What cannot be told from a rival is not among them, nor is anything where structure is left unexplained.
+    What cannot be told from a rival is not among them, nor is anything where structure is left unexplained, nor what
+    an instrument had while it measured.
     """
     if diagnosis.verdict not in ("explained", "ambiguous"):
         return ()
-    return tuple(cause.effect for cause in diagnosis.causes if not cause.rivals)
+    named = (cause.effect for cause in diagnosis.causes if not cause.rivals)
+    return tuple(effect for effect in named if effect.kind not in OF_INSTRUMENTS)
 
 
 def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
     """The causes found, as the diagnosis fitted them: where their fit beside all error values starts."""
     return tuple(
-        EffectValues(one.effect, {each.name: each.value for each in one.parameters}) for one in diagnosis.causes
+        EffectValues(one.effect, {each.name: each.value for each in one.parameters})
+        for one in diagnosis.causes
+        if one.effect.kind not in OF_INSTRUMENTS
     )
 
 

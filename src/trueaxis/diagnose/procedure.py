@@ -13,6 +13,7 @@ from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.gain import fit, gain_of, held_out, of_instruments, predicted
 from trueaxis.diagnose.imperfection import imperfection, imperfections
+from trueaxis.diagnose.instruments import instruments_off
 from trueaxis.diagnose.null import Null, again, null_of
 from trueaxis.diagnose.projection import Projection, orthonormal
 from trueaxis.diagnose.prospect import prospect_of
@@ -85,6 +86,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     signals = [one.signal for one in (*standing, *causes)]
     besides = [column for one in (*standing, *causes) for column in imperfections(readings, one)]
     stale, stale_p = stale_values(null, signals, besides, ground.freedom)
+    off = instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
     held, split = held_out(null.rows)
     every = np.ones_like(held)
     of_all = predicted(fit(null.base, null.whitening, values, causes, every), null.whitening, values, every)
@@ -98,7 +100,8 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             search=found,
             causes=causes,
             groups=groups,
-            verdict=verdict_of(found, stand, checks, stale),
+            verdict=verdict_of(found, stand, checks, stale, off),
+            off=off,
             audit=audited,
             prospect=prospect,
             checks=checks,

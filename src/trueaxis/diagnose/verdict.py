@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy.special import chdtri
 
+from trueaxis.diagnose.instruments import Off
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import Check, Stale, StructureClass, Verdict
@@ -83,10 +84,14 @@ def names_stand(
     return one_size and share >= NEARLY_ALL and of_their_class
 
 
-def verdict_of(found: Search, stand: bool, checks: Sequence[Check], stale: Sequence[Stale]) -> Verdict:
-    """What it all comes to."""
+def verdict_of(
+    found: Search, stand: bool, checks: Sequence[Check], stale: Sequence[Stale], off: Sequence[Off]
+) -> Verdict:
+    """What it all comes to. off: instruments that are."""
     if found.causes and stand:
         return "ambiguous" if any(one.rivals for one in found.causes) else "explained"
     if found.causes or (any(check.fired for check in checks) and not stand):
         return "unexplained_structure"
+    if off:
+        return "explained"
     return "recalibrate" if stale else "no_discrepancy"

@@ -10,6 +10,7 @@ from trueaxis.diagnose.audit import Audit
 from trueaxis.diagnose.circles import circles_of
 from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fit, predicted
+from trueaxis.diagnose.instruments import Off
 from trueaxis.diagnose.linearisation import linearisation_note
 from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
 from trueaxis.diagnose.noise import REPEATS, STATED
@@ -51,6 +52,7 @@ class Outcome:
     causes: tuple[Fitted, ...]
     groups: tuple[tuple[tuple[AmplitudeOf, ...], float], ...]
     verdict: Verdict
+    off: tuple[Off, ...]
     audit: Audit
     prospect: Prospect
     checks: tuple[Check, ...]
@@ -68,6 +70,8 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
     prospect = outcome.prospect
     ahead = tuple(ahead_of(prospect, _found(outcome, one), float(one.values[0])) for one in outcome.causes)
     causes = tuple(_cause(outcome, index, one) for index, one in enumerate(ahead))
+    if outcome.verdict != "unexplained_structure":
+        causes += tuple(_of_instrument(ground, one) for one in outcome.off)
     return Diagnosis(
         machine=ground.readings.model.name,
         verdict=outcome.verdict,
@@ -119,6 +123,26 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
         homogeneous_p=homogeneous_p,
         remainder=any(check.fired for check in outcome.checks),
         separating=separating_run(ground.readings.model.machine.kinds, ahead),
+    )
+
+
+def _of_instrument(ground: Ground, off: Off) -> Cause:
+    machine = ground.readings.model.machine
+    kind = machine.kinds[off.effect.kind]
+    return Cause(
+        effect=off.effect,
+        parameters=(Estimate(kind.parameters[0].name, off.value, off.u, unit_in(kind.parameters[0].unit, off.effect)),),
+        sentence=kind.sentence,
+        formula=formula_of(machine, off.effect),
+        p_value=off.p_value,
+        evidence=-float(np.log10(max(off.p_value, 1e-300))),
+        rms=float(np.sqrt(np.mean(off.signal**2))),
+        held_out_gain=0.0,
+        rivals=(),
+        amplitudes=(),
+        homogeneous_p=1.0,
+        remainder=False,
+        separating="",
     )
 
 
