@@ -1,8 +1,8 @@
 """The saturated base: everything that recalibration could change, so smooth that nothing smooth is left to hunt for.
 
 Every component error is a Legendre curve of degree 12 of its axis, every location error is free, and so is what nobody
-knows of the set-ups of the instruments. Scale and alignment of a laser are known to parts in a million: by chance they
-are not.
+knows of the set-ups of the instruments. The scale and the alignment of a laser are known to parts in a million, and
+vary by chance within that.
 With parsimonious polynomials structure of a tenth of a micrometre that nobody asks for would count as a discovery.
 """
 

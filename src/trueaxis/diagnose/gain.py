@@ -21,7 +21,6 @@ from trueaxis.diagnose.whiten import Whitening
 HELD = 0.4  # share of the repeats that is held back, one at least
 EVERY = 4  # without repeats, every fourth reading
 VAGUE = 1e3  # mm, of a cause: what nothing is expected of
-RUNS, PASSES, READINGS = "runs", "passes", "readings"  # what was held back
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -8,10 +8,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import qr
 from scipy.stats import t as student
 
-from trueaxis.diagnose.null import Null, fitted
+from trueaxis.diagnose.null import Null, factored
 from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.whiten import RANK
 from trueaxis.effects.kind import Effect
@@ -75,12 +74,9 @@ def _chance(one: _Setup, others: Sequence[_Setup], size: float) -> float:
 def _own(null: Null, left: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
     """Of every run (k,) each: its own unknowns beside the base, and their standard uncertainties, inf where unknown."""
     base, white = null.base, null.whitening
-    rest = left - base.columns @ fitted(white, base.columns, left)
-    columns = white(base.columns)
-    size = np.linalg.norm(columns, axis=0)
-    size[size == 0.0] = 1.0
-    _, r = qr(columns / size, mode="economic", check_finite=False)
+    q, r, size = factored(white, base.columns)
     root = np.linalg.pinv(r, rcond=RANK) / size[:, np.newaxis]  # of the covariance of what the base has fitted
+    rest = left - base.columns @ (root @ (q.T @ white(left)))
     values, us = [], []
     for run, own, noise in zip(base.runs, base.own, white.runs, strict=True):
         scale = np.maximum(np.linalg.norm(own, axis=0), 1e-300)

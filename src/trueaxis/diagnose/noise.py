@@ -17,14 +17,14 @@ from trueaxis.diagnose.noise_blocks import Block, courses, repeated
 from trueaxis.diagnose.noise_fit import restricted
 from trueaxis.diagnose.result import FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows
-from trueaxis.diagnose.whiten import SETTLED, RunNoise
+from trueaxis.diagnose.whiten import RunNoise, settling
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.noise_of_residuals import AS_MANY, SMALLEST
+from trueaxis.estimation.state import DISPLAY
 
 FEWEST = 4  # degrees of freedom, for a noise to be told
 GIVEN = 1e6  # degrees of freedom of a noise that is given
 REPEATS, COURSES, STATED, UNKNOWN = "repeats", "courses", "given", "unknown"  # where a noise comes from
-DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding
 STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5.0, 2.0, 1.0))  # of displays, mm
 
 
@@ -55,7 +55,7 @@ def noise_of_runs(
             scale=float(scale),
             steps=one.rows.steps,
             settles=0.0,
-            settling=np.exp(-one.rows.passed / SETTLED),
+            settling=settling(one.rows.passed),
         )
         for one, scale in zip(base.runs, scales, strict=True)
     )

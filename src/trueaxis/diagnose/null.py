@@ -73,11 +73,17 @@ def _with_noise(rows: Rows, base: Base, values: FloatArray, noise_um: float | No
 
 def fitted(whiten: Whitening, columns: FloatArray, values: FloatArray) -> FloatArray:
     """(p,): coefficients of columns (n, p) by weighted least squares, of least norm in units of their lengths."""
+    q, r, size = factored(whiten, columns)
+    return np.asarray(np.linalg.lstsq(r, q.T @ whiten(values), rcond=RANK)[0] / size)
+
+
+def factored(whiten: Whitening, columns: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Q (n, p) and R (p, p) of columns (n, p), mm, whitened and divided by their lengths, and these, (p,)."""
     white = whiten(columns)
     size = np.linalg.norm(white, axis=0)
     size[size == 0.0] = 1.0
     q, r = qr(white / size, mode="economic", overwrite_a=True, check_finite=False)
-    return np.asarray(np.linalg.lstsq(r, q.T @ whiten(values), rcond=RANK)[0] / size)
+    return np.asarray(q), np.asarray(r), size
 
 
 def less_own(whiten: Whitening, values: FloatArray) -> FloatArray:

@@ -25,7 +25,7 @@ from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Readings, readings_of, signature_of
-from trueaxis.diagnose.whiten import RANK, SETTLED, RunNoise, Whitening, whitening
+from trueaxis.diagnose.whiten import RANK, RunNoise, Whitening, settling, whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.runs import MeasuredRun
@@ -226,7 +226,7 @@ def _noise(run: MeasuredRun, known: Mapping[Any, RunNoise]) -> RunNoise:
         scale=1.0,
         steps=run.rows.steps,
         settles=0.0 if usual is None else usual.settles,
-        settling=np.exp(-run.rows.passed / SETTLED),
+        settling=settling(run.rows.passed),
     )
 
 

@@ -36,14 +36,12 @@ class Prepared:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Residual:
-    """What is left to be explained. base: with the causes found.
+    """What is left to be explained. freedom: of the noise.
 
     back: (n, 1 + causes), values and causes taken back through the whitening: their product with a signature is that of
     the whitened ones, for a fraction of the cost.
     """
 
-    whitening: Whitening
-    base: Projection
     freedom: Freedom
     back: FloatArray
 
@@ -111,7 +109,7 @@ def _prepared(
 def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:
     """values: (n,), whitened; base: with the causes found; freedom: of the noise estimate."""
     back = whitening.back(np.column_stack([base.rest_transposed(base.rest(values)), base.inner_causes]))
-    return Residual(whitening, base, freedom, back)
+    return Residual(freedom, back)
 
 
 def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanned:

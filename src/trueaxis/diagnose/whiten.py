@@ -160,6 +160,11 @@ def _aside(run: RunNoise, own: FloatArray) -> _Aside:
     return _Aside(basis, settling / size, 1.0 - 1.0 / float(np.hypot(1.0, spread)))
 
 
+def settling(passed: FloatArray) -> FloatArray:
+    """(n,): the course by which a run settles, from 1 on; passed: (n,), share of its duration."""
+    return np.asarray(np.exp(-passed / SETTLED))
+
+
 def whitening(run: IntArray, runs: Sequence[RunNoise], own: Sequence[FloatArray]) -> Whitening:
     """For rows sorted by run, (n,); runs, own: of the runs present, in order."""
     starts = np.append(np.flatnonzero(np.diff(run, prepend=-1)), run.size)

@@ -15,9 +15,8 @@ from trueaxis.spec.machine import LINEAR
 PITCH_MM = 6.0  # shortest pitch on linear axes so long that it is the shorter: screws are no coarser for being long
 FEWEST_PERIODS = 2.0
 TIMES = 6  # time constants, from a twentieth of the time covered to twice it
-WAYS = (
-    6  # what a spike at a reversal dies away over: from a two-thousandth to a twentieth of what passes until the next
-)
+# what a spike at a reversal dies away over: from a two-thousandth to a twentieth of what passes until the next
+WAYS = 6
 BETWEEN = 9  # points of the finer grid between the neighbours of a point
 
 Point = Mapping[str, float]
