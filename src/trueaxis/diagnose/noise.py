@@ -9,17 +9,18 @@ Of all noise that the readings allow the slowest is taken: a cause that is none 
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from trueaxis.diagnose.base import Base
-from trueaxis.diagnose.noise_blocks import Block, courses, repeated
-from trueaxis.diagnose.noise_fit import restricted
+from trueaxis.diagnose.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of
+from trueaxis.diagnose.noise_fit import Law, restricted
 from trueaxis.diagnose.result import FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows
-from trueaxis.diagnose.whiten import RunNoise, settling
+from trueaxis.diagnose.whiten import RunNoise
 from trueaxis.estimation.noise import Noise
-from trueaxis.estimation.noise_of_residuals import AS_MANY, SMALLEST
+from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.state import DISPLAY
 
 FEWEST = 4  # degrees of freedom, for a noise to be told
@@ -35,52 +36,67 @@ def noise_of_runs(
 
     noise_um: of every reading, where it is known: white noise, and nothing is estimated.
     """
-    noises: dict[str, Noise] = {}
+    instruments = [one.instrument for one in base.runs]
+    names = list(dict.fromkeys(instruments))
+    repeats = {name: _repeats(rows, base, _members(instruments, name)) for name in names}
+    scales = np.ones(len(instruments))
+    if noise_um is not None:
+        laws = {name: Law(1e-3 * noise_um, freedom=GIVEN) for name in names}
+    else:
+        repeated = [name for name, count in repeats.items() if count > 0]
+        blocks = list(blocks_of(rows, base, values))
+        laws, scales = restricted(blocks, instruments, _first(blocks, instruments), repeated)
+    found: dict[int, RunNoise] = {}
     told: list[NoiseOf] = []
-    scales = np.ones(len(base.runs))
-    for name in dict.fromkeys(one.instrument for one in base.runs):
-        members = [place for place, one in enumerate(base.runs) if one.instrument == name]
-        origin, freedom = STATED, GIVEN
-        if noise_um is not None:
-            noises[name] = Noise(1e-3 * noise_um)
-        else:
-            noises[name], of_runs, origin, freedom = _of_instrument(rows, base, values, members)
-            scales[members] = of_runs
-        typical = noises[name]
-        lasting = float(np.exp(-1.0 / typical.lasts)) if typical.slow else 0.0
-        told.append(NoiseOf(name, typical.white, typical.slow, lasting, 0.0, freedom, origin))
-    found = tuple(
-        RunNoise(
-            noise=noises[one.instrument],
-            scale=float(scale),
-            steps=one.rows.steps,
-            settles=0.0,
-            settling=settling(one.rows.passed),
+    for name, law in laws.items():
+        members = _members(instruments, name)
+        origin = STATED if noise_um is not None else REPEATS if repeats[name] >= FEWEST else COURSES
+        if law.freedom < 1.0:
+            law, origin = replace(law, freedom=1.0), UNKNOWN
+        step = 0.0 if noise_um is not None else _step(rows, base, members)
+        times = _readings_of_a_target(rows, base, members)
+        typical = _shown(Noise(law.white, law.slow, law.lasts), step, times)
+        lasting = float(np.exp(-1.0 / law.lasts)) if law.slow else 0.0
+        told.append(
+            NoiseOf(name, typical.white, typical.slow, lasting, law.settles, law.freedom, origin, law.wanders)
         )
-        for one, scale in zip(base.runs, scales, strict=True)
-    )
-    return found, tuple(told)
+        for place in members:
+            run = base.runs[place].rows
+            own = _shown(Noise(float(scales[place]) * law.white, law.slow, law.lasts), step, times)
+            found[place] = RunNoise(
+                noise=own, steps=run.steps, passed=run.passed, wanders=law.wanders, settles=law.settles
+            )
+    return tuple(found[place] for place in range(len(instruments))), tuple(told)
 
 
-def _of_instrument(
-    rows: Rows, base: Base, values: FloatArray, members: Sequence[int]
-) -> tuple[Noise, FloatArray, str, float]:
-    """Noise, scale of every member, origin and degrees of freedom."""
+def _members(instruments: Sequence[str], name: str) -> list[int]:
+    return [place for place, one in enumerate(instruments) if one == name]
+
+
+def _repeats(rows: Rows, base: Base, members: Sequence[int]) -> int:
+    """How many readings of an instrument are of a target that was read before."""
+    target = rows.target[np.concatenate([base.runs[place].rows.at for place in members])]
+    return int(target.size - np.unique(target).size)
+
+
+def _first(blocks: Sequence[Block], instruments: Sequence[str]) -> dict[str, float]:
+    """A first guess of the noise of each instrument, mm."""
+    sizes: dict[str, list[FloatArray]] = {name: [] for name in dict.fromkeys(instruments)}
+    for block in blocks:
+        left, share = left_of(block)
+        for one in block.parts:
+            sizes[instruments[one.place[0]]].append(np.abs(left[one.rows][share[one.rows] > HELD]))
+    pooled = {name: np.concatenate([np.zeros(0), *some]) for name, some in sizes.items()}
+    return {
+        name: max(float(np.median(one)) / NORMAL_MEDIAN if one.size else 0.0, SMALLEST) for name, one in pooled.items()
+    }
+
+
+def _step(rows: Rows, base: Base, members: Sequence[int]) -> float:
+    """mm, of the display."""
     step = display_step(rows.reading[np.concatenate([base.runs[place].rows.at for place in members])])
     resolved = [base.runs[place].rows.run.device for place in members]
-    step = max([step, *(one.resolution or 0.0 for one in resolved if one is not None)])
-    # few repeats still are a better measure than none: the tests know how few they are
-    for origin, blocks, fewest in ((REPEATS, repeated, FEWEST), (COURSES, courses, FEWEST), (REPEATS, repeated, 1)):
-        every = [one for one in blocks(rows, base, values, members) if one.freedom > 0]
-        freedom = float(sum(one.freedom for one in every))
-        if freedom >= fewest:
-            hardly = _hardly_repeated(every, members) if origin == REPEATS else set()
-            alone = [one for one in courses(rows, base, values, sorted(hardly)) if one.freedom > 0]
-            noise, scales = restricted(every, alone, members)
-            return _shown(noise, step, _readings_of_a_target(rows, base, members)), scales, origin, freedom
-    mine = np.concatenate([base.runs[place].rows.at for place in members])
-    size = max(float(np.sqrt(np.mean(values[mine] ** 2))), SMALLEST)
-    return Noise(size), np.ones(len(members)), UNKNOWN, 1.0
+    return max([step, *(one.resolution or 0.0 for one in resolved if one is not None)])
 
 
 def _readings_of_a_target(rows: Rows, base: Base, members: Sequence[int]) -> float:
@@ -111,12 +127,3 @@ def display_step(readings: FloatArray) -> float:
         if np.abs(share - np.round(share)).max(initial=0.0) < 1e-6 and np.unique(readings).size > 1:
             return step
     return 0.0
-
-
-def _hardly_repeated(blocks: Sequence[Block], members: Sequence[int]) -> set[int]:
-    """Runs of which too few readings are repeated to tell that they have another noise than their instrument."""
-    repeated = dict.fromkeys(members, 0)
-    for one in blocks:
-        for place, part, _ in one.parts:
-            repeated[place] += part.stop - part.start
-    return {place for place, count in repeated.items() if count < 2.0 * AS_MANY}

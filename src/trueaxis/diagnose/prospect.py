@@ -25,7 +25,7 @@ from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Readings, readings_of, signature_of
-from trueaxis.diagnose.whiten import RANK, RunNoise, Whitening, settling, whitening
+from trueaxis.diagnose.whiten import RANK, RunNoise, Whitening, whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.runs import MeasuredRun
@@ -89,7 +89,7 @@ def prospect_of(ground: Ground) -> Prospect:
     size = readings.rows.size
     base = base_of(readings.model, everything)
     known = {
-        readings.rows.runs[run].instrument: replace(one, scale=1.0)
+        readings.rows.runs[run].instrument: one
         for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True)
     }
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
@@ -221,13 +221,10 @@ def _contexts(one: Context, other: Context) -> Context:
 def _noise(run: MeasuredRun, known: Mapping[Any, RunNoise]) -> RunNoise:
     """As that of other runs of the instrument, or as usual."""
     usual = known.get(run.instrument)
-    return RunNoise(
-        noise=Noise(PROBE_MM if run.instrument == "probe" else USUAL_MM) if usual is None else usual.noise,
-        scale=1.0,
-        steps=run.rows.steps,
-        settles=0.0 if usual is None else usual.settles,
-        settling=settling(run.rows.passed),
-    )
+    if usual is None:
+        level = PROBE_MM if run.instrument == "probe" else USUAL_MM
+        return RunNoise(noise=Noise(level), steps=run.rows.steps, passed=run.rows.passed, wanders=0.0, settles=0.0)
+    return replace(usual, steps=run.rows.steps, passed=run.rows.passed)
 
 
 def _spanned(columns: FloatArray) -> FloatArray:

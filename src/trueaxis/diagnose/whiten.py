@@ -16,49 +16,58 @@ from trueaxis.estimation.noise import Whitening as OfOneRun
 
 SHORT = 400  # readings of a run, up to which one matrix is quicker than the recursion
 SETTLED = 0.2  # of the duration of a run: its time constant of settling
+MODES = 12  # of a random walk: the further ones are a hundredth of its variance, and much like white noise
+SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
 RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class RunNoise:
-    """Of one run: noise: of its instrument; scale: by what its own is larger; steps: (n,), time since the reading
-    before in typical steps; settles: standard deviation of its settling, mm; settling: (n,), its course.
+    """Of one run: noise: its white and slow noise; steps: (n,), time since the reading before in typical steps; passed:
+    (n,), share of its duration; wanders, settles: standard deviations of its random walk, at its end, and of its
+    settling, mm.
     """
 
     noise: Noise
-    scale: float
     steps: FloatArray
+    passed: FloatArray
+    wanders: float
     settles: float
-    settling: FloatArray
 
     @property
     def sigma(self) -> float:
         """Standard deviation of a reading, mm."""
-        return self.scale * self.noise.sigma
+        return self.noise.sigma
 
     def only(self, keep: BoolArray) -> "RunNoise":
         """Of some readings, (n,)."""
         steps = np.diff(np.cumsum(self.steps)[keep], prepend=0.0)
-        return replace(self, steps=steps, settling=self.settling[keep])
+        return replace(self, steps=steps, passed=self.passed[keep])
+
+    @property
+    def chance(self) -> FloatArray:
+        """(n, k), mm: how it wanders and settles, one standard deviation each; its zero and its drift are free."""
+        settled = self.settles * settling(self.passed)
+        return np.hstack([self.wanders * wandering(self.passed), settled[:, np.newaxis]])
 
     def whitened(self, columns: FloatArray) -> FloatArray:
-        """(n, k) columns by the noise alone."""
-        return OfOneRun(self.noise, self.steps, self.scale)(columns)
+        """(n, k) columns by the white and the slow noise alone."""
+        return OfOneRun(self.noise, self.steps)(columns)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Aside:
-    """What is taken away after whitening: own: (n, k), orthonormal; turned, shrink: the direction in which the run
-    settles by chance, (n,), and 1 - 1/sqrt(1 + d^2) of its standard deviation d.
+    """What is taken away after whitening: own: (n, k), orthonormal; turned: (n, j), orthonormal directions in which
+    the run varies by chance, and of each 1 - 1/sqrt(1 + d^2) of its standard deviation d.
     """
 
     own: FloatArray
     turned: FloatArray
-    shrink: float
+    shrink: FloatArray
 
     def __call__(self, columns: FloatArray) -> FloatArray:
         left = columns - self.own @ (self.own.T @ columns)
-        return left - self.shrink * np.outer(self.turned, self.turned @ left) if self.shrink else left
+        return left - self.turned @ (self.shrink[:, np.newaxis] * (self.turned.T @ left))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -132,7 +141,7 @@ class Whitening:
         if columns.shape[0] <= SHORT:
             return np.asarray(self._operator(place).T @ columns)
         run = self.runs[place]
-        return OfOneRun(run.noise, run.steps, run.scale).transposed(self._aside(place)(columns))
+        return OfOneRun(run.noise, run.steps).transposed(self._aside(place)(columns))
 
     def _operator(self, place: int) -> FloatArray:
         """(n_r, n_r): the matrix that whitens a run; kept."""
@@ -151,18 +160,24 @@ def _aside(run: RunNoise, own: FloatArray) -> _Aside:
     white = run.whitened(own / np.maximum(np.linalg.norm(own, axis=0), 1e-300))
     left, singular, _ = np.linalg.svd(white, full_matrices=False)
     basis = left[:, singular > RANK * singular.max(initial=0.0)]
-    settling = run.whitened(run.settling[:, np.newaxis])[:, 0]
-    settling -= basis @ (basis.T @ settling)
-    size = float(np.linalg.norm(settling))
-    spread = run.settles * size
-    if spread == 0.0:
-        return _Aside(basis, settling, 0.0)
-    return _Aside(basis, settling / size, 1.0 - 1.0 / float(np.hypot(1.0, spread)))
+    chance = run.whitened(run.chance)
+    chance -= basis @ (basis.T @ chance)
+    turned, deviation, _ = np.linalg.svd(chance, full_matrices=False)
+    told = deviation > SLIGHT
+    return _Aside(basis, turned[:, told], 1.0 - 1.0 / np.hypot(1.0, deviation[told]))
 
 
 def settling(passed: FloatArray) -> FloatArray:
     """(n,): the course by which a run settles, from 1 on; passed: (n,), share of its duration."""
     return np.asarray(np.exp(-passed / SETTLED))
+
+
+def wandering(passed: FloatArray) -> FloatArray:
+    """(n, MODES): a random walk over a run, of standard deviation 1 at its end, less its zero and its drift: what is
+    left is a Brownian bridge (its expansion by Karhunen and Loeve).
+    """
+    modes = np.pi * np.arange(1, MODES + 1)
+    return np.asarray(np.sqrt(2.0) * np.sin(passed[:, np.newaxis] * modes) / modes)
 
 
 def whitening(run: IntArray, runs: Sequence[RunNoise], own: Sequence[FloatArray]) -> Whitening:
