@@ -22,6 +22,7 @@ from trueaxis.effects.expression import FUNCTIONS, parse
 from trueaxis.effects.kind import Effect, Kind, Parameter
 from trueaxis.effects.latex import ADDED, component_latex, effect_latex, term_latex
 from trueaxis.effects.library import KINDS
+from trueaxis.error_name import ErrorName
 
 MACHINE = machine_at(DMU60P)
 EXPECTED = {
@@ -66,11 +67,10 @@ def test_every_kind_is_drawn_without_a_command_left(kind: Kind) -> None:
     assert not re.search(r"<mo>\s*<m", drawn), "an operator within an operator is no MathML"
 
 
-def test_components_have_the_names_of_the_generated_equations() -> None:
+def test_components_have_the_names_of_the_paper() -> None:
     for axis in "XYZABC":
-        for letter in "XYZABC":
-            name = f"E{letter}{axis}"
-            assert component_latex(name) == symbols.component_latex(name)
+        for letter, index, greek in zip("XYZABC", "xyzxyz", ["delta"] * 3 + ["varepsilon"] * 3, strict=True):
+            assert component_latex(ErrorName(f"E{letter}{axis}")) == rf"\{greek}_{{{index}}}({axis.lower()})"
 
 
 NAMES = {

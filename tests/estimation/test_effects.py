@@ -29,7 +29,7 @@ from trueaxis.identify.report import Identification
 from trueaxis.identify.report_text import report_text
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import PointOn, Run
-from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.curves import Curve, PolynomialCurve
 from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, dump_errors, read_errors
 from trueaxis.runtime.kernels import Kernels
@@ -333,7 +333,7 @@ def test_lost_motion_of_a_rotary_axis_in_degrees_and_radians() -> None:
         model.axes, ("C1",), np.zeros(24, dtype=np.int64), np.arange(24), positions, direction, reading, model.axes
     )
     given = ErrorValues("five_axis", dict.fromkeys((*model.dimensions, *model.location_errors), 0.0))
-    curves = {name: PolynomialCurve((), ()) for name in model.components if name != "ECC"}
+    curves: dict[str, Curve] = {name: PolynomialCurve((), ()) for name in model.components if name != "ECC"}
     known = replace(given, motion_errors=curves)
     found = identify_estimated(model, observations("readings.csv", [run], rows), EstimateOptions("known", known))
     assert found.values.effects[0].parameters["width"] == pytest.approx(width, rel=1e-3)

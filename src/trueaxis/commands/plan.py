@@ -189,7 +189,7 @@ def _options(args: argparse.Namespace, model: MachineModel, known: ErrorValues |
     if args.location_errors_only:
         zeros: dict[str, Curve] = dict.fromkeys(model.components, PolynomialCurve((), ()))
         given = replace(given, motion_errors={**zeros, **given.motion_errors})
-    unknown = [name for name in model.components if name not in given.motion_errors]
+    unknown: list[str] = [name for name in model.components if name not in given.motion_errors]
     unknown += [name for name in model.location_errors if name not in given.parameters]
     if args.wanted not in (VOLUME, *unknown):
         problem = "is no error that is to be identified"

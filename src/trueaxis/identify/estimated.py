@@ -176,8 +176,8 @@ def _measured(model: MachineModel, observed: Observations) -> dict[str, tuple[fl
         positions = np.ascontiguousarray(observed.positions[:, observed.run == index])
         held = np.abs(sensed(model, observed.runs[index], positions)) > 0.0
         for row, name in enumerate(model.components):
-            at = positions[model.axes.index(name[2]), held[row]]
-            if at.size and np.ptp(positions[model.axes.index(name[2])]) > 0.0:
+            at = positions[model.axes.index(name.axis), held[row]]
+            if at.size and np.ptp(positions[model.axes.index(name.axis)]) > 0.0:
                 low, high = found.get(name, (np.inf, -np.inf))
                 found[name] = (min(low, float(at.min())), max(high, float(at.max())))
     return found

@@ -4,10 +4,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.judgement import NINE_TENTHS, Judged, open_counts
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.estimate import Estimate
 from trueaxis.identify.estimated_effects import effect_reports
 from trueaxis.identify.fit_quality import FitQuality
 from trueaxis.identify.notes import dimension_notes, estimate_notes
@@ -19,7 +20,7 @@ from trueaxis.identify.report import (
     LocationReport,
     NoiseGroupReport,
 )
-from trueaxis.identify.words import DETERMINED_BY, enumerated, unit_of
+from trueaxis.identify.words import DETERMINED_BY, enumerated
 from trueaxis.runtime.errors import Determined, ErrorValues
 from trueaxis.runtime.model import MachineModel
 
@@ -38,7 +39,7 @@ def estimated_report(
     values: ErrorValues,
     given: ErrorValues,
     *,
-    components: Mapping[str, Judged],
+    components: Mapping[ErrorName, Judged],
     locations: Mapping[str, Judged],
     judged: FitQuality,
     squareness: str,
@@ -102,15 +103,15 @@ def _known_u(judged: Judged) -> float | None:
     return judged.u if np.isfinite(judged.u) else None
 
 
-def _component(name: str, judged: Judged | None, origins: Mapping[Determined, str]) -> ComponentReport:
+def _component(name: ErrorName, judged: Judged | None, origins: Mapping[Determined, str]) -> ComponentReport:
     if judged is None:
-        return ComponentReport(name, "given", 0.0, None, unit_of(name))
+        return ComponentReport(name, "given", 0.0, None, name.unit)
     return ComponentReport(
         name,
         KNOWN[judged.determined],
         judged.largest,
         _known_u(judged),
-        unit_of(name),
+        name.unit,
         u_readings=judged.u_readings,
         u_prior=judged.u_prior,
         origin=origins[judged.determined],

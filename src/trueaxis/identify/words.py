@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.estimation.combinations import Combination
-from trueaxis.estimation.machine import LINEAR
 from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import Determined
@@ -87,16 +86,6 @@ def small(value: float, unit: str) -> str:
     if unit in ("mm/mm", "1"):
         return f"{value * 1e6:.3g} {'ppm' if unit == '1' else 'urad'}"
     return f"{value * (1e3 if of == 'mm' else 1e6):.3g} {'um' if of == 'mm' else 'urad'}{'/' + per if per else ''}"
-
-
-def slope_unit(component: str) -> str:
-    """`mm/mm`, `rad/deg` and the like."""
-    return f"{'mm' if component[1] in LINEAR else 'rad'}/{'mm' if component[2] in LINEAR else 'deg'}"
-
-
-def unit_of(component: str) -> str:
-    """`mm` or `rad`."""
-    return "mm" if component[1] in LINEAR else "rad"
 
 
 def only_slope(positions: FloatArray, values: FloatArray, origin: float) -> float | None:

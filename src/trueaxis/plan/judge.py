@@ -5,12 +5,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from trueaxis.estimation.combinations import combinations
-from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.judgement import Judged, judged_component, judged_location
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
+from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.tool_point import tool_summary
-from trueaxis.identify.words import unit_of
 from trueaxis.measure.setup import Vector
 from trueaxis.plan.measuring_time import minutes
 from trueaxis.plan.report import ErrorReport, Expectations, NoiseReport
@@ -39,7 +38,7 @@ def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], too
 def _components(found: Estimate) -> tuple[ErrorReport, ...]:
     level, layout = found.levelled(), found.layout
     return tuple(
-        _error(name, unit_of(name), judged_component(level, name) if name in layout.components else None)
+        _error(name, name.unit, judged_component(level, name) if name in layout.components else None)
         for name in layout.model.components
     )
 

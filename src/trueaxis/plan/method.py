@@ -5,12 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.expected import expected
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.tool_point import Datum
 from trueaxis.identify.weighting import NoiseModel
-from trueaxis.identify.words import enumerated, unit_of
+from trueaxis.identify.words import enumerated
 from trueaxis.measure.setup import Device, Instrument, Run, Vector
 from trueaxis.plan.candidates import LENGTHS, Candidate, Kit
 from trueaxis.plan.choice import LEAST_FALL, Chosen
@@ -154,7 +155,7 @@ def _wish(options: PlanOptions, kit: Kit) -> Wish:
 
 def _unit(model: MachineModel, wanted: str) -> str:
     if wanted in model.components:
-        return unit_of(wanted)
+        return ErrorName(wanted).unit
     return model.machine.parameter_unit(wanted) if wanted in model.location_errors else "mm"
 
 

@@ -186,7 +186,7 @@ def _kept(output: Path, cache: Path, key: str) -> Path:
 
 
 def _run(command: Sequence[str], folder: Path) -> subprocess.CompletedProcess[str]:
-    """Run the compiler; where the time limit or a signal ends that, all that it has started (gcc: cc1, as) ends with it."""
+    """Run the compiler. Where the time limit or a signal ends it, what it has started (gcc: cc1, as) ends, too."""
     with subprocess.Popen(
         command,
         env=os.environ | {"LC_ALL": "C"},

@@ -9,7 +9,6 @@ from trueaxis.effects.placement import concerns, used_variables
 from trueaxis.estimation.effects.signature import Ground, RunRows
 from trueaxis.faults import Faults
 from trueaxis.runtime.context import FloatArray
-from trueaxis.runtime.effect_terms import component_axis
 
 COLUMNS = {"t": "time_s", "T": "temperature_c", "v": "feed", "d_time": "time_s (or, by ball bar, feed)"}
 
@@ -53,7 +52,7 @@ def _values(ground: Ground, effect: Effect, name: str) -> FloatArray:
         return ground.context.time
     if name == "T":
         return ground.context.temperature
-    axis = effect.axis if name.endswith("_b") else component_axis(effect)
+    axis = effect.axis if name.endswith("_b") else effect.own_axis
     of_axes = ground.context.time_since if name.removesuffix("_b") == "d_time" else ground.context.velocity
     row: FloatArray = of_axes[ground.model.axes.index(axis or "")]
     return row

@@ -6,11 +6,12 @@ from typing import Literal, Protocol
 
 import numpy as np
 
-from trueaxis.estimation.machine import LINEAR, IdentifiedMachine
+from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.identify.axis_lines import AxisLine, angle_matrix, axis_lines
 from trueaxis.identify.paper.grid import BoolArray, Grid, IntArray
-from trueaxis.identify.straightness import is_straightness, slope_weights
+from trueaxis.identify.straightness import slope_weights
 from trueaxis.measure.machine import FloatArray
+from trueaxis.spec.machine import LINEAR
 
 Choice = Literal["convention", "from-angles", "known"]
 TURN = "ABC"
@@ -159,7 +160,7 @@ def _straightness_slopes(grid: Grid, reached: BoolArray) -> FloatArray:
     """(straightness components, n_nodes): slopes of the least-squares lines."""
     rows = []
     for index, name in enumerate(grid.components):
-        if is_straightness(name):
+        if name.is_straightness:
             nodes, positions, _ = _reached_knots(grid, index, reached)
             row = np.zeros(grid.count)
             row[nodes] = slope_weights(positions)
