@@ -416,7 +416,7 @@ def test_a_spike_over_time_or_path_comes_back(kind: str, name: str, truth: float
     data = measured({"EXX": spike}, seed=13)
     some = np.array([kind == "time" or run.id.startswith(("X-", "xy")) for run in data.runs])[data.run]
     found = estimate(model_with(effect), data.of(np.flatnonzero(some)), KNOWN)
-    assert found.converged
+    assert found.iteration.converged
     u = np.linalg.norm(found.spread[found.layout.of_effects], axis=1)
     assert (u < 0.2 * np.array([0.01, truth])).all()
     for of, value, each in zip(("height", name), (0.01, truth), u, strict=True):

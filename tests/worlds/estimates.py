@@ -17,9 +17,10 @@ from tests.worlds.machine import Array
 from tests.worlds.oracle import Oracle, oracle, prediction_columns
 from tests.worlds.readings import measure
 from tests.worlds.truth import SIZES, Truth, draw_machine, random_points
-from trueaxis.estimation.estimate import Estimate, estimate
+from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.observations import Observations, observations
+from trueaxis.estimation.result import Estimate
 from trueaxis.measure.data import read_data
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel, load_model

@@ -10,7 +10,7 @@ from trueaxis.commands.identify_options import noise_option
 from trueaxis.commands.measured import read_measured
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.commands.plan_faults import RETIRED, faults_of_options
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.result import Estimate
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.notes import dimension_notes

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.estimation.instruments import SharedUnknown
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.result import Estimate
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn
 

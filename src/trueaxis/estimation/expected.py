@@ -8,7 +8,6 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.evidence import posterior_at
 from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import RunRows, pieces
@@ -19,6 +18,7 @@ from trueaxis.estimation.own_part import own_part
 from trueaxis.estimation.parts import parted_root
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import reduced
+from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.measure.machine import FloatArray
@@ -59,23 +59,20 @@ def expected(model: MachineModel, observed: Observations, given: ErrorValues, no
         values=layout.values(unknowns, given),
         unknowns=unknowns,
         spread=spread * layout.sizes[:, np.newaxis],
-        open=np.zeros((layout.count, 0)),
         of_prior=of_prior,
+        open=np.zeros((layout.count, 0)),
         scale=posterior.scale * layout.sizes,
         factors=factors,
-        noise=dict.fromkeys(sorted(instruments), UNIT),
-        scales=dict(noise),
-        stated=instruments,
-        zeroed=(),
-        reversed={},
-        outliers=np.zeros(readings, dtype=bool),
-        residual=np.zeros(readings),
-        freedom=readings - posterior.told,
-        rounds=0,
-        steps=0,
-        last_step=0.0,
-        last_change=0.0,
-        converged=True,
+        noise=InstrumentNoise(
+            of_instrument=dict.fromkeys(sorted(instruments), UNIT), scale_of_run=dict(noise), stated=instruments
+        ),
+        readings=ReadingsLeft(
+            residual=np.zeros(readings),
+            outliers=np.zeros(readings, dtype=bool),
+            reversed={},
+            freedom=readings - posterior.told,
+        ),
+        iteration=Iteration(rounds=0, steps=0, last_step=0.0, last_change=0.0, converged=True),
     )
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.error_name import ErrorName
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.result import Estimate
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import Determined

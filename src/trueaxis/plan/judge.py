@@ -8,7 +8,7 @@ from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.judgement import Judged, judged_component, judged_location
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.measure.setup import Vector
 from trueaxis.plan.measuring_time import minutes
@@ -30,7 +30,7 @@ def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], too
         runs=len(planned.runs),
         readings=observed.reading.size,
         unknowns=found.layout.of_machine,
-        freedom=found.freedom,
+        freedom=found.readings.freedom,
         minutes=minutes(planned.paths),
     )
 

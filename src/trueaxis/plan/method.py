@@ -8,7 +8,7 @@ import numpy as np
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.expected import expected
 from trueaxis.estimation.observations import Observations
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import Datum
 from trueaxis.identify.weighting import NoiseModel
 from trueaxis.identify.words import enumerated
