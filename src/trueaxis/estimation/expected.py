@@ -8,7 +8,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import posterior_at
+from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import RunRows, pieces
 from trueaxis.estimation.layout import Layout, layout_of
@@ -44,15 +46,24 @@ def expected_posterior(
     return posterior_at(sizes, found, start), sizes.factors(start)
 
 
-def expected(model: MachineModel, observed: Observations, given: ErrorValues, noise: Mapping[int, float]) -> Estimate:
+def expected(
+    model: MachineModel,
+    observed: Observations,
+    given: ErrorValues,
+    noise: Mapping[int, float],
+    effects: EffectUnknowns | None = None,
+) -> Estimate:
     """The estimate from readings of a machine without errors: its spread is what a plan lets expect.
 
-    observed, noise: see `expected_posterior`; given: errors that are no unknowns. Effects of the spec are left out.
+    observed, noise: see `expected_posterior`; given: errors that are no unknowns; effects: those that are unknowns, at
+    the values at which they are linearised; None: none.
     """
-    layout = layout_of(model.with_values(given), observed, given)
+    layout = layout_of(model.with_values(given), observed, given, effects)
+    layout = giving_way(layout, measured_runs(observed))
+    layout = layout.at(layout.start(), given)
     posterior, factors = expected_posterior(layout, observed, noise)
     spread, of_prior = parted_root([posterior], posterior.mean, layout.of_machine)
-    unknowns, readings = np.zeros(layout.count), observed.reading.size
+    unknowns, readings = layout.start(), observed.reading.size
     instruments = frozenset(observed.runs[index].instrument for index in noise)
     return Estimate(
         layout=layout,

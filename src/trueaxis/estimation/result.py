@@ -100,7 +100,7 @@ class Estimate:
         given = replace(given, motion_errors=_others(self.values.motion_errors, self.layout.components))
         own = {identity(one.effect) for one in self.layout.effects.members}
         given = replace(given, effects=tuple(one for one in given.effects if identity(one.effect) not in own))
-        if self.unknowns.any():
+        if self.unknowns[: self.layout.of_machine].any():
             unknowns = exactly_level(self.layout, self.values, given, unknowns, self.scale)
         values = self.layout.values(unknowns, given)
         return replace(self, values=values, unknowns=unknowns, spread=change @ self.spread, open=left_open, scale=prior)

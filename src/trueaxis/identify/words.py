@@ -88,6 +88,14 @@ def small(value: float, unit: str) -> str:
     return f"{value * (1e3 if of == 'mm' else 1e6):.3g} {'um' if of == 'mm' else 'urad'}{'/' + per if per else ''}"
 
 
+def in_small(unit: str) -> tuple[float, str]:
+    """The factor and the unit by which sizes of effects are written: micrometres and microradians."""
+    for plain, small_unit, by in (("mm", "um", 1e3), ("rad", "urad", 1e6)):
+        if unit.split("/", maxsplit=1)[0] == plain:
+            return by, small_unit + unit.removeprefix(plain)
+    return 1.0, unit
+
+
 def only_slope(positions: FloatArray, values: FloatArray, origin: float) -> float | None:
     """The slope of values that lie on a line through zero at `origin`; None where they do not."""
     away = positions - origin

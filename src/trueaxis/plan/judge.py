@@ -10,21 +10,29 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import tool_summary
+from trueaxis.identify.estimated_effects import covariance_with_effects
 from trueaxis.measure.setup import Vector
 from trueaxis.plan.measuring_time import minutes
-from trueaxis.plan.report import ErrorReport, Expectations, NoiseReport
+from trueaxis.plan.report import ErrorReport, Expectations, ExpectedEffect, NoiseReport
 from trueaxis.plan.runs import PlannedRuns
 
 
-def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], tools: Sequence[Vector]) -> Expectations:
+def judge(
+    found: Estimate,
+    planned: PlannedRuns,
+    noise: Mapping[int, float],
+    tools: Sequence[Vector],
+    effects: tuple[ExpectedEffect, ...],
+) -> Expectations:
     """What is to be expected of runs. found: the estimate that they let expect; noise: of every run, by index, mm;
-    tools: points in the tool frame whose uncertainty counts, mm.
+    tools: points in the tool frame whose uncertainty counts, mm; effects: what is to be expected of them.
     """
     observed = planned.observed
     return Expectations(
-        tool=tool_summary(found, tools),
+        tool=tool_summary(found, tools, covariance_with_effects(found)),
         components=_components(found),
         locations=_locations(found),
+        effects=effects,
         combinations=combinations(found),
         noise=_noise(observed, noise),
         runs=len(planned.runs),

@@ -18,7 +18,7 @@ def check_columns(ground: Ground, effects: Sequence[tuple[Effect, Kind]], chosen
     faults = Faults(ground.observed.source)
     needed: dict[str, list[str]] = {}
     for effect, kind in effects:
-        for column in _missing(ground, effect, kind, chosen):
+        for column in missing_columns(ground, effect, kind, chosen):
             needed.setdefault(column, []).append(effect.label)
     for column, labels in needed.items():
         remedy = f"a value in every row of the runs that hold {'it' if len(labels) == 1 else 'them'}"
@@ -26,7 +26,8 @@ def check_columns(ground: Ground, effects: Sequence[tuple[Effect, Kind]], chosen
     faults.raise_if_any()
 
 
-def _missing(ground: Ground, effect: Effect, kind: Kind, chosen: Sequence[RunRows]) -> list[str]:
+def missing_columns(ground: Ground, effect: Effect, kind: Kind, chosen: Sequence[RunRows]) -> list[str]:
+    """Columns that an effect depends on and that readings which hold it lack."""
     found = []
     for name in used_variables(kind):
         column = COLUMNS.get(name.removesuffix("_b"))
