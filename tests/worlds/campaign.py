@@ -77,7 +77,7 @@ def line_of(one: World, number: int) -> dict[str, object]:
     """What is kept of a machine; number: among those of its design."""
     curves, given = KINDS[number % len(KINDS)]
     found: Outcome = outcome(one, SEEDS_APART * one.design.seed + number, curves, given)
-    figures = ("true", "error", "oracle", "u", "coverage", "oracle_coverage", "seconds")
+    figures = ("true", "error", "oracle", "one_family", "u", "coverage", "oracle_coverage", "seconds")
     return {
         "design": one.design.seed,
         "machine": number,
