@@ -42,12 +42,17 @@ class Direction(str):
 
 
 DIRECTIONS = tuple(Direction(f"E{letter}") for letter in "XYZABC")
-ROTATIONS = DIRECTIONS[3:]
+DISPLACEMENTS, ROTATIONS = DIRECTIONS[:3], DIRECTIONS[3:]
 
 
 def rotation_about(line: str) -> Direction:
     """EA, EB or EC: the rotation about X, Y or Z, or about the line of a rotary axis."""
     return next(turn for turn in ROTATIONS if turn.line == _ABOUT.get(line, line))
+
+
+def positioning_error(axis: str) -> "ErrorName":
+    """The component error of an axis along its own motion: EXX of X, ECC of C."""
+    return ErrorName(f"E{axis}{axis}")
 
 
 class ErrorName(str):

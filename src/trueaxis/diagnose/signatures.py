@@ -15,6 +15,7 @@ from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows, as_slice
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import concerns
+from trueaxis.error_name import DISPLACEMENTS
 from trueaxis.estimation.first_order import sensed
 from trueaxis.measure.reading_context import reading_context_of
 from trueaxis.measure.reading_model import measuring_frame, sensed_directions
@@ -318,9 +319,9 @@ def _of_location(readings: Readings, effect: Effect) -> FloatArray:
     slope = np.cross(turn, along)
     at = rows.positions[rows.axes.index(axis)]
     column = _sensitivity(readings, direction.motion_error(axis)).copy()
-    for place, letter in enumerate("XYZ"):
+    for place, displacement in enumerate(DISPLACEMENTS):
         if slope[place]:
-            column += _sensitivity(readings, f"E{letter}{axis}") * slope[place] * at
+            column += _sensitivity(readings, displacement.motion_error(axis)) * slope[place] * at
     return column[:, np.newaxis, np.newaxis]
 
 
