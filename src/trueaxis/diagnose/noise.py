@@ -9,13 +9,12 @@ Of all noise that the readings allow the slowest is taken: a cause that is none 
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from trueaxis.diagnose.base import Base
-from trueaxis.diagnose.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of
-from trueaxis.diagnose.noise_fit import Law, restricted
+from trueaxis.diagnose.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of, of_repeats
+from trueaxis.diagnose.noise_fit import Found, Guess, Law, restricted
 from trueaxis.diagnose.result import FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.whiten import RunNoise
@@ -30,29 +29,30 @@ STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5
 
 
 def noise_of_runs(
-    rows: Rows, base: Base, values: FloatArray, noise_um: float | None
-) -> tuple[tuple[RunNoise, ...], tuple[NoiseOf, ...]]:
+    rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
+) -> tuple[tuple[RunNoise, ...], tuple[NoiseOf, ...], Found | None]:
     """Of every run of the base, in its order, and of every instrument. values: (n,) mm, readings less what is expected.
 
-    noise_um: of every reading, where it is known: white noise, and nothing is estimated.
+    noise_um: of every reading, where it is known: white noise, and nothing is estimated; before: what was found of
+    nearly the same readings, from where a further estimate is near.
     """
     instruments = [one.instrument for one in base.runs]
     names = list(dict.fromkeys(instruments))
     repeats = {name: _repeats(rows, base, _members(instruments, name)) for name in names}
-    scales = np.ones(len(instruments))
+    fit: Found | None = None
     if noise_um is not None:
         laws = {name: Law(1e-3 * noise_um, freedom=GIVEN) for name in names}
     else:
-        repeated = [name for name, count in repeats.items() if count > 0]
         blocks = list(blocks_of(rows, base, values))
-        laws, scales = restricted(blocks, instruments, _first(blocks, instruments), repeated)
+        guesses = {name: _guess(blocks, instruments, name) for name in names}
+        laws, fit = restricted(blocks, instruments, guesses, before)
     found: dict[int, RunNoise] = {}
     told: list[NoiseOf] = []
     for name, law in laws.items():
         members = _members(instruments, name)
         origin = STATED if noise_um is not None else REPEATS if repeats[name] >= FEWEST else COURSES
         if law.freedom < 1.0:
-            law, origin = replace(law, freedom=1.0), UNKNOWN
+            law, origin = Law(_root_mean_square(base, values, members)), UNKNOWN
         step = 0.0 if noise_um is not None else _step(rows, base, members)
         times = _readings_of_a_target(rows, base, members)
         typical = _shown(Noise(law.white, law.slow, law.lasts), step, times)
@@ -62,11 +62,16 @@ def noise_of_runs(
         )
         for place in members:
             run = base.runs[place].rows
-            own = _shown(Noise(float(scales[place]) * law.white, law.slow, law.lasts), step, times)
+            own = _shown(Noise((1.0 if fit is None else float(fit.scales[place])) * law.white, law.slow, law.lasts), step, times)
             found[place] = RunNoise(
                 noise=own, steps=run.steps, passed=run.passed, wanders=law.wanders, settles=law.settles
             )
-    return tuple(found[place] for place in range(len(instruments))), tuple(told)
+    return tuple(found[place] for place in range(len(instruments))), tuple(told), fit
+
+
+def _root_mean_square(base: Base, values: FloatArray, members: Sequence[int]) -> float:
+    own = values[np.concatenate([base.runs[place].rows.at for place in members])]
+    return max(float(np.sqrt(np.mean(own**2))), SMALLEST)
 
 
 def _members(instruments: Sequence[str], name: str) -> list[int]:
@@ -79,17 +84,21 @@ def _repeats(rows: Rows, base: Base, members: Sequence[int]) -> int:
     return int(target.size - np.unique(target).size)
 
 
-def _first(blocks: Sequence[Block], instruments: Sequence[str]) -> dict[str, float]:
-    """A first guess of the noise of each instrument, mm."""
-    sizes: dict[str, list[FloatArray]] = {name: [] for name in dict.fromkeys(instruments)}
+def _guess(blocks: Sequence[Block], instruments: Sequence[str], name: str) -> Guess:
+    """Of the noise of an instrument, by its repeats, and of the misfit of the base; else by what the base leaves."""
+    of_base, of_target = [np.zeros(0)], [np.zeros(0)]
     for block in blocks:
         left, share = left_of(block)
         for one in block.parts:
-            sizes[instruments[one.place[0]]].append(np.abs(left[one.rows][share[one.rows] > HELD]))
-    pooled = {name: np.concatenate([np.zeros(0), *some]) for name, some in sizes.items()}
-    return {
-        name: max(float(np.median(one)) / NORMAL_MEDIAN if one.size else 0.0, SMALLEST) for name, one in pooled.items()
-    }
+            if instruments[one.place[0]] == name:
+                of_base.append(np.abs(left[one.rows][share[one.rows] > HELD]))
+                of_target.append(np.abs(of_repeats(one, block.values[one.rows])))
+    typical = [
+        max(float(np.median(one)) / NORMAL_MEDIAN, SMALLEST) if one.size else SMALLEST
+        for one in (np.concatenate(of_target), np.concatenate(of_base))
+    ]
+    repeated = sum(map(len, of_target)) > 0
+    return Guess(typical[0], typical[1] / typical[0]) if repeated else Guess(typical[1], 0.0)
 
 
 def _step(rows: Rows, base: Base, members: Sequence[int]) -> float:

@@ -24,6 +24,7 @@ ENOUGH = 1500  # contrasts: they tell the noise to 2 %
 GOLDEN = 0.6180339887498949  # its multiples, less whole numbers, are spread evenly
 FAR = 5.0  # robust standard deviations: such readings tell nothing of the noise
 HELD = 0.05  # of a reading's variance: where the free columns leave less, it says nothing of the noise
+ALTERNATIONS = 5  # of two projections: a first guess needs no more
 NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal variable
 
 
@@ -159,3 +160,16 @@ def left_of(block: Block) -> tuple[FloatArray, FloatArray]:
     left -= block.free @ (block.free.T @ left)
     share -= np.sum(block.free**2, axis=1)
     return np.asarray(left / np.sqrt(np.maximum(share, HELD))), np.asarray(share)
+
+
+def of_repeats(part: Part, values: FloatArray) -> FloatArray:
+    """(k,), mm: by what readings that are repeated differ from the mean of their target, what is unknown of the runs
+    taken away; nearly, and of the size of their noise. values: (n,), mm, of the part.
+    """
+    count = part.alike.sum(axis=1)
+    left = values.copy()
+    for _ in range(ALTERNATIONS):
+        left -= part.own @ (part.own.T @ left)
+        left -= part.alike @ left / count
+    several = count > 1.0
+    return np.asarray(left[several] / np.sqrt(1.0 - 1.0 / count[several]))

@@ -18,7 +18,7 @@ from trueaxis.diagnose.result import FloatArray
 # of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
 # the base; all but the time constant, in typical steps, as shares of a first guess
 START = (-0.3, 0.4, np.log(8.0), 0.3, 0.3, 0.3)
-BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 100.0))
+BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 1e6))
 PER, AGE, MISFIT = len(START), 2, 5
 # before the readings have their say, normal: the logarithm of a time constant; slow noise, wandering and settling in
 # units of the first guess
@@ -27,8 +27,17 @@ SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf), (1, 3, 4)
 UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
 FARTHEST = 2.0  # of this logarithm
 STILL = 1e-6  # relative change of the logarithm of the likelihood
+LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
 STEPS = 200  # of a standard deviation that is averaged
 FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
+
+
+@dataclass(frozen=True, slots=True)
+class Guess:
+    """Of an instrument: noise: mm; misfit: of the base, as a share of it; 0 where no target is repeated."""
+
+    noise: float
+    misfit: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +52,14 @@ class Law:
     wanders: float = 0.0
     settles: float = 0.0
     freedom: float = 1.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """sizes: (instruments, PER), see START, in mm and typical steps; scales: (n_runs,), of the white noise of each."""
+
+    sizes: FloatArray
+    scales: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,14 +92,14 @@ class _Told:
 
 
 class Likelihood:
-    """Of a block, minus its logarithm; instruments: of every run; first: a guess of the noise of each instrument, mm.
+    """Of a block, minus its logarithm; instruments: of every run; first: a guess of each instrument.
 
     Parameters: START of each instrument, then the logarithm of the scale of each run.
     """
 
-    def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, float]) -> None:
+    def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, Guess]) -> None:
         self.block = block
-        self.units = np.array(list(first.values()))
+        self.units = np.array([one.noise for one in first.values()])
         self.of_run = np.array([list(first).index(name) for name in instruments])
         self.count = PER * self.units.size
 
@@ -115,6 +132,13 @@ class Likelihood:
         found[:, 0] = self.units * np.exp(x[: self.count : PER])
         found[:, AGE] = np.exp(x[AGE : self.count : PER])
         return np.asarray(found)
+
+    def parameters(self, found: Found) -> FloatArray:
+        """Where sizes and scales are as found; no size is zero, where the slope tells nothing."""
+        relative = np.maximum(found.sizes / self.units[:, np.newaxis], LEAST)
+        relative[:, 0], relative[:, AGE] = np.log(relative[:, 0]), np.log(found.sizes[:, AGE])
+        within = np.clip(relative, *np.transpose(BOUNDS))
+        return np.concatenate([within.ravel(), np.clip(np.log(found.scales), -FARTHEST, FARTHEST)])
 
     def told(self, x: FloatArray) -> tuple[float, list[_Told]]:
         """Minus the logarithm, and what each part tells."""
@@ -158,17 +182,20 @@ def _precision(covariance: FloatArray, own: FloatArray) -> tuple[FloatArray, flo
 
 
 def restricted(
-    blocks: Sequence[Block], instruments: Sequence[str], first: Mapping[str, float], repeated: Sequence[str]
-) -> tuple[dict[str, Law], FloatArray]:
-    """The likeliest noise of every instrument by the first block, and the scale of every run, (n_runs,).
+    blocks: Sequence[Block], instruments: Sequence[str], first: Mapping[str, Guess], before: Found | None
+) -> tuple[dict[str, Law], Found]:
+    """The likeliest noise of every instrument by the first block, and with the scale of every run.
 
-    instruments: of every run; first: a guess of the noise of each; repeated: those of which targets are repeated.
+    instruments: of every run; first: a guess of each; before: what was found of nearly the same readings.
     """
     of = Likelihood(blocks[0], instruments, first)
     start = np.concatenate([np.tile(START, len(first)), np.zeros(len(instruments))])
     bounds = [*BOUNDS * len(first), *[(-FARTHEST, FARTHEST)] * len(instruments)]
-    for number, name in enumerate(first):
-        if name not in repeated:  # nothing tells it from noise
+    start[MISFIT : of.count : PER] = [one.misfit for one in first.values()]
+    if before is not None and before.scales.size == len(instruments):
+        start = of.parameters(before)
+    for number, one in enumerate(first.values()):
+        if one.misfit == 0.0:  # nothing tells it from noise
             start[PER * number + MISFIT] = 0.0
             bounds[PER * number + MISFIT] = (0.0, 0.0)
     options = {"ftol": STILL}
@@ -177,7 +204,7 @@ def restricted(
     x = best.x
     for block in blocks[1:]:
         _scaled(Likelihood(block, instruments, first), x)
-    return _averaged(of, list(first), x), np.exp(x[of.count :])
+    return _averaged(of, list(first), x), Found(of.sizes(x), np.exp(x[of.count :]))
 
 
 def _scaled(of: Likelihood, x: FloatArray) -> None:

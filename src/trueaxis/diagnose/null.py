@@ -7,6 +7,7 @@ from scipy.linalg import qr
 
 from trueaxis.diagnose.base import Base, base_of
 from trueaxis.diagnose.noise import noise_of_runs
+from trueaxis.diagnose.noise_fit import Found
 from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray, NoiseOf, Outlier
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.whiten import RANK, Whitening, whitening
@@ -18,7 +19,9 @@ ROUNDS = 20  # of looking for outliers: they end by themselves, a few later than
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Null:
-    """rows: those that count; values: (n,) mm, readings less what is expected; outliers: those left out."""
+    """rows: those that count; values: (n,) mm, readings less what is expected; outliers: those left out; found: of the
+    noise, where it was estimated.
+    """
 
     rows: Rows
     values: FloatArray
@@ -26,6 +29,7 @@ class Null:
     whitening: Whitening
     noise: tuple[NoiseOf, ...]
     outliers: tuple[Outlier, ...]
+    found: Found | None
 
     def only(self, keep: BoolArray) -> "Null":
         """Of some rows, (n,)."""
@@ -62,22 +66,23 @@ def null_of(model: MachineModel, rows: Rows, values: FloatArray, noise_um: float
         found = whole.only(good)
     outliers = tuple(one for at, one in off.items() if not good[at])
     if outliers:
-        found = _with_noise(found.rows, found.base, found.values, noise_um)
+        found = _with_noise(found.rows, found.base, found.values, noise_um, found.found)
     return replace(found, outliers=outliers)
 
 
 def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
     """With the noise that is left when causes are known. signal: (n,) mm, what they do to the readings."""
     left = null.values - signal
-    found = _with_noise(null.rows, null.base, left, noise_um)
+    found = _with_noise(null.rows, null.base, left, noise_um, null.found)
     return replace(found, values=null.values, outliers=null.outliers)
 
 
-def _with_noise(rows: Rows, base: Base, values: FloatArray, noise_um: float | None) -> Null:
-    runs, noise = noise_of_runs(rows, base, values, noise_um)
-    return Null(
-        rows=rows, values=values, base=base, whitening=whitening(rows.run, runs, base.own), noise=noise, outliers=()
-    )
+def _with_noise(
+    rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
+) -> Null:
+    runs, noise, found = noise_of_runs(rows, base, values, noise_um, before)
+    white = whitening(rows.run, runs, base.own)
+    return Null(rows=rows, values=values, base=base, whitening=white, noise=noise, outliers=(), found=found)
 
 
 def fitted(whiten: Whitening, columns: FloatArray, values: FloatArray) -> FloatArray:
