@@ -114,6 +114,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             ),
             stale=stale,
             stale_p=stale_p,
+            report=data.setup.report,
         )
     )
 
