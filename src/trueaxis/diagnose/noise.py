@@ -1,11 +1,9 @@
-"""The noise of the readings, from repeats: what differs between readings of the same target.
+"""The noise of the readings: of every run, and what is told of every instrument.
 
-Readings of one target, from one side, with one set-up have one mean, whatever the model: this and the unknowns of each
-run's instrument are taken as free, and what is left is fitted as white and slow noise by restricted maximum likelihood
-(REML; Patterson and Thompson, Biometrika 58, 1971). Repeats may come in any order: passes, cycles, poses, further runs.
-Without repeats the course of each run, smooth by direction, takes the place of the means.
-
-Of all noise that the readings allow the slowest is taken: a cause that is none costs more than one not found.
+By restricted maximum likelihood (REML; Patterson and Thompson, Biometrika 58, 1971) of what the saturated base leaves
+of all runs together: runs of one axis share its curves, which leaves far more room to tell slow noise from the machine
+than the course of a run by itself. What the base gets wrong repeats share: it is told from noise where there are any.
+Noise of an instrument is white (more in some runs than in others) and slow; its runs wander and settle.
 """
 
 from collections.abc import Sequence
@@ -22,7 +20,7 @@ from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.state import DISPLAY
 
-FEWEST = 4  # degrees of freedom, for a noise to be told
+FEWEST = 4  # readings of targets that were read before, for a noise to be from repeats
 GIVEN = 1e6  # degrees of freedom of a noise that is given
 REPEATS, COURSES, STATED, UNKNOWN = "repeats", "courses", "given", "unknown"  # where a noise comes from
 STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5.0, 2.0, 1.0))  # of displays, mm
@@ -38,50 +36,37 @@ def noise_of_runs(
     """
     instruments = [one.instrument for one in base.runs]
     names = list(dict.fromkeys(instruments))
-    repeats = {name: _repeats(rows, base, _members(instruments, name)) for name in names}
-    fit: Found | None = None
     if noise_um is not None:
-        laws = {name: Law(1e-3 * noise_um, freedom=GIVEN) for name in names}
+        laws, fit = {name: Law(1e-3 * noise_um, freedom=GIVEN) for name in names}, None
     else:
         blocks = list(blocks_of(rows, base, values))
         guesses = {name: _guess(blocks, instruments, name) for name in names}
         laws, fit = restricted(blocks, instruments, guesses, before)
+    scales = np.ones(len(instruments)) if fit is None else fit.scales
     found: dict[int, RunNoise] = {}
     told: list[NoiseOf] = []
-    for name, law in laws.items():
-        members = _members(instruments, name)
-        origin = STATED if noise_um is not None else REPEATS if repeats[name] >= FEWEST else COURSES
+    for name in names:
+        members = [place for place, one in enumerate(instruments) if one == name]
+        at = np.concatenate([base.runs[place].rows.at for place in members])
+        origin = STATED if fit is None else REPEATS if at.size - np.unique(rows.target[at]).size >= FEWEST else COURSES
+        law = laws[name]
         if law.freedom < 1.0:
-            law, origin = Law(_root_mean_square(base, values, members)), UNKNOWN
-        step = 0.0 if noise_um is not None else _step(rows, base, members)
+            law, origin = Law(max(float(np.sqrt(np.mean(values[at] ** 2))), SMALLEST)), UNKNOWN
+        step = 0.0 if fit is None else _step(rows, base, members)
         times = _readings_of_a_target(rows, base, members)
         typical = _shown(Noise(law.white, law.slow, law.lasts), step, times)
         lasting = float(np.exp(-1.0 / law.lasts)) if law.slow else 0.0
-        told.append(
-            NoiseOf(name, typical.white, typical.slow, lasting, law.settles, law.freedom, origin, law.wanders)
-        )
+        told.append(NoiseOf(name, typical.white, typical.slow, lasting, law.settles, law.freedom, origin, law.wanders))
         for place in members:
-            run = base.runs[place].rows
-            own = _shown(Noise((1.0 if fit is None else float(fit.scales[place])) * law.white, law.slow, law.lasts), step, times)
+            run, white = base.runs[place].rows, float(scales[place]) * law.white
             found[place] = RunNoise(
-                noise=own, steps=run.steps, passed=run.passed, wanders=law.wanders, settles=law.settles
+                noise=_shown(Noise(white, law.slow, law.lasts), step, times),
+                steps=run.steps,
+                passed=run.passed,
+                wanders=law.wanders,
+                settles=law.settles,
             )
     return tuple(found[place] for place in range(len(instruments))), tuple(told), fit
-
-
-def _root_mean_square(base: Base, values: FloatArray, members: Sequence[int]) -> float:
-    own = values[np.concatenate([base.runs[place].rows.at for place in members])]
-    return max(float(np.sqrt(np.mean(own**2))), SMALLEST)
-
-
-def _members(instruments: Sequence[str], name: str) -> list[int]:
-    return [place for place, one in enumerate(instruments) if one == name]
-
-
-def _repeats(rows: Rows, base: Base, members: Sequence[int]) -> int:
-    """How many readings of an instrument are of a target that was read before."""
-    target = rows.target[np.concatenate([base.runs[place].rows.at for place in members])]
-    return int(target.size - np.unique(target).size)
 
 
 def _guess(blocks: Sequence[Block], instruments: Sequence[str], name: str) -> Guess:

@@ -26,7 +26,7 @@ USUAL = np.log(8.0)
 SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf), (1, 3, 4)
 UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
 FARTHEST = 2.0  # of this logarithm
-STILL = 1e-6  # relative change of the logarithm of the likelihood
+STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
 LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
 STEPS = 200  # of a standard deviation that is averaged
 FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
@@ -198,10 +198,8 @@ def restricted(
         if one.misfit == 0.0:  # nothing tells it from noise
             start[PER * number + MISFIT] = 0.0
             bounds[PER * number + MISFIT] = (0.0, 0.0)
-    options = {"ftol": STILL}
-    global LAST
-    LAST = best = minimize(of, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
-    x = best.x
+    options = {"ftol": STILL, "maxiter": MOST_STEPS}
+    x = minimize(of, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options).x
     for block in blocks[1:]:
         _scaled(Likelihood(block, instruments, first), x)
     return _averaged(of, list(first), x), Found(of.sizes(x), np.exp(x[of.count :]))
@@ -236,7 +234,7 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
     middle = np.maximum(best - slopes * spread**2, -FAR_BELOW * spread)
     share = np.linspace(0.0, 1.0, STEPS)[:, np.newaxis, np.newaxis]
     usual = (np.array(SPREAD)[list(SLOW)] * of.units[:, np.newaxis]) ** 2
-    farthest = np.minimum(np.maximum(middle, 0.0) + FAR_ABOVE * spread, np.maximum(FAR_ABOVE**2*usual,4*best))
+    farthest = np.minimum(np.maximum(middle, 0.0) + FAR_ABOVE * spread, np.maximum(FAR_ABOVE**2 * usual, 4 * best))
     possible = share**2 * farthest
     weight = np.exp(-0.5 * (((possible - middle) / spread) ** 2 + possible / usual))
     slow, wanders, settles = np.sqrt(np.sum(weight * possible, axis=0) / np.sum(weight, axis=0)).T

@@ -164,7 +164,17 @@ def noise(diagnosis: Diagnosis) -> Table:
         )
         for one in diagnosis.noise
     )
-    head = ("instrument", "in all", "white", "slow", "correlation", "runs settle by", "runs wander by", "d.o.f.", "known from")
+    head = (
+        "instrument",
+        "in all",
+        "white",
+        "slow",
+        "correlation",
+        "runs settle by",
+        "runs wander by",
+        "d.o.f.",
+        "known from",
+    )
     return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 8)))
 
 
