@@ -198,8 +198,9 @@ def restricted(
         if one.misfit == 0.0:  # nothing tells it from noise
             start[PER * number + MISFIT] = 0.0
             bounds[PER * number + MISFIT] = (0.0, 0.0)
-    options = {"ftol": STILL, "maxiter": MOST_STEPS}
-    x = minimize(of, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options).x
+    x = minimize(
+        of, start, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": STILL, "maxiter": MOST_STEPS}
+    ).x
     for block in blocks[1:]:
         _scaled(Likelihood(block, instruments, first), x)
     return _averaged(of, list(first), x), Found(of.sizes(x), np.exp(x[of.count :]))

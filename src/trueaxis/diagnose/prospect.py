@@ -88,10 +88,9 @@ def prospect_of(ground: Ground) -> Prospect:
     everything = _with_further(readings.rows, further)
     size = readings.rows.size
     base = base_of(readings.model, everything)
-    known = {
-        readings.rows.runs[run].instrument: one
-        for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True)
-    }
+    known: dict[str, list[RunNoise]] = {}
+    for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True):
+        known.setdefault(readings.rows.runs[run].instrument, []).append(one)
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
     ahead = [_noise(one, known) for one in base.runs[len(ground.whitening.runs) :]]
     whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.own)
@@ -218,13 +217,13 @@ def _contexts(one: Context, other: Context) -> Context:
     )
 
 
-def _noise(run: MeasuredRun, known: Mapping[Any, RunNoise]) -> RunNoise:
+def _noise(run: MeasuredRun, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:
     """As that of other runs of the instrument, or as usual."""
-    usual = known.get(run.instrument)
-    if usual is None:
+    of_instrument = sorted(known.get(run.instrument, []), key=lambda one: one.sigma)
+    if not of_instrument:
         level = PROBE_MM if run.instrument == "probe" else USUAL_MM
         return RunNoise(noise=Noise(level), steps=run.rows.steps, passed=run.rows.passed, wanders=0.0, settles=0.0)
-    return replace(usual, steps=run.rows.steps, passed=run.rows.passed)
+    return replace(of_instrument[len(of_instrument) // 2], steps=run.rows.steps, passed=run.rows.passed)
 
 
 def _spanned(columns: FloatArray) -> FloatArray:
