@@ -13,7 +13,6 @@ exact, at the cost of the run's rows alone.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from scipy.linalg import qr, svd
