@@ -231,13 +231,14 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
             information[one.number, k] += 0.5 * float(np.sum(both * both.T))
     sizes = of.sizes(x)
     best = sizes[:, list(SLOW)] ** 2
-    spread = 1.0 / np.sqrt(np.maximum(information, 1e-300))
-    middle = np.maximum(best - slopes * spread**2, -FAR_BELOW * spread)
-    share = np.linspace(0.0, 1.0, STEPS)[:, np.newaxis, np.newaxis]
     usual = (np.array(SPREAD)[list(SLOW)] * of.units[:, np.newaxis]) ** 2
-    farthest = np.minimum(np.maximum(middle, 0.0) + FAR_ABOVE * spread, np.maximum(FAR_ABOVE**2 * usual, 4 * best))
-    possible = share**2 * farthest
-    weight = np.exp(-0.5 * (((possible - middle) / spread) ** 2 + possible / usual))
+    most = np.maximum(FAR_ABOVE**2 * usual, 4.0 * best)
+    spread = np.minimum(1.0 / np.sqrt(np.maximum(information, 1e-300)), most)
+    middle = np.maximum(best - slopes * spread**2, -FAR_BELOW * spread)
+    farthest = np.minimum(np.maximum(middle, 0.0) + FAR_ABOVE * spread, most)
+    possible = np.linspace(0.0, 1.0, STEPS)[:, np.newaxis, np.newaxis] ** 2 * farthest
+    unlikely = 0.5 * (((possible - middle) / spread) ** 2 + possible / usual)
+    weight = np.exp(unlikely.min(axis=0) - unlikely)
     slow, wanders, settles = np.sqrt(np.sum(weight * possible, axis=0) / np.sum(weight, axis=0)).T
     return {
         name: Law(*map(float, (sizes[k, 0], slow[k], sizes[k, AGE], wanders[k], settles[k], freedom[k])))

@@ -189,7 +189,7 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
         machine="mill <3 & more>",
         verdict=verdict,
         noise=(
-            NoiseOf("laser", 0.00029, 0.00008, 0.4, 0.0001, 180.0, "repeats"),
+            NoiseOf("laser", 0.00029, 0.00008, 0.4, 0.0001, 180.0, "repeats", 0.00025),
             NoiseOf("ballbar", 0.0003, 0.0, 0.0, 0.0, 1e6, "given"),
         ),
         causes=causes,
