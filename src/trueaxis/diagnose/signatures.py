@@ -26,8 +26,6 @@ from trueaxis.runtime.effect_terms import component_term, reading_term
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR
 
-AT_ONCE = 16  # points of a grid whose terms are made together
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Signature:
@@ -231,16 +229,15 @@ def _columns(
 ) -> FloatArray:
     """(size, points, amplitudes): the terms of all basis amplitudes at all points.
 
-    A few at a time: what a kernel gives besides is freed before it takes up memory, and columns side by side are
-    written together.
+    A few at a time: what a kernel gives besides is freed before it takes up memory. Column by column in memory, as
+    they are whitened.
     """
     rows = [0, *(1 + place for place, one in enumerate(kind.parameters) if one.role == "phase")]
     vectors = _vectors(kind, points)
-    found = np.empty((size, len(vectors), len(rows)))
-    for start in range(0, len(vectors), AT_ONCE):
-        part = slice(start, start + AT_ONCE)
-        found[:, part] = np.stack([term(vector)[rows] for vector in vectors[part]]).transpose(2, 0, 1)
-    return found.reshape(size, len(points), len(vectors) // len(points) * len(rows))
+    found = np.empty((len(vectors), len(rows), size))
+    for place, vector in enumerate(vectors):
+        found[place] = term(vector)[rows]
+    return found.reshape(len(points), -1, size).transpose(2, 0, 1)
 
 
 def _of_component(
