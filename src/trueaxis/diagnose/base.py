@@ -15,6 +15,7 @@ from scipy.linalg import block_diag
 from trueaxis.diagnose.by_run import ByRun, by_run, few_of
 from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
 from trueaxis.estimation.instruments import own_kinds
 from trueaxis.estimation.jacobian import Derivative, derivatives
@@ -24,7 +25,6 @@ from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.runtime.bases import LegendreBasis
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
-from trueaxis.spec.machine import LINEAR
 
 DEGREE = 12
 PLACES = 201  # over the travel, at which a curve is looked at
@@ -79,7 +79,7 @@ class Base:
         mine = np.array(self.components) == name
         if name not in self.bases:
             return np.zeros(0), (self.sizes * self.expected)[: self.of_machine][mine][np.newaxis]
-        at = rows.positions[rows.axes.index(name[2])]
+        at = rows.positions[rows.axes.index(ErrorName(name).axis)]
         grid = np.linspace(float(at.min()), float(at.max()), PLACES)
         return grid, self.bases[name].clamped(grid).T * (self.sizes * self.expected)[: self.of_machine][mine]
 
@@ -115,7 +115,7 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
         columns=everything.take(~chance),
         of_machine=layout.of_machine,
         components=(*np.repeat(layout.components, counts).tolist(), *layout.locations),
-        units={name: "mm" if name[1] in LINEAR else "rad" for name in layout.components}
+        units={name: name.unit for name in layout.components}
         | {name: model.machine.parameter_unit(name) for name in layout.locations},
         expected=np.concatenate([*weights, others]),
         sizes=layout.sizes[~chance],

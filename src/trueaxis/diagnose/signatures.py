@@ -7,7 +7,6 @@ Nothing here is written for an instrument by hand: sensitivities come from the d
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from threading import Lock
-from typing import cast
 
 import numpy as np
 
@@ -16,8 +15,8 @@ from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows, as_slice
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import concerns
+from trueaxis.error_name import DISPLACEMENTS
 from trueaxis.estimation.first_order import sensed
-from trueaxis.measure.machine import View
 from trueaxis.measure.reading_context import reading_context_of
 from trueaxis.measure.reading_model import measuring_frame, sensed_directions
 from trueaxis.measure.setup import PointOn, Run
@@ -25,6 +24,7 @@ from trueaxis.runtime.context import Context, ReadingContext
 from trueaxis.runtime.effect_terms import component_term, reading_term
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR
+from trueaxis.view import view_of
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -101,7 +101,7 @@ class Memory:
 
 
 def _term_key(effect: Effect, points: object) -> tuple[object, ...]:
-    return effect.kind, (effect.component or "")[-1:], effect.axis, repr(points)
+    return effect.kind, effect.own_axis, effect.axis, repr(points)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -295,7 +295,7 @@ def _carried(model: MachineModel, run: Run, point: PointOn, positions: FloatArra
     frame = measuring_frame(run)
     if point.on == frame:
         return np.repeat(np.eye(3)[:, :, np.newaxis], positions.shape[1], axis=2)
-    view = cast(View, f"{point.on}_in_{frame}")
+    view = view_of(point.on, frame)
     at = [np.array(point.point)[:, np.newaxis] + offset for offset in (np.zeros((3, 1)), *np.eye(3)[:, :, np.newaxis])]
     places = [
         model.view_ideal(view, positions, one)
@@ -308,18 +308,17 @@ def _carried(model: MachineModel, run: Run, point: PointOn, positions: FloatArra
 def _of_location(readings: Readings, effect: Effect) -> FloatArray:
     """A rotation before the motion of a linear axis is the same rotation after it and a straightness of its slope."""
     model, rows = readings.model, readings.rows
-    assert effect.component is not None
-    direction, axis = effect.component[:2], effect.component[3]
+    direction, axis = effect.error.direction, effect.error.axis
     body = model.machine.mover(axis)
     turn, along = np.zeros(3), np.zeros(3)
-    turn["ABC".index(direction[1])] = 1.0
+    turn[LINEAR.index(direction.line)] = 1.0
     along[LINEAR.index(axis)] = float(body.sense)
     slope = np.cross(turn, along)
     at = rows.positions[rows.axes.index(axis)]
-    column = _sensitivity(readings, f"{direction}{axis}").copy()
-    for place, letter in enumerate("XYZ"):
+    column = _sensitivity(readings, direction.motion_error(axis)).copy()
+    for place, displacement in enumerate(DISPLACEMENTS):
         if slope[place]:
-            column += _sensitivity(readings, f"E{letter}{axis}") * slope[place] * at
+            column += _sensitivity(readings, displacement.motion_error(axis)) * slope[place] * at
     return column[:, np.newaxis, np.newaxis]
 
 

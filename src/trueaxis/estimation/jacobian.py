@@ -120,7 +120,7 @@ def _of_machine(layout: Layout, sensitivity: FloatArray, positions: FloatArray, 
     offsets = layout.offsets
     cache: dict[tuple[int, object], FloatArray] = {}
     for name, basis, first in zip(layout.components, layout.bases, offsets.tolist(), strict=False):
-        axis = model.axes.index(name[2])
+        axis = model.axes.index(name.axis)
         if (axis, basis) not in cache:
             cache[axis, basis] = basis.clamped(positions[axis])
         scaled = sensitivity[model.components.index(name)] * layout.sizes[first]

@@ -31,7 +31,7 @@ def component_term(
     context lacks what the effect depends on.
     """
     _check_place(machine, effect, "component")
-    own = component_axis(effect)
+    own = effect.own_axis
 
     def row(name: str) -> FloatArray:
         if name == "t":
@@ -62,11 +62,6 @@ def reading_term(
         "T": context.temperature - REFERENCE_TEMPERATURE,
     }
     return _term(kernels, machine.kinds[effect.kind], parameters, rows.__getitem__)
-
-
-def component_axis(effect: Effect) -> str:
-    """The axis whose motion error a component effect adds to: the last letter of the component."""
-    return (effect.component or "")[-1]
 
 
 def _check_place(machine: Machine, effect: Effect, place: Place) -> None:
