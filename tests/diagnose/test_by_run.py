@@ -57,7 +57,8 @@ def test_whitened_they_are_the_whitened_columns_and_their_products_those_of_the_
 
 def test_further_columns_some_rows_and_the_first_runs() -> None:
     source, everything = np.random.default_rng(2), columns().dense()
-    more, keep = source.normal(size=(everything.shape[0], 2)), source.random(everything.shape[0]) < 0.5
+    more = source.normal(size=(everything.shape[0], 2))
+    keep = np.asarray(source.random(everything.shape[0]) < 0.5)
     keep[: columns().starts[1]] = False  # a run of which none is kept
     both = np.hstack([everything, more])
     assert columns().beside(more).dense() == pytest.approx(both, abs=1e-12)
