@@ -15,7 +15,7 @@ from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE, explained
 
-ENTRIES = 1 << 20  # of a signature's columns at a time
+ENTRIES = 1 << 18  # of a signature's columns at a time: 2 MB, which stay in the processor's cache
 FAR = 100.0  # a statistic from which the number of tries does not matter
 NOTHING = 1e-200  # squares, in units of the noise, whose inverse would leave the range of numbers
 LN10 = float(np.log(10.0))

@@ -60,6 +60,7 @@ class _OfRun:
     own: int
     aside: FloatArray
     share: FloatArray
+    sigma: float
 
     def less_aside(self, columns: FloatArray) -> FloatArray:
         """In place: columns (n, k) are overwritten."""
@@ -125,7 +126,9 @@ class Whitening:
         found = run.less_aside(run.alone.every(columns))
         # rounding of what the run's own unknowns hold is no direction of its own
         squares, left = np.einsum("ij,ij->j", columns, columns), np.einsum("ij,ij->j", found, found)
-        found[:, left <= (RANK / self.runs[place].sigma) ** 2 * squares] = 0.0
+        held = left <= (RANK / run.sigma) ** 2 * squares
+        if held.any():
+            found[:, held] = 0.0
         return found
 
     def _of(self, place: int) -> _OfRun:
@@ -145,9 +148,10 @@ def _of_run(run: RunNoise, own: FloatArray) -> _OfRun:
     size = float(np.linalg.norm(settling))
     spread = run.settles * size
     if spread == 0.0:
-        return _OfRun(alone, own_count, basis, np.ones(own_count))
+        return _OfRun(alone, own_count, basis, np.ones(own_count), run.sigma)
     share = 1.0 - 1.0 / float(np.hypot(1.0, spread))
-    return _OfRun(alone, own_count, np.hstack([basis, settling / size]), np.append(np.ones(own_count), share))
+    both, shares = np.hstack([basis, settling / size]), np.append(np.ones(own_count), share)
+    return _OfRun(alone, own_count, both, shares, run.sigma)
 
 
 def settling(passed: FloatArray) -> FloatArray:
