@@ -76,14 +76,15 @@ def _own(null: Null, left: FloatArray) -> tuple[list[FloatArray], list[FloatArra
     base, white = null.base, null.whitening
     q, r, size = factored(white, base.columns)
     root = np.linalg.pinv(r, rcond=RANK) / size[:, np.newaxis]  # of the covariance of what the base has fitted
-    rest = left - base.columns @ (root @ (q.T @ white(left)))
+    rest = left - base.columns @ (root @ q.transposed(white(left)))
     values, us = [], []
-    for run, own, noise in zip(base.runs, base.own, white.runs, strict=True):
+    inside = np.split(base.columns.weights @ root, base.columns.ends[1:-1])
+    for run, own, noise, few, part in zip(base.runs, base.own, white.runs, base.columns.few, inside, strict=True):
         scale = np.maximum(np.linalg.norm(own, axis=0), 1e-300)
-        both = noise.whitened(np.column_stack([own / scale, rest[run.rows.at], base.columns[run.rows.at]]))
+        both = noise.whitened(np.column_stack([own / scale, rest[run.rows.at], few]))
         k = own.shape[1]
         inverse = np.linalg.pinv(both[:, :k], rcond=RANK)
-        through = inverse @ both[:, k + 1 :] @ root
+        through = inverse @ both[:, k + 1 :] @ part
         values.append(inverse @ both[:, k] / scale)
         u = np.sqrt(np.sum(inverse**2, axis=1) + np.sum(through**2, axis=1)) / scale
         held = np.abs(inverse @ both[:, :k] - np.eye(k)).max(axis=1) < np.sqrt(RANK)

@@ -15,7 +15,7 @@ from trueaxis.diagnose.gain import fit, gain_of, held_out, of_instruments, predi
 from trueaxis.diagnose.imperfection import imperfection, imperfections
 from trueaxis.diagnose.instruments import instruments_off
 from trueaxis.diagnose.null import Null, again, null_of
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.projection import Projection, spanned
 from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted, refit
 from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, FloatArray, NoiseOf
@@ -184,7 +184,8 @@ def _searched(
 
 def _plain(null: Null, free: FloatArray) -> Projection:
     """What is no news before any cause is known. free: (n, k), mm, columns that are free besides."""
-    basis = Projection(orthonormal(null.whitening(np.hstack([null.base.columns, free]))))
+    columns = null.base.columns.beside(free) if free.size else null.base.columns
+    basis = Projection(spanned(columns.whitened(null.whitening)))
     return basis.softened(null.whitening(null.base.by_chance))
 
 

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.diagnose.base import Base
+from trueaxis.diagnose.by_run import of_basis
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.null import Null
 from trueaxis.diagnose.projection import Projection, orthonormal
@@ -30,14 +31,12 @@ def stale_values(
     standard deviation.
     """
     rows, base, whitening = null.rows, null.base, null.whitening
-    aside = [whitening(base.columns[:, base.of_machine :]), *(whitening(one)[:, np.newaxis] for one in causes)]
-    nuisance = Projection(orthonormal(np.hstack(aside))) if aside[0].size or causes else None
-    chance = whitening(np.column_stack([base.by_chance, *besides]))
-    white = whitening(np.column_stack([base.machine * base.expected[: base.of_machine], null.values]))
-    if nuisance is not None:
-        white, chance = nuisance.rest(white), nuisance.rest(chance)
-    white = Projection(np.zeros((rows.size, 0))).softened(chance).rest(white)
-    r = np.asarray(np.linalg.qr(white, mode="r"))
+    further = np.column_stack([*causes, base.by_chance, *besides, null.values])
+    white = base.columns.times(np.diag(base.expected)).beside(further).whitened(whitening).weights
+    free = base.expected.size + len(causes)
+    aside, chance = white[:, base.of_machine : free], white[:, free:-1]
+    nuisance = Projection(of_basis(orthonormal(aside))).softened(chance)
+    r = np.asarray(np.linalg.qr(nuisance.rest(white[:, [*range(base.of_machine), -1]]), mode="r"))
     return _chosen(rows, base, r, freedom), _all_p(r, freedom)
 
 
@@ -81,7 +80,7 @@ def _chosen(rows: Rows, base: Base, r: FloatArray, freedom: Freedom) -> tuple[St
 
 def _freedom(rows: Rows, base: Base, name: str, freedom: Freedom) -> float:
     at: IntArray = np.arange(rows.size)
-    return freedom.of(at, base.machine[:, np.array(base.components) == name])
+    return freedom.of(at, base.machine.take(np.array(base.components) == name).dense())
 
 
 def _change(
