@@ -192,7 +192,7 @@ def _extension(
     kernels = numpy_kernels(files["kernels.py"], path)  # run too briefly to be worth compiling
     model = MachineModel(machine, kernels, ErrorValues(machine.name))
     kept = kept_readings(given.data, diagnosis, str(args.data))
-    values = reidentified(model, given.model.errors, kept, diagnosis.noise, start_values(diagnosis))
+    values = reidentified(model, given.model.errors, kept, start_values(diagnosis))
     errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
     generated: dict[Path, bytes | str] = {
         args.out / KERNELS / machine.name / name: content for name, content in files.items()

@@ -39,11 +39,14 @@ class ByRun:
 
     def transposed(self, vectors: FloatArray, rows: IntArray | None = None) -> FloatArray:
         """(p, ...): products with vectors (n, ...), or (n_rows, ...), those of some whole runs and 0 elsewhere."""
+        found = np.zeros((self.weights.shape[1], *vectors.shape[1:]))
+        if rows is not None and rows.size == 0:
+            return found
         ends, inside, chosen = self.ends, [], []
         for place, here in runs_among(self.starts, np.arange(self.starts[-1]) if rows is None else rows):
             inside.append(self.few[place].T @ vectors[here])
             chosen.append(np.arange(ends[place], ends[place + 1]))
-        return np.asarray(self.weights[np.concatenate(chosen)].T @ np.concatenate(inside))
+        return np.asarray(self.weights[np.concatenate(chosen)].T @ np.concatenate(inside)) if chosen else found
 
     def squares(self) -> FloatArray:
         """(n,): sum of the squares of each row."""
@@ -85,6 +88,8 @@ class ByRun:
 
     def only(self, keep: BoolArray) -> "ByRun":
         """Of some rows, (n,): a run of which none is kept is none."""
+        if not keep.any():
+            return ByRun(np.zeros(2, dtype=np.int64), (np.zeros((0, 0)),), self.weights[:0])
         each = zip(self.parts(), np.split(keep, self.starts[1:-1]), strict=True)
         return by_run([(few[kept], weights) for (few, weights), kept in each if kept.any()])
 

@@ -7,11 +7,10 @@ import numpy as np
 
 from trueaxis.diagnose.amplitudes import amplitudes_of
 from trueaxis.diagnose.audit import audit
-from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.freedom import freedom_of
-from trueaxis.diagnose.gain import fit, gain_of, held_out, of_instruments, predicted
+from trueaxis.diagnose.gain import fit, gain_of, held_out, predicted
 from trueaxis.diagnose.imperfection import imperfection, imperfections
 from trueaxis.diagnose.instruments import instruments_off
 from trueaxis.diagnose.null import Null, again, null_of
@@ -108,10 +107,6 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             held=held,
             left=of_all.left,
             gain=gain,
-            # the base as fine as the curves of the extended machine
-            of_instruments=of_instruments(
-                base_of(model, null.rows, model.machine.curve_degree), null.whitening, values, causes
-            ),
             stale=stale,
             stale_p=stale_p,
             report=data.setup.report,

@@ -250,8 +250,7 @@ class MeasuredWith:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Residuals:
-    """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds;
-    of_instruments: what offsets, slopes and centres of the instruments account for beside curves of the spec's degree.
+    """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds.
 
     run: index into runs; positions, directions: (n_axes, n); theta: polar angle (rad) of circles, NaN elsewhere;
     along: ideal displacement sensed (mm) of lines.
@@ -275,7 +274,6 @@ class Residuals:
     refitted: FloatArray
     extended: FloatArray
     whitened: FloatArray
-    of_instruments: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)

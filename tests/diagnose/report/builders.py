@@ -103,7 +103,6 @@ def residuals(targets: int = 41, repeats: int = 3, circle: int = 360, *, time: b
         refitted=refitted,
         extended=noise,
         whitened=noise / NOISE,
-        of_instruments=np.zeros_like(noise),
     )
 
 
