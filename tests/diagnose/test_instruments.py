@@ -54,9 +54,9 @@ def test_a_run_that_was_zeroed_elsewhere_is_named_with_its_size(size: float) -> 
     values[places("Y2-1")] += size
     (one,) = found(values)
     assert one.effect == Effect("reading_zero", runs=("Y2-1",))
-    assert one.value == pytest.approx(size, abs=4.0 * USUAL)
+    assert one.values[0] == pytest.approx(size, abs=4.0 * USUAL)
     assert one.p_value < 1e-4
-    assert np.abs(one.signal).max() == pytest.approx(abs(one.value))
+    assert np.abs(one.signal).max() == pytest.approx(abs(one.values[0]))
     assert not one.signal[~places("Y2-1")].any()
 
 

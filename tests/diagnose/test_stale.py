@@ -9,7 +9,7 @@ from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.null import null_of
 from trueaxis.diagnose.result import Stale
 from trueaxis.diagnose.signatures import parameter_signature, readings_of
-from trueaxis.diagnose.stale import clearest, stale_values
+from trueaxis.diagnose.stale import clearest, free_besides, stale_values
 from trueaxis.effects.kind import Effect
 
 
@@ -30,7 +30,10 @@ def curve(component: str, change: FloatArray) -> FloatArray:
 def found(values: FloatArray, causes: tuple[FloatArray, ...] = ()) -> tuple[tuple[Stale, ...], float]:
     null = null_of(given().model, given().rows, values, 1e3 * SIGMA)
     assert null.rows.size == given().rows.size
-    return stale_values(null, causes, (), freedom_of(null.rows, null.whitening.sigma, null.noise))
+    changes = stale_values(
+        null, free_besides(null, causes, ()), freedom_of(null.rows, null.whitening.sigma, null.noise)
+    )
+    return changes.stale, changes.p_value
 
 
 def bump(middle: float, half: float) -> FloatArray:

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from trueaxis.diagnose.instruments import OF_INSTRUMENTS
+from trueaxis.diagnose.instruments import NOT_OF_THE_MACHINE
 from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
@@ -35,7 +35,7 @@ def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
     if diagnosis.verdict not in ("explained", "ambiguous"):
         return ()
     named = (cause.effect for cause in diagnosis.causes if not cause.rivals)
-    return tuple(effect for effect in named if effect.kind not in OF_INSTRUMENTS)
+    return tuple(effect for effect in named if effect.kind not in NOT_OF_THE_MACHINE)
 
 
 def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
@@ -43,7 +43,7 @@ def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
     return tuple(
         EffectValues(one.effect, {each.name: each.value for each in one.parameters})
         for one in diagnosis.causes
-        if one.effect.kind not in OF_INSTRUMENTS
+        if one.effect.kind not in NOT_OF_THE_MACHINE
     )
 
 
