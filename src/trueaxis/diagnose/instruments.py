@@ -16,7 +16,8 @@ from trueaxis.diagnose.null import Null, factored
 from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.whiten import RANK
 from trueaxis.effects.kind import Effect
-from trueaxis.estimation.instruments import CLASSES, UnknownClass
+from trueaxis.estimation.instruments import CLASSES, STATED_FACTOR
+from trueaxis.measure.setup import Run
 
 FALSE_ALARMS = 1e-4  # share of data with instruments as usual in which one or other is taken for a cause
 KINDS = {  # class of an unknown -> the kind of effect that it is when it is off
@@ -27,17 +28,16 @@ KINDS = {  # class of an unknown -> the kind of effect that it is when it is off
     "straightness slope": "reading_slope",
     "ballbar centre of a run": "ballbar_centre",
     "ballbar length": "ballbar_length",
-    "stated length": "ballbar_length",
     "laser scale": "laser_scale",
     "stated scale": "laser_scale",
-    "laser cosine": "laser_cosine",
 }
 NOT_OF_THE_MACHINE = frozenset({"reading_zero", "reading_slope"})  # kinds that no machine is extended by
 OF_ALL_RUNS = frozenset({"ballbar_length", "laser_scale"})  # kinds without runs of their own
-WHOLE = {
+WHOLE = {  # an unknown of a run that holds what runs share besides -> the class of that
     "ballbar centre of a run": "ballbar centre",
     "ballbar zero": "ballbar length",
-}  # what its runs share besides
+    "probe zero": "probe origin",
+}
 WIDE = 4.0  # times what is expected of errors of the machine: by that factor [prior] may be wrong
 SIZES = np.linspace(-4.0, 4.0, 161)  # of a class about its own, in logarithms of its factor
 USUAL = 3.0  # median sizes of a class by which runs of one set-up may differ
@@ -47,8 +47,9 @@ TOLD = 1e-3  # of what is expected of an unknown: information below it is none
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Off:
-    """An instrument that is off in the runs of its effect: values and u of its parameters, mm or 1 (rad of an angle), u
-    infinite where the readings do not tell; signal: (n,), mm.
+    """An instrument that is off in the runs of its effect.
+
+    values, u: of its parameters, mm or 1; signal: (n,), mm.
     """
 
     effect: Effect
@@ -61,14 +62,15 @@ class Off:
 @dataclass(frozen=True, slots=True, eq=False)
 class _Unknown:
     """As the readings have it. of: what it shares with the other coordinates of a point; runs: by their places in the
-    base; size: one standard deviation before; column: (n,), mm per unit; squares: what all coordinates explain,
-    whitened.
+    base; size, factor: one standard deviation before, and by what that may be wrong; column: (n,), mm per unit;
+    squares: what all coordinates explain, whitened.
     """
 
     kind: str
     of: object
     runs: tuple[int, ...]
     size: float
+    factor: float
     value: float
     u: float
     column: FloatArray
@@ -103,9 +105,7 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
         coefficient = root[:, : r.shape[0]] @ (q.T @ null.whitening(left))
         every = [*_shared(null.base, coefficient, root), *_own(null, left, columns, coefficient, root)]
         every = [one for one in every if (one.kind, one.of) not in found]
-        chances = [
-            _chance(one, [other for other in every if other.kind == one.kind and other is not one]) for one in every
-        ]
+        chances = [_chance(one, [o for o in every if o.kind == one.kind and o.of != one.of]) for one in every]
         sure = [one for one, chance in zip(every, chances, strict=True) if chance * len(every) < FALSE_ALARMS]
         if not sure:
             break
@@ -115,14 +115,14 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
         off = _off(null, of_point, p_value)
         found[best.kind, best.of] = off
         left = left - off.signal
-    return tuple(one for one in found.values() if one.effect.kind != "laser_cosine" or np.isfinite(one.values).all())
+    return tuple(found.values())
 
 
 def _chance(one: _Unknown, others: Sequence[_Unknown]) -> float:
     """Probability that an unknown is so far off, the size of its class being what is stated or known, and what the
     others say of it.
     """
-    size = one.size * _class_of(one.kind).factor ** SIZES
+    size = one.size * one.factor**SIZES
     weight = -0.5 * SIZES**2
     for other in others:
         spread = np.hypot(size * other.size / one.size, other.u)
@@ -143,7 +143,10 @@ def _shared(base: Base, coefficient: FloatArray, root: FloatArray) -> Iterator[_
             continue
         value, u = float(coefficient[k]) / variance / information, information**-0.5
         runs = tuple(place[index] for index in unknown.runs if index in place)
-        yield _Unknown(unknown.kind, k, runs, size, value * size, u * size, columns[:, k] / size, (value / u) ** 2)
+        factor = unknown.unknown_class.factor
+        yield _Unknown(
+            unknown.kind, k, runs, size, factor, value * size, u * size, columns[:, k] / size, (value / u) ** 2
+        )
 
 
 def _own(
@@ -154,7 +157,7 @@ def _own(
     by_kind: dict[str, list[_OfRun]] = {}
     for place, (run, own, noise) in enumerate(zip(null.base.runs, null.base.own, null.whitening.runs, strict=True)):
         kinds, k = np.array(null.base.own_kinds[place]), own.shape[1]
-        size = np.array([_class_of(kind).size for kind in kinds])
+        size = np.array([_expected_of(run.rows.run, kind)[0] for kind in kinds])
         white = noise.whitened(np.column_stack([own * size, rest[run.rows.at], columns[run.rows.at] @ root]))
         information, asked = _told(white[:, :k], white[:, k], white[:, k + 1 :])
         for kind in dict.fromkeys(kinds[np.isin(kinds, list(KINDS))].tolist()):
@@ -163,10 +166,6 @@ def _own(
             by_kind.setdefault(kind, []).append(_OfRun(place, at, value * size[at], u * size[at], squares))
     for kind, members in by_kind.items():
         yield from _together(null, kind, members)
-
-
-def _class_of(kind: str) -> UnknownClass:
-    return CLASSES[WHOLE.get(kind, kind)]
 
 
 def _told(own: FloatArray, rest: FloatArray, besides: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -197,34 +196,50 @@ def _of_class(information: FloatArray, asked: FloatArray, at: IntArray) -> tuple
 
 
 def _together(null: Null, kind: str, members: Sequence[_OfRun]) -> Iterator[_Unknown]:
-    """Runs of one set-up and session that agree are one; where they do not, each is one by itself."""
-    size = _class_of(kind).size
-    differ = min(size, USUAL * float(np.median(np.abs(np.concatenate([one.value for one in members])))))
-    groups: dict[tuple[int, str], list[_OfRun]] = {}
-    for one in members:
-        run = null.base.runs[one.place].rows
-        groups.setdefault((int(null.rows.setup[run.at[0]]), run.run.session), []).append(one)
-    for group in groups.values():
-        value, u = np.array([one.value for one in group]), np.array([one.u for one in group])
-        weight = 1.0 / u**2
-        whole = weight.sum(axis=0)
-        mean = np.sum(value * weight, axis=0) / whole
-        if (np.abs(value - mean) <= differ + 3.0 * u).all():
-            yield from _unknowns(null, kind, size, group, mean, whole**-0.5)
-        else:
-            for one in group:
-                yield from _unknowns(null, kind, size, [one], one.value, one.u)
+    """Runs by one bar, or else of one set-up and session, that agree are one; where they do not, each is by itself."""
+    differ = USUAL * float(np.median(np.abs(np.concatenate([one.value for one in members]))))
+    runs = {one.place: null.base.runs[one.place].rows for one in members}
+    setup = {place: (int(null.rows.setup[run.at[0]]), run.run.session) for place, run in runs.items()}
+    of_bar = {place: (run.run.session, run.run.device, run.run.length) for place, run in runs.items()}
+    left = list(members)
+    for key in (of_bar, setup) if kind == "ballbar zero" else (setup,):
+        groups: dict[object, list[_OfRun]] = {}
+        for one in left:
+            groups.setdefault(key[one.place], []).append(one)
+        for group in groups.values():
+            value, u = np.array([one.value for one in group]), np.array([one.u for one in group])
+            weight = 1.0 / u**2
+            mean = np.sum(value * weight, axis=0) / weight.sum(axis=0)
+            expected = _expected_of(runs[group[0].place].run, kind)
+            if (np.abs(value - mean) <= min(expected[0], differ) + 3.0 * u).all():
+                name = "ballbar length" if len({setup[one.place] for one in group}) > 1 else kind
+                yield from _unknowns(null, name, expected, group, mean, weight.sum(axis=0) ** -0.5)
+                left = [one for one in left if one not in group]
+    for one in left:
+        yield from _unknowns(null, kind, _expected_of(runs[one.place].run, kind), [one], one.value, one.u)
+
+
+def _expected_of(run: Run, kind: str) -> tuple[float, float]:
+    """Of an unknown of a run, one standard deviation, and by what it may be wrong: as its device's table states, else
+    as its class is.
+    """
+    known = CLASSES[WHOLE.get(kind, kind)]
+    if kind == "ballbar zero" and run.device is not None and run.device.length_u is not None:
+        return float(np.hypot(run.device.length_u, CLASSES[kind].size)), STATED_FACTOR
+    return known.size, known.factor
 
 
 def _unknowns(
-    null: Null, kind: str, size: float, group: Sequence[_OfRun], value: FloatArray, u: FloatArray
+    null: Null, kind: str, expected: tuple[float, float], group: Sequence[_OfRun], value: FloatArray, u: FloatArray
 ) -> Iterator[_Unknown]:
     runs = tuple(one.place for one in group)
     for k in range(value.size):
         column = np.zeros(null.rows.size)
         for one in group:
             column[null.base.runs[one.place].rows.at] = null.base.own[one.place][:, one.at[k]]
-        yield _Unknown(kind, runs, runs, size, float(value[k]), float(u[k]), column, sum(one.squares for one in group))
+        yield _Unknown(
+            kind, runs, runs, *expected, float(value[k]), float(u[k]), column, sum(one.squares for one in group)
+        )
 
 
 def _off(null: Null, point: Sequence[_Unknown], p_value: float) -> Off:
@@ -232,7 +247,4 @@ def _off(null: Null, point: Sequence[_Unknown], p_value: float) -> Off:
     runs = () if kind in OF_ALL_RUNS else tuple(null.base.runs[place].rows.run.id for place in point[0].runs)
     values, u = np.array([(one.value, one.u) for one in point]).T
     signal = np.sum([one.value * one.column for one in point], axis=0)
-    if kind == "laser_cosine":
-        values = np.sqrt(np.where(values < 0.0, -2.0 * values, np.nan))  # no angle makes a laser read long
-        u = u / values
     return Off(Effect(kind, runs=runs), values, u, p_value, signal)
