@@ -20,6 +20,7 @@ from trueaxis.derive import symbols
 from trueaxis.derive.first_order import first_order
 from trueaxis.derive.folded import coefficient, curve
 from trueaxis.derive.views import view
+from trueaxis.error_name import ErrorName
 from trueaxis.runtime.compiler import FLAGS, NATIVE, find_compiler
 from trueaxis.spec import Machine
 
@@ -89,11 +90,11 @@ def lambdify(machine: Machine) -> list[Contestant]:
     coefficients = [coefficient(name, power) for name in machine.components for power in powers]
     constants = [*coefficients, *map(symbols.named, machine.parameters), *symbols.point()]
 
-    def sum_of_powers(name: str) -> sp.Expr:
-        return sp.Add(*(coefficient(name, power) * symbols.position(name[2]) ** power for power in powers))
+    def sum_of_powers(name: ErrorName) -> sp.Expr:
+        return sp.Add(*(coefficient(name, power) * symbols.position(name.axis) ** power for power in powers))
 
-    def function(component: Callable[[str], sp.Expr]) -> Callable[..., Any]:
-        errors = {name: component(name) for name in machine.components}
+    def function(component: Callable[[ErrorName], sp.Expr]) -> Callable[..., Any]:
+        errors: dict[str, sp.Expr] = {name: component(name) for name in machine.components}
         rows = [
             sp.Add(*(column[row] * errors.get(name, symbols.named(name)) for name, column in columns.items()))
             for row in range(3)

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from tests.kernels import kernels_of
 from tests.machines import machine_of
-from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.curves import Curve, PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.kernels import Kernels
 from trueaxis.runtime.model import MachineModel
@@ -127,7 +127,7 @@ def random_model(
     scale: of all errors; small ones leave nothing of the products of errors.
     """
     machine, draw = machine_of(text), np.random.default_rng(seed)
-    curves = {}
+    curves: dict[str, Curve] = {}
     for name in machine.components:
         low, high = machine.travel[name[2]]
         size = scale * (0.02 if name[1] in "XYZ" else 2e-5 * rotations)

@@ -17,6 +17,7 @@ from trueaxis.derive.systems import RunPattern, identification, run_motion, unde
 from trueaxis.emit.equations import equations_page
 from trueaxis.emit.numpy_source import numpy_source
 from trueaxis.measure.data import read_data
+from trueaxis.view import Carrier, Frame
 
 CHAIN = ExactChain(DMU60P.read_text())
 DIMENSIONS = {"q_wx": 270.0, "q_wy": -350.0, "q_wz": 12.5, "q_Tx": 1.25, "q_Ty": 3.0, "q_Tz": 400.0}
@@ -255,9 +256,9 @@ def test_a_page_tells_what_runs_of_a_rotary_axis_leave_open() -> None:
 
 
 @pytest.mark.parametrize("frame", ["bed", "workpiece"])
-def test_readings_in_any_direction_frame_and_of_any_points_are_those_of_the_chain(frame: str) -> None:
+def test_readings_in_any_direction_frame_and_of_any_points_are_those_of_the_chain(frame: Frame) -> None:
     # Slanted and backward directions, points against points: each row of a system, and what it takes as known.
-    on = {"bed": ("tool", "workpiece"), "workpiece": ("tool", "bed")}[frame]
+    on: tuple[Carrier, Carrier] = ("tool", "workpiece" if frame == "bed" else "bed")
     machine, dimensions = machine_at(DMU60P), DIMENSIONS
     ways = [(-0.6, 0.0, 0.8), (0.0, -1.0, 0.0), (0.48, -0.6, -0.64)]
     for number, way in enumerate(ways):

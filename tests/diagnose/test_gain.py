@@ -67,8 +67,8 @@ def test_the_fit_is_ridge_regression() -> None:
     values = noise(1) + cause().signal
     found = fit_of(values, (cause(),), ~HELD)
     own = WHERE.without_own()
-    columns = np.hstack([found.columns, own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)])[~HELD]
-    p = found.columns.shape[1]
+    columns = np.hstack([found.columns.dense(), own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)])[~HELD]
+    p = found.extended.size
     prior = np.concatenate([np.ones(p - 1), np.full(1, 1e-6), np.full(own.shape[1], 1e-9)])
     information = columns.T @ columns / SIGMA**2 + np.diag(prior)
     expected = np.linalg.solve(information, columns.T @ values[~HELD] / SIGMA**2)[:p]

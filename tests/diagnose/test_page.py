@@ -5,6 +5,7 @@ import io
 import json
 import math
 import re
+import shutil
 from pathlib import Path
 
 import pytest
@@ -84,13 +85,16 @@ def test_the_example_prints_what_the_page_says(example: tuple[Path, list[str]]) 
 
 
 @pytest.mark.slow
-def test_the_readme_shows_the_same_run(example: tuple[Path, list[str]]) -> None:
+def test_the_readme_shows_what_its_commands_print(tmp_path: Path) -> None:
     place = next(k for k, lines in enumerate(blocks(README)) if lines[-1].startswith("trueaxis diagnose"))
     commands, result = blocks(README)[place : place + 2]
-    assert commands == blocks(PAGE)[0]
+    for folder in ("machines", "examples", "generated"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    with contextlib.chdir(tmp_path):
+        printed = [run(line) for line in commands][-1].splitlines()
     assert len(result) > 3
     for told in result:
-        assert any(alike(told, line) for line in example[1]), told
+        assert any(alike(told, line) for line in printed), told
 
 
 @pytest.mark.slow

@@ -10,7 +10,7 @@ from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.null import null_of
 from trueaxis.diagnose.result import Stale
 from trueaxis.diagnose.signatures import parameter_signature, readings_of
-from trueaxis.diagnose.stale import clearest, free_besides, stale_values
+from trueaxis.diagnose.stale import clearest, stale_values
 from trueaxis.effects.kind import Effect
 
 STRAIGHT = Design(lines=1, repeats=2, targets=21, straightness=True, ball_bar=False)
@@ -33,9 +33,7 @@ def curve(component: str, change: FloatArray) -> FloatArray:
 def found(values: FloatArray, causes: tuple[FloatArray, ...] = ()) -> tuple[tuple[Stale, ...], float]:
     null = null_of(given().model, given().rows, values, 1e3 * SIGMA)
     assert null.rows.size == given().rows.size
-    changes = stale_values(
-        null, free_besides(null, causes, ()), freedom_of(null.rows, null.whitening.sigma, null.noise)
-    )
+    changes = stale_values(null, causes, (), freedom_of(null.rows, null.whitening.sigma, null.noise))
     return changes.stale, changes.p_value
 
 
@@ -115,6 +113,6 @@ def test_a_change_whose_slope_is_not_told_is_that_from_a_straight_line() -> None
     values = values + SIGMA * np.random.default_rng(6).standard_normal(case.rows.size)
     null = null_of(case.model, case.rows, values, 1e3 * SIGMA)
     freedom = freedom_of(null.rows, null.whitening.sigma, null.noise)
-    (one,) = stale_values(null, free_besides(null, (), ()), freedom).stale
+    (one,) = stale_values(null, (), (), freedom).stale
     assert (one.component, one.bent) == ("EXY", True)
     assert abs(one.value) > 2.0 * one.u

@@ -11,8 +11,9 @@ from trueaxis.effects.expression import names, parse
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME, KINDS
 from trueaxis.effects.linearity import is_linear
-from trueaxis.effects.placement import allows, concerns, context_of, direction_of, reads, variables_of
+from trueaxis.effects.placement import allows, concerns, context_of, reads, variables_of, way_of
 from trueaxis.effects.variables import FARTHEST, VARIABLES
+from trueaxis.error_name import ErrorName
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,7 @@ def test_every_term_has_a_value_worked_by_hand() -> None:
 
 
 @pytest.mark.parametrize(
-    ("component", "direction"),
+    ("text", "direction"),
     [
         ("EXX", "along"),
         ("EYX", "across"),
@@ -103,8 +104,9 @@ def test_every_term_has_a_value_worked_by_hand() -> None:
         ("EAC", "turn"),
     ],
 )
-def test_directions(component: str, direction: str) -> None:
-    assert direction_of(component) == direction
+def test_directions(text: str, direction: str) -> None:
+    component = ErrorName(text)
+    assert way_of(component) == direction
     assert allows(BY_NAME["servo_lag"], component) is (direction == "along")
     assert allows(BY_NAME["cyclic"], component) is (direction != "turn")
 

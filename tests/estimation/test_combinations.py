@@ -7,8 +7,8 @@ import pytest
 
 from tests.plan.data import folder, model
 from trueaxis.estimation.combinations import Combination, Part, combinations
-from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.expected import expected
+from trueaxis.estimation.result import Estimate
 from trueaxis.identify.words import combination_text
 from trueaxis.runtime.errors import ErrorValues
 

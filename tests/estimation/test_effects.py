@@ -29,7 +29,7 @@ from trueaxis.identify.report import Identification
 from trueaxis.identify.report_text import report_text
 from trueaxis.measure.readings import Readings
 from trueaxis.measure.setup import PointOn, Run
-from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.runtime.curves import Curve, PolynomialCurve
 from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, dump_errors, read_errors
 from trueaxis.runtime.kernels import Kernels
@@ -333,7 +333,7 @@ def test_lost_motion_of_a_rotary_axis_in_degrees_and_radians() -> None:
         model.axes, ("C1",), np.zeros(24, dtype=np.int64), np.arange(24), positions, direction, reading, model.axes
     )
     given = ErrorValues("five_axis", dict.fromkeys((*model.dimensions, *model.location_errors), 0.0))
-    curves = {name: PolynomialCurve((), ()) for name in model.components if name != "ECC"}
+    curves: dict[str, Curve] = {name: PolynomialCurve((), ()) for name in model.components if name != "ECC"}
     known = replace(given, motion_errors=curves)
     found = identify_estimated(model, observations("readings.csv", [run], rows), EstimateOptions("known", known))
     assert found.values.effects[0].parameters["width"] == pytest.approx(width, rel=1e-3)
@@ -416,7 +416,7 @@ def test_a_spike_over_time_or_path_comes_back(kind: str, name: str, truth: float
     data = measured({"EXX": spike}, seed=13)
     some = np.array([kind == "time" or run.id.startswith(("X-", "xy")) for run in data.runs])[data.run]
     found = estimate(model_with(effect), data.of(np.flatnonzero(some)), KNOWN)
-    assert found.converged
+    assert found.iteration.converged
     u = np.linalg.norm(found.spread[found.layout.of_effects], axis=1)
     assert (u < 0.2 * np.array([0.01, truth])).all()
     for of, value, each in zip(("height", name), (0.01, truth), u, strict=True):

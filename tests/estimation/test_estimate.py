@@ -9,8 +9,9 @@ import pytest
 from tests.worlds.estimates import World, deviations, outcome, rms_um, world
 from tests.worlds.readings import measure
 from tests.worlds.truth import draw_machine, random_points
-from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
+from trueaxis.estimation.estimate import EstimationOptions, NothingHeldError, estimate
 from trueaxis.estimation.layout import layout_of
+from trueaxis.estimation.result import Estimate
 from trueaxis.measure.setup import Device
 from trueaxis.runtime.curves import PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
@@ -40,7 +41,7 @@ def test_it_is_nearly_as_good_as_what_knows_noise_and_sizes(small: World) -> Non
     )
     assert error < 1.6 * oracle  # few readings: sizes that it does not know cost that
     assert error < true
-    assert all(one.found.converged for one in each)
+    assert all(one.found.iteration.converged for one in each)
     assert 0.8 <= np.mean([one.coverage for one in each]) <= 1.0
 
 
@@ -59,7 +60,7 @@ def test_it_is_on_thorough_plans(seed: int, tmp_path: Path) -> None:
 def test_outliers_are_found_and_no_others(small: World) -> None:
     spoilt = set(small.design.shop.outliers.tolist())
     assert spoilt
-    found = set(np.flatnonzero(estimated(small, 1).outliers).tolist())
+    found = set(np.flatnonzero(estimated(small, 1).readings.outliers).tolist())
     assert len(found & spoilt) >= 0.6 * len(spoilt)
     assert len(found - spoilt) <= 1
 
@@ -99,7 +100,7 @@ def test_unread_errors_keep_their_prior(small: World) -> None:
     data = measure(small.design, draw_machine(small.design.machine, 4), 4)
     alone = replace(small.plan, reading=data.reading.copy()).of(rows)
     found = estimate(small.model, alone, given(small))
-    assert found.converged
+    assert found.iteration.converged
     assert np.isfinite(found.spread).all()
     u = np.linalg.norm(found.spread, axis=1)
     assert np.median(u[: found.layout.of_machine] / found.scale[: found.layout.of_machine]) > 0.8
@@ -136,6 +137,6 @@ def test_a_noise_that_is_stated_is_not_estimated(small: World) -> None:
     data = measure(small.design, draw_machine(small.design.machine, 5), 5)
     observed = replace(small.plan, reading=data.reading.copy())
     stated = dict.fromkeys(range(len(observed.runs)), 0.0005)
-    found = estimate(small.model, observed, given(small), stated)
-    assert set(found.scales.values()) == {5e-4}
-    assert all(noise.sigma == 1.0 for noise in found.noise.values())
+    found = estimate(small.model, observed, given(small), EstimationOptions(noise=stated))
+    assert set(found.noise.scale_of_run.values()) == {5e-4}
+    assert all(noise.sigma == 1.0 for noise in found.noise.of_instrument.values())

@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 
 from tests.plan.data import folder, model
 from tests.plan.promise import NOISE, TOOL, outcomes, prior_sizes, ratio, shop
-from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.expected import expected, expected_posterior, informing_rows
 from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.layout import Layout, layout_of
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.tool_point import moved_by, tool_point, volume
 from trueaxis.measure.machine import FloatArray

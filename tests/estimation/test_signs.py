@@ -10,7 +10,7 @@ from tests.estimation.test_effects import KNOWN
 from tests.generator.dmu60p import cubic_errors
 from tests.identify.data import mixed_data
 from tests.identify.effect_data import model_with
-from trueaxis.estimation.estimate import estimate
+from trueaxis.estimation.estimate import EstimationOptions, estimate
 from trueaxis.estimation.observations import Observations
 from trueaxis.identify.estimated import EstimateOptions, identify_estimated
 
@@ -53,8 +53,9 @@ def test_noise_that_is_stated_too_small_names_no_other_run(
     readings: Observations, wrong: tuple[str, ...], named: tuple[str, ...]
 ) -> None:
     """A third of what it is: every logarithm of a ratio of likelihoods is nine times too large."""
-    found = estimate(model_with(), turned(readings, *wrong), KNOWN, dict.fromkeys(range(len(readings.runs)), 1e-4))
-    assert tuple(readings.runs[index].id for index in found.reversed) == named
+    noise = dict.fromkeys(range(len(readings.runs)), 1e-4)
+    found = estimate(model_with(), turned(readings, *wrong), KNOWN, EstimationOptions(noise=noise))
+    assert tuple(readings.runs[index].id for index in found.readings.reversed) == named
 
 
 def turned(data: Observations, *runs: str) -> Observations:

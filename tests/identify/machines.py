@@ -13,9 +13,11 @@ import numpy as np
 
 from tests.generator.dmu60p import BODIES, TRAVEL
 from tests.generator.machine import Body
-from trueaxis.measure.machine import FloatArray, View
+from trueaxis.error_name import ErrorName
+from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.curves import evaluate_components
 from trueaxis.runtime.errors import ErrorValues
+from trueaxis.view import View
 
 LETTERS = "XYZABC"
 STEP = 1e-30
@@ -36,8 +38,8 @@ class PlainMachine:
     differentiated: dict[Any, FloatArray] = field(default_factory=dict)
 
     @property
-    def components(self) -> tuple[str, ...]:
-        return tuple(f"E{direction}{axis}" for axis in self.axes for direction in LETTERS)
+    def components(self) -> tuple[ErrorName, ...]:
+        return tuple(ErrorName(f"E{direction}{axis}") for axis in self.axes for direction in LETTERS)
 
     @property
     def parameters(self) -> tuple[str, ...]:

@@ -18,8 +18,9 @@ import numpy as np
 from trueaxis.cli import main
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import ideal_bar
-from trueaxis.measure.setup import Carrier, Instrument, PointOn, Run, Vector
+from trueaxis.measure.setup import Instrument, PointOn, Run, Vector
 from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.view import Carrier
 
 ROOT = Path(__file__).parents[2]
 MACHINES = ("dmu60p", "gantry_mill", "bridge_cmm")

@@ -15,11 +15,12 @@ from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import expected_readings
-from trueaxis.measure.setup import Carrier, Instrument, PointOn, Run, Vector
-from trueaxis.runtime.curves import PolynomialCurve
+from trueaxis.measure.setup import Instrument, PointOn, Run, Vector
+from trueaxis.runtime.curves import Curve, PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel, load_model
 from trueaxis.runtime.uncertainty import tool_uncertainty
+from trueaxis.view import Carrier
 
 ROOT = Path(__file__).parents[2]
 MACHINES = ("dmu60p", "gantry_mill", "bridge_cmm", "cframe_mill", "trunnion_mill", "headhead_mill", "dmu60p_5axis")
@@ -65,7 +66,7 @@ def drawn(rng: np.random.Generator, name: str, lines: int, circles: int, count: 
 
 def errors(rng: np.random.Generator, model: MachineModel) -> ErrorValues:
     """Cubic curves with something smooth on them, tabled finely, and location errors."""
-    curves = {}
+    curves: dict[str, Curve] = {}
     for component in model.components:
         low, high = model.travel[component[2]]
         at = np.linspace(low, high, KNOTS)

@@ -17,6 +17,7 @@ from tests.identify.data import mixed_data, noisy, paper_data
 from tests.identify.test_command import KERNELS, MACHINE, identify, known, simulated
 from tests.identify.test_estimated import CONVENTION, KNOWN
 from trueaxis.cli import main
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.observations import Observations
 from trueaxis.faults import InputError
 from trueaxis.identify.curve_fit import in_polynomials
@@ -255,7 +256,7 @@ def small_archive() -> dict[str, Any]:
     """The arrays of a valid covariance file of two values."""
     covariance = Covariance(
         machine="dmu60p",
-        components=("EXX",),
+        components=(ErrorName("EXX"),),
         bases=(LegendreBasis(0.0, 540.0, 2),),
         locations=(),
         root=np.eye(2) * 1e-6,
@@ -303,7 +304,12 @@ def test_arrays_that_no_identification_writes_are_told(tmp_path: Path, change: s
 )
 def test_bases_that_no_identification_writes_are_told(tmp_path: Path, basis: Basis) -> None:
     covariance = Covariance(
-        machine="dmu60p", components=("EXX",), bases=(basis,), locations=(), root=np.eye(2), open=np.zeros((2, 0))
+        machine="dmu60p",
+        components=(ErrorName("EXX"),),
+        bases=(basis,),
+        locations=(),
+        root=np.eye(2),
+        open=np.zeros((2, 0)),
     )
     file = tmp_path / "c.npz"
     file.write_bytes(dump_covariance(covariance))

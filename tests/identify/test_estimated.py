@@ -35,7 +35,7 @@ from trueaxis.identify.report import Identification
 from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import expected_readings
-from trueaxis.runtime.curves import LegendreCurve, PolynomialCurve
+from trueaxis.runtime.curves import Curve, LegendreCurve, PolynomialCurve
 from trueaxis.runtime.errors import ErrorValues
 
 LEVER = 700.0
@@ -115,7 +115,9 @@ def test_fit_and_covariance_are_those_of_scipy() -> None:
 
     def residual(scaled: FloatArray) -> FloatArray:
         coefficients = (scaled * size).reshape(-1, 2).tolist()
-        curves = {n: PolynomialCurve((1, 2), (a, b)) for n, (a, b) in zip(names, coefficients, strict=True)}
+        curves: dict[str, Curve] = {
+            n: PolynomialCurve((1, 2), (a, b)) for n, (a, b) in zip(names, coefficients, strict=True)
+        }
         values = ErrorValues("dmu60p", PARAMETERS, curves)
         expected = expected_readings(machine.with_values(values), data.runs, data.run, data.positions)
         return (data.reading - expected) / 1e-4

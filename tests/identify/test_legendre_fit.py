@@ -11,6 +11,7 @@ from tests.identify.test_command import ERRORS, KERNELS, MACHINE, identify, simu
 from tests.machines import ROOT
 from tests.worlds.estimates import world
 from trueaxis.cli import main
+from trueaxis.error_name import ErrorName
 from trueaxis.identify.legendre_fit import fit_legendre, legendre_samples, whitening, with_polynomials
 from trueaxis.runtime.bases import travel_basis
 from trueaxis.runtime.covariance import Covariance
@@ -35,7 +36,7 @@ def estimate_of(coefficients: dict[str, FloatArray], root: FloatArray) -> tuple[
     errors = ErrorValues("dmu60p", {"eps_xy": 2e-5}, curves)
     covariance = Covariance(
         machine="dmu60p",
-        components=tuple(curves),
+        components=tuple(map(ErrorName, curves)),
         bases=(basis,) * len(curves),
         locations=("eps_xy",),
         root=root,

@@ -7,7 +7,8 @@ import numpy as np
 
 from tests.generator.dmu60p import TRAVEL
 from tests.generator.machine import Exact, Generator
-from trueaxis.measure.machine import FloatArray, View
+from trueaxis.measure.machine import FloatArray
+from trueaxis.view import View
 
 
 @dataclass(frozen=True)

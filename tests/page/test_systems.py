@@ -41,7 +41,7 @@ def system_names(system: IdentificationSystem) -> Names:
         result = []
         for name in system.runs:
             run = runs[name]
-            ends = {end[0]: at[end] for end in (run.target, run.reference) if end[0] != "bed"}
+            ends: dict[str, np.ndarray] = {end[0]: at[end] for end in (run.target, run.reference) if end[0] != "bed"}
             _, first = own.chain.displacement("".join(run.moves), ends, values)
             result.append(float(np.dot(run.direction, first[:3, 0])))
         return np.array(result)

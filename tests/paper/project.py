@@ -17,6 +17,7 @@ from trueaxis.derive.first_order import FirstOrder
 from trueaxis.derive.motion import motion_equation
 from trueaxis.derive.squareness import squarenesses
 from trueaxis.spec import Machine, read_machine
+from trueaxis.view import Carrier
 
 from . import reference
 from .notation import DIRECTIONS, POSITION, SQUARENESS, delta, eps, place, r, reading
@@ -62,7 +63,8 @@ def _total(motion: FirstOrder) -> list[sp.Expr]:
 
 def displacement(run: str, tool_point: str | None, work_point: str | None) -> list[sp.Expr]:
     """The derived motion equation (bed frame) of a run."""
-    ends = [(end, p) for end, p in (("workpiece", work_point), ("tool", tool_point)) if p is not None]
+    both: tuple[tuple[Carrier, str | None], ...] = (("workpiece", work_point), ("tool", tool_point))
+    ends = [(end, p) for end, p in both if p is not None]
     signs = (1, -1)
     terms = tuple((sign, end, _on(end, p)) for sign, (end, p) in zip(signs, ends, strict=False))
     return _total(motion_equation(machine(), tuple(run), terms).motion)

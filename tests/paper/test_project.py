@@ -13,6 +13,7 @@ from trueaxis.derive.first_order import first_order
 from trueaxis.derive.systems import RunPattern, identification
 from trueaxis.derive.views import view
 from trueaxis.topology import branches, lower_body_array
+from trueaxis.view import Carrier
 
 from . import chain, project, reference
 from .claims_systems import PAPER_READINGS, SYSTEMS, jacobian
@@ -98,8 +99,9 @@ def _runs() -> list[RunPattern]:
     for run, label, direction in PAPER_READINGS:
         table = POINTS_SINGLE if len(run) == 1 else POINTS_LINKAGE[run]
         tool, work = reference.point_names(run, label)
-        ends: list[tuple[str, tuple[float, float, float]]] = []
-        for body, name in (("workpiece", work), ("tool", tool)):
+        ends: list[tuple[Carrier, tuple[float, float, float]]] = []
+        both: tuple[tuple[Carrier, str | None], ...] = (("workpiece", work), ("tool", tool))
+        for body, name in both:
             if name is not None:
                 x, y, z = (float(c) for c in table[name])
                 ends.append((body, (x, y, z)))

@@ -77,7 +77,7 @@ def main() -> int:
         print(f"{title}: 3-D rms, mm (of left-out poses)")
         print("\n".join(table(model(sense), sense, FORMS)))
     observed = probe_data()
-    inside = rms_3d(estimate(model(), observed, ErrorValues("headhead_mill", DIMENSIONS)).residual)
+    inside = rms_3d(estimate(model(), observed, ErrorValues("headhead_mill", DIMENSIONS)).readings.residual)
     outside = left_out_of_estimate(model(), observed, range(observed.reading.size // 3))
     print(f"  {'all errors with their prior, the estimate':<45}           {inside:.3f} ({outside:.3f})")
     print(f"repeats of B0 C0: 3-D standard deviation {repeats(observed):.3f} mm\n")

@@ -1,5 +1,6 @@
 """Compiling the kernels: once, privately, and with a reason where it cannot be done."""
 
+import contextlib
 import ctypes
 import errno
 import os
@@ -15,6 +16,7 @@ import pytest
 
 from trueaxis.runtime import compiler
 from trueaxis.runtime.compiler import Compilation, compile_kernels, find_compiler
+from trueaxis.stopping import Stopped
 
 pytestmark = [
     pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler"),
@@ -121,6 +123,43 @@ def test_compiler_that_hangs(source: Path, tmp_path: Path, monkeypatch: pytest.M
     assert compiled(source).reason == "the C compiler took longer than 0.2 s"
 
 
+@pytest.mark.parametrize("ended_by", ["limit", "signal"])
+def test_what_a_compiler_has_started_ends_with_it(
+    source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ended_by: str
+) -> None:
+    """As gcc starts cc1. The child holds the pipe open as long as it lives."""
+
+    def stop(number: int, _: object) -> None:
+        raise Stopped(number)
+
+    os.mkfifo(pipe := tmp_path / "pipe")
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    child = f"{{ echo started; exec {shutil.which('sleep')} 60; }} > {pipe} &"
+    monkeypatch.setenv("CC", script(tmp_path / "slow-cc", f'[ "$1" = --version ] || {{ {child} wait; }}'))
+    if ended_by == "limit":
+        monkeypatch.setattr(compiler, "_SECONDS", 2.0)
+        assert "took longer" in compiled(source).reason
+    else:
+        before = signal.signal(signal.SIGALRM, stop)
+        signal.setitimer(signal.ITIMER_REAL, 2.0)
+        with pytest.raises(Stopped):
+            compiled(source)
+        signal.signal(signal.SIGALRM, before)
+    assert os.read(reader, 100) == b"started\n"
+    assert ends(reader), "the child outlives its compiler"
+    os.close(reader)
+    assert list((tmp_path / "cache" / "kernels").iterdir()) == []
+
+
+def ends(reader: int) -> bool:
+    """Nobody holds the other end of the pipe any more, or will within 5 s."""
+    for _ in range(500):
+        with contextlib.suppress(BlockingIOError):
+            return os.read(reader, 1) == b""
+        time.sleep(0.01)
+    return False
+
+
 def test_the_content_is_compiled_and_no_file_is_read(source: Path) -> None:
     code = code_of(source)
     source.write_text("no C at all")
@@ -189,21 +228,23 @@ def test_a_full_cache_is_a_reason(source: Path, tmp_path: Path, monkeypatch: pyt
 
 
 def test_a_killed_compilation_is_cleared_up_by_the_next(source: Path, tmp_path: Path) -> None:
-    slow = script(tmp_path / "slow-cc", '[ "$1" = --version ] || { touch "$STARTED"; sleep 60; }')
+    waits = f'{{ echo $$ > "$STARTED".tmp; mv "$STARTED".tmp "$STARTED"; exec {shutil.which("sleep")} 60; }}'
+    slow = script(tmp_path / "slow-cc", f'[ "$1" = --version ] || {waits}')
     code = (
         "import sys; from pathlib import Path; from trueaxis.runtime.compiler import compile_kernels\n"
         "compile_kernels({path.name: path.read_bytes() for path in map(Path, sys.argv[1:])})"
     )
     environment = os.environ | {"CC": slow, "STARTED": str(tmp_path / "started")}
     words = [sys.executable, "-c", code, str(source), str(source.with_name("kernels.h"))]
-    with subprocess.Popen(words, env=environment, start_new_session=True) as process:
+    with subprocess.Popen(words, env=environment) as process:
         while not (tmp_path / "started").exists():
             time.sleep(0.01)
         cache = tmp_path / "cache" / "kernels"
         (folder,) = cache.iterdir()
         assert compiled(source).library is not None
         assert folder.is_dir(), "what a running process holds is not removed"
-        os.killpg(process.pid, signal.SIGKILL)
+        os.kill(process.pid, signal.SIGKILL)
+    os.kill(int((tmp_path / "started").read_text()), signal.SIGKILL)  # nobody is left who would end it
     assert folder.is_dir()
     source.write_text(source.read_text() + "\n")
     assert answer(compiled(source).library) == 41

@@ -14,7 +14,8 @@ from trueaxis.faults import InputError
 from trueaxis.files import write_files
 from trueaxis.runtime.curves import Curve, PolynomialCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import VIEWS, MachineModel, load_model
+from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.view import VIEWS, View
 
 CHAIN = ExactChain(FIVE_AXIS.read_text())
 POLYNOMIALS = {
@@ -65,7 +66,7 @@ def exact(view: str, at: Any, what: str = "deviation", curves: Any = POLYNOMIALS
 
 
 @pytest.mark.parametrize("view", VIEWS)
-def test_every_view_is_that_of_the_matrices(model: MachineModel, view: str) -> None:
+def test_every_view_is_that_of_the_matrices(model: MachineModel, view: View) -> None:
     at = positions()
     np.testing.assert_allclose(model.view_deviation(view, at, POINT), exact(view, at), rtol=0, atol=1e-14)
     np.testing.assert_allclose(model.view_ideal(view, at, POINT), exact(view, at, "ideal"), rtol=0, atol=1e-12)

@@ -10,6 +10,7 @@ import pytest
 
 from tests.machines import ROOT
 from trueaxis.cli import main
+from trueaxis.error_name import ErrorName
 from trueaxis.faults import InputError
 from trueaxis.runtime.bases import HatBasis, LegendreBasis, PowerBasis, unmeasured_basis
 from trueaxis.runtime.context import Context
@@ -46,7 +47,7 @@ def mixed_covariance(model: MachineModel) -> Covariance:
     mixing = SOURCE.normal(size=(10, 10))
     return Covariance(
         machine=model.name,
-        components=("EXX", "EBX", "ECY"),
+        components=tuple(map(ErrorName, ("EXX", "EBX", "ECY"))),
         bases=bases,
         locations=("eps_xy", "eps_xz"),
         root=scale[:, np.newaxis] * mixing,
@@ -112,7 +113,7 @@ def test_a_combination_that_moves_no_tool_is_not_open(model: MachineModel) -> No
     open_pair = np.array([[-1.0], [1.0]])
     pair = Covariance(
         machine=model.name,
-        components=("EYX",),
+        components=(ErrorName("EYX"),),
         bases=(PowerBasis((1,)),),
         locations=("eps_xy",),
         root=np.zeros((2, 1)),
@@ -136,7 +137,7 @@ def test_what_nothing_holds_is_open_at_the_size_of_the_prior(model: MachineModel
     nothing = Covariance(
         machine=model.name, components=(), bases=(), locations=(), root=np.zeros((0, 0)), open=np.zeros((0, 0))
     )
-    opened = nothing.with_open_components({"EXX": unmeasured_basis(model.travel, "EXX")})
+    opened = nothing.with_open_components({ErrorName("EXX"): unmeasured_basis(model.travel, ErrorName("EXX"))})
     moved = tool_uncertainty(model, opened, AT, TOOL, datum=None)
     assert 0.01 < moved.open[0].max() <= 0.02 + 1e-12
     assert not moved.open[1:].any()
@@ -258,7 +259,7 @@ def test_smoothing_acts_on_noise_and_leaves_open_what_is_open(model: MachineMode
     """A table whose values become their mean: its independent noise shrinks by the root of their number."""
     table = Covariance(
         machine=model.name,
-        components=("EAX", "EXX"),
+        components=(ErrorName("EAX"), ErrorName("EXX")),
         bases=(PowerBasis((1,)), HatBasis((0.0, 180.0, 360.0, 540.0))),
         locations=("eps_xz",),
         root=np.diag([1e-9, 2e-3, 2e-3, 2e-3, 2e-3, 1e-6]),

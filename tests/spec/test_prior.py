@@ -4,14 +4,15 @@ import pytest
 
 from tests.machines import machine_of
 from tests.spec.test_faults import BASE, faults_of
+from trueaxis.error_name import ErrorName
 from trueaxis.spec.prior import Prior
 
 
 def test_defaults_are_those_of_the_contract() -> None:
     prior = machine_of(BASE).prior
     assert prior == Prior(translation=0.02, rotation=50e-6, location_angle=100e-6, location_length=1.0)
-    assert prior.of_component("EXY") == 0.02
-    assert prior.of_component("ECY") == 50e-6
+    assert prior.of_component(ErrorName("EXY")) == 0.02
+    assert prior.of_component(ErrorName("ECY")) == 50e-6
     assert prior.of_location("eps_c", "rad") == 100e-6
     assert prior.of_location("d_c", "mm") == 1.0
 
@@ -22,7 +23,7 @@ def test_sizes_are_read_in_their_units() -> None:
     assert prior.translation == 0.02
     assert prior.rotation == pytest.approx(30e-6)
     assert prior.location_length == pytest.approx(0.25)
-    assert prior.of_component("EXY") == pytest.approx(0.005)
+    assert prior.of_component(ErrorName("EXY")) == pytest.approx(0.005)
     assert prior.of_location("eps_c", "rad") == pytest.approx(7e-6)
 
 

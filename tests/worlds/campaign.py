@@ -77,7 +77,7 @@ def line_of(one: World, number: int) -> dict[str, object]:
     """What is kept of a machine; number: among those of its design."""
     curves, given = KINDS[number % len(KINDS)]
     found: Outcome = outcome(one, SEEDS_APART * one.design.seed + number, curves, given)
-    figures = ("true", "error", "oracle", "u", "coverage", "oracle_coverage", "seconds")
+    figures = ("true", "error", "oracle", "one_family", "u", "coverage", "oracle_coverage", "seconds")
     return {
         "design": one.design.seed,
         "machine": number,
@@ -85,9 +85,9 @@ def line_of(one: World, number: int) -> dict[str, object]:
         "given": given,
         **{name: float(f"{getattr(found, name):.6g}") for name in figures},
         "sizes": {kind: [float(f"{size:.4g}") for size in sizes] for kind, sizes in found.sizes.items()},
-        "converged": found.found.converged,
-        "rounds": found.found.rounds,
-        "steps": found.found.steps,
+        "converged": found.found.iteration.converged,
+        "rounds": found.found.iteration.rounds,
+        "steps": found.found.iteration.steps,
     }
 
 

@@ -12,24 +12,28 @@ from trueaxis.identify.notes import FAR
 
 Line = Mapping[str, Any]
 NEAR = 2.0  # factor within which a size counts as estimated
+SIZED = ("true", "error", "oracle", "one_family", "u")  # figures of a machine that are lengths, um
 OFF = (1.0, 2.0, 3.0, 5.0, 20.0, np.inf)  # factors by which [prior] is off
 
 
 @dataclass(frozen=True, kw_only=True)
 class Figures:
     """Of some machines: root mean squares of a coordinate, um; share of the mean square that is left of doing nothing;
-    error over that of the oracle, with the standard uncertainty of that figure; coverage of smooth curves and of draws
-    of a prior, and the standard uncertainty of that of all; share of machines worse than doing nothing, and the worst
-    one's factor.
+    error over that of the oracle, and over that of the fit that takes all curves for one family, with the standard
+    uncertainty of these figures; coverage of smooth curves and of draws of a prior, and the standard uncertainty of
+    that of all; share of machines worse than doing nothing, and the worst one's factor.
     """
 
     machines: int
     true: float
     error: float
     oracle: float
+    one_family: float
     left: float
     ratio: float
     u_ratio: float
+    to_one_family: float
+    u_to_one_family: float
     u: float
     smooth: float
     prior: float
@@ -41,20 +45,21 @@ class Figures:
 
 def figures(lines: Sequence[Line]) -> Figures:
     """All machines count the same."""
-    true, error, oracle, u = (np.array([line[name] for line in lines]) for name in ("true", "error", "oracle", "u"))
+    true, error, oracle, one_family, u = (np.array([line[name] for line in lines]) for name in SIZED)
     coverage = np.array([line["coverage"] for line in lines])
     smooth = np.array([line["curves"] == "smooth" for line in lines])
-    ratio = rms(error) / rms(oracle)
-    # of the logarithm of the ratio of two mean squares over machines
-    parts = error**2 / np.mean(error**2) - oracle**2 / np.mean(oracle**2)
+    (ratio, u_ratio), (to_one_family, u_to_one_family) = _ratio(error, oracle), _ratio(error, one_family)
     return Figures(
         machines=len(lines),
         true=rms(true),
         error=rms(error),
         oracle=rms(oracle),
+        one_family=rms(one_family),
         left=float(np.mean(error**2) / np.mean(true**2)),
         ratio=ratio,
-        u_ratio=0.5 * ratio * _u_of_mean(parts),
+        u_ratio=u_ratio,
+        to_one_family=to_one_family,
+        u_to_one_family=u_to_one_family,
         u=rms(u),
         smooth=_mean(coverage[smooth]),
         prior=_mean(coverage[~smooth]),
@@ -63,6 +68,13 @@ def figures(lines: Sequence[Line]) -> Figures:
         worse=float(np.mean(error > true)),
         worst=float(np.max(error / true)),
     )
+
+
+def _ratio(error: np.ndarray, other: np.ndarray) -> tuple[float, float]:
+    """Of two root mean squares over machines, and its standard uncertainty."""
+    ratio = rms(error) / rms(other)
+    of_logarithm = error**2 / np.mean(error**2) - other**2 / np.mean(other**2)
+    return ratio, 0.5 * ratio * _u_of_mean(of_logarithm)
 
 
 def rms(values: np.ndarray) -> float:
@@ -96,16 +108,20 @@ def tables(lines: Sequence[Line]) -> Iterator[str]:
 
 def _summary(lines: Sequence[Line], each: Iterable[Figures]) -> Iterator[str]:
     designs = list(each)
-    ratios, coverage = [one.ratio for one in designs], [line["coverage"] for line in lines]
+    coverage = [line["coverage"] for line in lines]
     of_draws = [line["coverage"] for line in lines if line["curves"] == "prior"]
     others = [line["coverage"] for line in lines if line["curves"] == "smooth"]
     together = figures(lines)
     yield f"- {len(designs)} designs, {len(lines)} machines, {np.mean([line['seconds'] for line in lines]):.1f} s each"
     yield f"- mean square left of doing nothing, median of the designs: {np.median([one.left for one in designs]):.3f}"
-    yield (
-        f"- estimate/oracle of the designs: median {np.median(ratios):.2f}, {min(ratios):.2f} to {max(ratios):.2f}; "
-        f"{sum(ratio <= 1.15 for ratio in ratios)} of {len(ratios)} at most 1.15"
-    )
+    for name, ratios in (
+        ("one family", [one.to_one_family for one in designs]),
+        ("oracle", [one.ratio for one in designs]),
+    ):
+        yield (
+            f"- estimate/{name} of the designs: median {np.median(ratios):.2f}, {min(ratios):.2f} to "
+            f"{max(ratios):.2f}; {sum(ratio <= 1.15 for ratio in ratios)} of {len(ratios)} at most 1.15"
+        )
     yield (
         f"- coverage: {np.mean(coverage):.3f} ± {together.u_coverage:.3f}; of draws of a prior "
         f"{_mean(np.array(of_draws)):.3f}, "
@@ -117,52 +133,58 @@ def _summary(lines: Sequence[Line], each: Iterable[Figures]) -> Iterator[str]:
 
 def _by_design(designs: Mapping[int, Design], each: Mapping[int, Figures]) -> Iterator[str]:
     yield from head(
-        "seed", "axes", "readings", "runs", "machines", "doing nothing, um", "estimate", "oracle", "estimate/oracle",
-        "u", "coverage: smooth", "draws of a prior", "worse than nothing; most",
+        "seed", "axes", "readings", "runs", "machines", "doing nothing, um", "estimate", "one family", "oracle",
+        "estimate/one family", "estimate/oracle", "u", "coverage: smooth", "draws of a prior",
+        "worse than nothing; most",
     )  # fmt: skip
     for seed, one in each.items():
         plan, axes = designs[seed].plan, len(designs[seed].machine.axes)
         yield row(
             seed, axes, plan.count, len(plan.runs), one.machines, f"{one.true:.1f}", f"{one.error:.2f}",
-            f"{one.oracle:.2f}", f"{one.ratio:.2f} ± {one.u_ratio:.2f}", f"{one.u:.2f}", f"{one.smooth:.3f}",
-            f"{one.prior:.3f}", f"{one.worse:.0%}, {one.worst:.2f}",
+            f"{one.one_family:.2f}", f"{one.oracle:.2f}", f"{one.to_one_family:.2f} ± {one.u_to_one_family:.2f}",
+            f"{one.ratio:.2f} ± {one.u_ratio:.2f}", f"{one.u:.2f}",
+            f"{one.smooth:.3f}", f"{one.prior:.3f}", f"{one.worse:.0%}, {one.worst:.2f}",
         )  # fmt: skip
 
 
 def _by_ingredient(designs: Mapping[int, Design], of_design: Mapping[int, Sequence[Line]]) -> Iterator[str]:
-    """Machines count relative to the true deviation of their design, so that no large machine outweighs the others."""
+    """Machines count relative to the true deviation of their design: no large machine outweighs the others."""
     yield from head(
-        "ingredient", "share of designs", "mean square left", "estimate/oracle", "coverage: smooth", "draws of a prior",
-        "worse than nothing",
+        "ingredient", "share of designs", "mean square left", "estimate/one family", "estimate/oracle",
+        "coverage: smooth",
+        "draws of a prior", "worse than nothing",
     )  # fmt: skip
     names = next(iter(designs.values())).ingredients
     scale = {seed: rms(np.array([line["true"] for line in own])) for seed, own in of_design.items()}
     for name in names:
         chosen = [seed for seed, design in designs.items() if design.ingredients[name]]
         if not chosen:
-            yield row(name, "0 %", *[""] * 5)
+            yield row(name, "0 %", *[""] * 6)
             continue
         own = [_relative(line, scale[seed]) for seed in chosen for line in of_design[seed]]
         one = figures(own)
         yield row(
-            name, f"{len(chosen) / len(designs):.0%}", f"{one.left:.3f}", f"{one.ratio:.2f} ± {one.u_ratio:.2f}",
+            name, f"{len(chosen) / len(designs):.0%}", f"{one.left:.3f}",
+            f"{one.to_one_family:.2f} ± {one.u_to_one_family:.2f}",
+            f"{one.ratio:.2f} ± {one.u_ratio:.2f}",
             f"{one.smooth:.3f}", f"{one.prior:.3f}", f"{one.worse:.1%}",
         )  # fmt: skip
 
 
 def _relative(line: Line, scale: float) -> Line:
-    return {**line, **{name: line[name] / scale for name in ("true", "error", "oracle", "u")}}
+    return {**line, **{name: line[name] / scale for name in SIZED}}
 
 
 def _by_given(lines: Sequence[Line]) -> Iterator[str]:
     yield from head(
-        "[prior]", "machines", "mean square left", "estimate/oracle", "coverage: smooth", "draws of a prior",
-        "worse than nothing; most",
+        "[prior]", "machines", "mean square left", "estimate/one family", "estimate/oracle", "coverage: smooth",
+        "draws of a prior", "worse than nothing; most",
     )  # fmt: skip
     for given in dict.fromkeys(line["given"] for line in lines):
         one = figures([line for line in lines if line["given"] == given])
         yield row(
-            given, one.machines, f"{one.left:.3f}", f"{one.ratio:.2f} ± {one.u_ratio:.2f}", f"{one.smooth:.3f}",
+            given, one.machines, f"{one.left:.3f}", f"{one.to_one_family:.2f} ± {one.u_to_one_family:.2f}",
+            f"{one.ratio:.2f} ± {one.u_ratio:.2f}", f"{one.smooth:.3f}",
             f"{one.prior:.3f}", f"{one.worse:.1%}, {one.worst:.2f}",
         )  # fmt: skip
 

@@ -17,9 +17,10 @@ from tests.worlds.machine import Array
 from tests.worlds.oracle import Oracle, oracle, prediction_columns
 from tests.worlds.readings import measure
 from tests.worlds.truth import SIZES, Truth, draw_machine, random_points
-from trueaxis.estimation.estimate import Estimate, estimate
+from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.observations import Observations, observations
+from trueaxis.estimation.result import Estimate
 from trueaxis.measure.data import read_data
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel, load_model
@@ -66,15 +67,16 @@ class World:
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one machine, um, root mean squares of a coordinate over points: true deviation, error of the estimate and of
-    the oracle, u of the estimate; coverage, oracle_coverage: share of the coordinates within 1.96 u; sizes: class ->
-    given, true and estimated, mm or rad, where the true one is the geometric mean over the members; seconds: of the
-    estimate.
+    """Of one machine, um, root mean squares of a coordinate over points: true deviation, error of the estimate, of the
+    oracle, and of the same fit where it does not know the family of the curves but takes all for draws of the prior;
+    u of the estimate; coverage, oracle_coverage: share of the coordinates within 1.96 u; sizes: class -> given, true
+    and estimated, mm or rad, where the true one is the geometric mean over the members; seconds: of the estimate.
     """
 
     true: float
     error: float
     oracle: float
+    one_family: float
     u: float
     coverage: float
     oracle_coverage: float
@@ -113,10 +115,12 @@ def outcome(one: World, seed: int, curves: str = "smooth", given: str = "default
     true = truth.deviation(one.points, TOOL[:, 0], "home")
     off = deviations(model.with_values(found.values), positions) - true
     of_oracle, u_of_oracle = _oracle(one, truth, reading)
+    of_one_family, _ = _oracle(one, replace(truth, family="prior"), reading)
     return Outcome(
         true=rms_um(true),
         error=rms_um(off),
         oracle=rms_um(of_oracle - true),
+        one_family=rms_um(of_one_family - true),
         u=rms_um(u),
         coverage=float((np.abs(off) <= WITHIN * u).mean()),
         oracle_coverage=float((np.abs(of_oracle - true) <= WITHIN * u_of_oracle).mean()),

@@ -27,7 +27,7 @@ def named(seed: int, folder: Path) -> tuple[str, list[str], list[str]]:
     said = []
     for sign in (1.0, -1.0):
         data = replace(one.plan, reading=np.where(of == turned, sign, 1.0) * readings)
-        odds = estimate(one.model, data, known).reversed
+        odds = estimate(one.model, data, known).readings.reversed
         said.append([runs[index].id for index in sorted(odds, key=lambda index: -odds[index])])
     return runs[turned].id, said[0], said[1]
 

@@ -15,7 +15,15 @@ SMALL = 36  # a design of three axes, 20 runs, ball bars alone
 
 
 def line(error: float, oracle: float, coverage: float, curves: str) -> dict[str, object]:
-    figures = {"true": 10.0, "error": error, "oracle": oracle, "u": 2.0, "coverage": coverage, "curves": curves}
+    figures = {
+        "true": 10.0,
+        "error": error,
+        "oracle": oracle,
+        "one_family": 2.0 * oracle,
+        "u": 2.0,
+        "coverage": coverage,
+        "curves": curves,
+    }
     return figures | {"oracle_coverage": 0.95, "seconds": 1.0}
 
 
@@ -29,6 +37,7 @@ def test_figures_of_machines_made_by_hand() -> None:
     found = figures([line(3.0, 3.0, 1.0, "smooth"), line(4.0, 4.0, 0.9, "prior"), line(12.0, 4.0, 0.5, "prior")])
     assert found.left == pytest.approx((9.0 + 16.0 + 144.0) / 300.0)
     assert found.ratio == pytest.approx(np.sqrt(169.0 / 41.0))
+    assert found.to_one_family == pytest.approx(0.5 * found.ratio)
     assert (found.smooth, found.prior) == pytest.approx((1.0, 0.7))
     assert (found.worse, found.worst) == pytest.approx((1.0 / 3.0, 1.2))
 

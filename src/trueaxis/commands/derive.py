@@ -12,6 +12,7 @@ from trueaxis.measure.setup import PointOn
 from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.spec import Machine, read_machine
 from trueaxis.topology import format_lower_body_array, tool_senses
+from trueaxis.view import Carrier
 
 if TYPE_CHECKING:
     from trueaxis.derive.systems import RunPattern
@@ -137,5 +138,5 @@ def run_patterns(machine: Machine, data: MeasuredData) -> "tuple[RunPattern, ...
     return tuple(patterns)
 
 
-def _end(end: PointOn) -> tuple[str, tuple[float, float, float]]:
+def _end(end: PointOn) -> tuple[Carrier, tuple[float, float, float]]:
     return end.on, end.point

@@ -11,6 +11,7 @@ import numpy as np
 from trueaxis.commands.arguments import file_to_write, share, size, whole
 from trueaxis.commands.misfit import check_fit, misfit_option
 from trueaxis.commands.paths import named, overwritten
+from trueaxis.error_name import ErrorName
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.input_files import gathering
@@ -25,7 +26,6 @@ from trueaxis.runtime.kernels import load_kernels
 from trueaxis.runtime.model import MachineModel, load_errors
 from trueaxis.runtime.uncertainty import covariance_file, curve_u, load_uncertainty
 from trueaxis.spec import Machine, read_machine
-from trueaxis.spec.machine import component_unit
 
 if TYPE_CHECKING:
     from trueaxis.identify.polynomial import OptimalFit
@@ -122,7 +122,7 @@ def run(args: argparse.Namespace) -> int:
     if not refused:
         write_files(contents)
     for name, fit in (*fits.items(), *of_estimate.items()):
-        unit, factor = ("um", 1e3) if component_unit(name) == "mm" else ("urad", 1e6)
+        unit, factor = ("um", 1e3) if ErrorName(name).unit == "mm" else ("urad", 1e6)
         print(f"{name}: {fit.verdict}\n{statistics_table(fit, unit, factor)}\n")
     stated = [NO_KERNELS] if extent is None else extent_sentences(extent, "over the travel")
     for note in (*notes, *stated):

@@ -10,7 +10,7 @@ from trueaxis.commands.identify_options import noise_option
 from trueaxis.commands.measured import read_measured
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.commands.plan_faults import RETIRED, faults_of_options
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.result import Estimate
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.notes import dimension_notes
@@ -29,6 +29,7 @@ from trueaxis.plan.report_text import report_json, report_text
 from trueaxis.plan.runs import PlannedRuns
 from trueaxis.plan.slices import slices
 from trueaxis.runtime.curves import Curve, PolynomialCurve
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel, load_errors, load_model
 from trueaxis.spec import read_machine
@@ -72,6 +73,11 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--known", type=Path, metavar="E.json", help="values known beforehand: dimensions, location errors, components"
     )
     parser.add_argument(
+        "--effects", type=Path, metavar="E.json",
+        help="values of effects of the spec to plan for, where how well they are told depends on how large they are "
+        "(default: such as change a reading by 5 um)",
+    )  # fmt: skip
+    parser.add_argument(
         "--location-errors-only", action="store_true", help="motion errors are no unknowns: known, or left at zero"
     )
     parser.add_argument(
@@ -114,10 +120,11 @@ def add_parser(subparsers: "Subparsers") -> None:
 def run(args: argparse.Namespace) -> int:
     """Judge a plan or make one; raises InputError with the faults of every file."""
     found = faults_of_options(args)
+    effects = _effects(args, found)
     contents: dict[Path, bytes | str] = {}
     if args.data is None:
         model, known = _model(args, found)
-        options = _options(args, model, known)
+        options = _options(args, model, known, effects)
         made = first_plan(model, options, args.instruments, args.hours)
         if not made.runs:
             print(f"{named(args.out)}: not written: {_no_run(args)}")
@@ -129,7 +136,7 @@ def run(args: argparse.Namespace) -> int:
         read = read_measured(args, found)
         model, data = read.model, read.data
         _check_files(args, data)
-        options = _options(args, model, read.known)
+        options = _options(args, model, read.known, effects)
         planned = PlannedRuns(str(args.data), data.setup.runs, data.readings)
         planned = planned.of(args.runs) if args.runs else planned
         report, expected = judged_plan(model, options, planned)
@@ -171,6 +178,16 @@ def _model(args: argparse.Namespace, found: list[Fault]) -> tuple[MachineModel, 
     return model, known
 
 
+def _effects(args: argparse.Namespace, found: list[Fault]) -> tuple[EffectValues, ...]:
+    """Values of --effects; faults of the file are added to those found. Raises InputError where the spec has any."""
+    effects: tuple[EffectValues, ...] = ()
+    if args.effects is not None:
+        machine = read_machine(args.machine)
+        with gathering(found):
+            effects = load_errors(args.effects, machine).effects
+    return effects
+
+
 def _check_files(args: argparse.Namespace, data: MeasuredData) -> None:
     """Raise InputError where an output is the active compensation, or runs are named that are not there."""
     active = {"the active compensation of --data": active_file(args.data, data.setup)}
@@ -183,19 +200,23 @@ def _check_files(args: argparse.Namespace, data: MeasuredData) -> None:
         raise InputError(found)
 
 
-def _options(args: argparse.Namespace, model: MachineModel, known: ErrorValues | None) -> PlanOptions:
+def _options(
+    args: argparse.Namespace, model: MachineModel, known: ErrorValues | None, effects: tuple[EffectValues, ...]
+) -> PlanOptions:
     given = known or ErrorValues(model.name)
     given = replace(given, u={}, undetermined=(), covariance=None, fit=None)
     if args.location_errors_only:
         zeros: dict[str, Curve] = dict.fromkeys(model.components, PolynomialCurve((), ()))
         given = replace(given, motion_errors={**zeros, **given.motion_errors})
-    unknown = [name for name in model.components if name not in given.motion_errors]
+    unknown: list[str] = [name for name in model.components if name not in given.motion_errors]
     unknown += [name for name in model.location_errors if name not in given.parameters]
     if args.wanted not in (VOLUME, *unknown):
         problem = "is no error that is to be identified"
         raise InputError([Fault("--for", args.wanted, problem, f"{VOLUME}, or one of {', '.join(unknown)}")])
     tools = tuple(args.tool_point) or ((0.0, 0.0, 0.0),)
-    return PlanOptions(given=given, noise=args.noise_um, tools=tools, wanted=args.wanted, datum=args.datum)
+    return PlanOptions(
+        given=given, noise=args.noise_um, tools=tools, wanted=args.wanted, datum=args.datum, effects=effects
+    )
 
 
 def _written(args: argparse.Namespace, setup: str, file: Path, made: Proposed) -> dict[Path, bytes | str]:

@@ -42,7 +42,7 @@ def faults_of_options(args: argparse.Namespace) -> list[Fault]:
         for option, one in RETIRED.items()
         if getattr(args, option[2:].replace("-", "_")) is not None
     ]
-    inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
+    inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known, "--effects": args.effects}
     outputs = {"--report": args.report, "--picture": args.picture}
     same = args.out is not None and args.data is not None and args.out.resolve() == args.data.resolve()
     if args.out is not None and not same:

@@ -8,7 +8,6 @@ from trueaxis.compensate.settings import Settings
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import context_of
 from trueaxis.effects.variables import REFERENCE_TEMPERATURE, SINCE_REVERSAL
-from trueaxis.runtime.effect_terms import component_axis
 from trueaxis.runtime.model import MachineModel
 
 OF_INSTRUMENT = "an instrument's: no error of the machine"
@@ -56,7 +55,7 @@ def acting(model: ErrorModel, settings: Settings) -> Acting | None:
         for name in context_of(kinds[one.effect.kind]):
             own = name.removesuffix("_b")
             if own in _REVERSALS:
-                axis = one.effect.axis if name.endswith("_b") else component_axis(one.effect)
+                axis = one.effect.axis if name.endswith("_b") else one.effect.own_axis
                 reversing.add(axis or "")
             moving |= own in ("v", "d_time")
     return Acting(

@@ -13,7 +13,6 @@ from trueaxis.runtime.extent import UncertaintyExtent, table_positions, uncertai
 from trueaxis.runtime.measured_range import BeyondMeasured, beyond_measured
 from trueaxis.runtime.model import MachineModel
 from trueaxis.runtime.uncertainty import home_of, prior_size
-from trueaxis.spec.machine import component_unit
 
 # Corrections that the prior makes likely: three standard deviations. What is larger comes from a slip (um for mm, a
 # sign, another machine's values) far more often than from a machine.
@@ -128,7 +127,7 @@ def _allowed_turn(model: MachineModel) -> float | None:
     if not any(axis in ROTARY for axis in model.axes):
         return None
     prior, machine = model.prior, model.machine
-    sizes = [prior.of_component(name) for name in machine.components if component_unit(name) == "rad"]
+    sizes = [prior.of_component(name) for name in machine.components if name.is_rotation]
     units = {name: machine.parameter_unit(name) for name in machine.location_errors}
     sizes += [prior.of_location(name, unit) for name, unit in units.items() if unit == "rad"]
     return float(np.degrees(PRIOR_SIZES * np.linalg.norm(sizes) / SINGULAR))

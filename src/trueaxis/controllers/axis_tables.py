@@ -13,6 +13,7 @@ from itertools import product
 
 import numpy as np
 
+from trueaxis.error_name import positioning_error
 from trueaxis.runtime.context import Context
 from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.model import MachineModel
@@ -135,7 +136,7 @@ def _off(model: MachineModel, tool: FloatArray, axis: str, at: FloatArray) -> tu
 
 def _turned_off(model: MachineModel, axis: str, at: FloatArray) -> tuple[FloatArray, FloatArray]:
     """(n,) each, deg: by how much a rotary axis is off, approached forward and backward."""
-    name = f"E{axis}{axis}"
+    name = positioning_error(axis)
     if name not in model.components:
         return np.zeros(at.size), np.zeros(at.size)
     row = model.axes.index(axis)

@@ -5,11 +5,12 @@ from dataclasses import dataclass, replace
 
 from trueaxis.controllers import heidenhain, linuxcnc, siemens
 from trueaxis.controllers.axis_tables import AxisTable, axis_tables, node_count, nodes, round_step
-from trueaxis.controllers.isg_csv import DIRECTIONS, control_model, csv_text, motion_errors, reversed_axes
+from trueaxis.controllers.isg_csv import control_model, csv_text, motion_errors, reversed_axes
 from trueaxis.controllers.remaining import Remaining, TakenOff, remaining, taken_by_tables
 from trueaxis.effects.placement import context_of
 from trueaxis.effects.variables import SINCE_REVERSAL
-from trueaxis.runtime.curves import FloatArray, TableCurve
+from trueaxis.error_name import DIRECTIONS
+from trueaxis.runtime.curves import Curve, FloatArray, TableCurve
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR
 
@@ -167,11 +168,11 @@ def untabled_effects(model: MachineModel) -> tuple[str, ...]:
 
 def _taken_by_model(model: MachineModel, tool: FloatArray, step: float | None) -> TakenOff:
     """What a control takes off that has the components at the nodes, interpolated on a straight line."""
-    curves = {}
+    curves: dict[str, Curve] = {}
     for axis in model.axes:
         at = nodes(model.travel[axis], step)
         for direction, values in zip(DIRECTIONS, motion_errors(model, axis, at), strict=True):
-            if (name := f"E{direction}{axis}") in model.components:
+            if (name := direction.motion_error(axis)) in model.components:
                 curves[name] = TableCurve(positions=tuple(at.tolist()), values=tuple(values.tolist()))
     parameters = dict(zip(model.parameters, model.parameter_values.tolist(), strict=True))
     known = model.with_values(replace(model.errors, motion_errors=curves, parameters=parameters, effects=()))

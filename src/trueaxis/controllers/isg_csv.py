@@ -20,13 +20,13 @@ import numpy as np
 
 from trueaxis.controllers.axis_tables import approached, nodes
 from trueaxis.controllers.numbers import plain
+from trueaxis.error_name import DIRECTIONS
 from trueaxis.runtime.curves import FloatArray
 from trueaxis.runtime.model import MachineModel
 from trueaxis.runtime.uncertainty import home_of
 from trueaxis.spec.machine import AXES, BED, LINEAR, Body
 
 MM_DIGITS, RAD_DIGITS, POSITION_DIGITS = 7, 12, 6
-DIRECTIONS = "XYZABC"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -89,7 +89,7 @@ def csv_text(control: ControlModel, notes: Sequence[str] = ()) -> str:
     """The text of the file: a block for points, then one for each axis, with `#` between them."""
     blocks = ["".join(f"// {note}\n" for note in notes) + _points(control)]
     for table in control.tables:
-        head = " ".join([table.axis, *(f"E{direction}{table.axis}" for direction in DIRECTIONS)])
+        head = " ".join([table.axis, *(direction.motion_error(table.axis) for direction in DIRECTIONS)])
         rows = [
             " ".join([plain(at, POSITION_DIGITS), *(_cell(value, row) for row, value in enumerate(errors))])
             for at, errors in zip(table.positions, table.errors.T, strict=True)
@@ -158,7 +158,7 @@ def motion_errors(model: MachineModel, axis: str, positions: FloatArray) -> Floa
         directions[row] = sign
         errors = model.in_context(approached(model, positions.size, directions)).component_errors(everywhere)
         for index, direction in enumerate(DIRECTIONS):
-            name = f"E{direction}{axis}"
+            name = direction.motion_error(axis)
             if name in model.components:
                 found[index] += errors[model.components.index(name)] / 2.0
     return found
@@ -169,7 +169,7 @@ def _location_errors(model: MachineModel, body: Body, at: FloatArray) -> FloatAr
     values = dict(zip(model.parameters, model.parameter_values, strict=True))
     found = np.zeros(6)
     for direction, name in body.position_errors:
-        found["EX EY EZ EA EB EC".split().index(direction)] = values[name]
+        found[DIRECTIONS.index(direction)] = values[name]
     found[:3] -= np.cross(found[3:], at)
     return found
 

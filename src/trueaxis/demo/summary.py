@@ -67,15 +67,15 @@ def _identification(figures: Figures) -> Iterator[str]:
     yield "identified from 18 laser runs, point by point as in Sect. 3, then as optimal polynomials (Sect. 4)"
     worst = {"um": 0.0, "urad": 0.0}
     for name in figures.truth.components:
-        axis = figures.truth.axes.index(name[2])
-        low, high = figures.truth.travel[name[2]]
+        axis = figures.truth.axes.index(name.axis)
+        low, high = figures.truth.travel[name.axis]
         positions = np.zeros((len(figures.truth.axes), 55))
         positions[axis] = np.linspace(low, high, 55)
         row = figures.truth.components.index(name)
         off = (figures.found.component_errors(positions) - figures.truth.component_errors(positions))[row]
         # Slope of straightness and squareness are told apart by convention only: the line is taken out.
         off = off - np.polynomial.Polynomial.fit(positions[axis], off, 1)(positions[axis])
-        unit = "um" if name[1] in "XYZ" else "urad"
+        unit = "urad" if name.is_rotation else "um"
         worst[unit] = max(worst[unit], float(np.abs(off).max()) * (1e3 if unit == "um" else 1e6))
     off_um, off_urad = worst["um"], worst["urad"]
     yield f"  largest departure from the simulated curves, a straight line apart: {off_um:.3f} um, {off_urad:.3f} urad"

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 from trueaxis.runtime.uncertainty import home_of
+from trueaxis.view import View
 
 FloatArray = NDArray[np.float64]
 POINTS, SEED = 4000, 1
@@ -28,6 +29,6 @@ def _from_home(machine: MachineModel) -> FloatArray:
     """(3, n): deviation of the tool point at random points, less that at home, mm."""
     draw = np.random.default_rng(SEED)
     positions = np.array([draw.uniform(*machine.travel[axis], POINTS) for axis in machine.axes])
-    terms = [("tool_in_workpiece", np.zeros((3, 1)))]
+    terms: list[tuple[View, FloatArray]] = [("tool_in_workpiece", np.zeros((3, 1)))]
     here, home = machine.view_deviations(terms, positions)[0], machine.view_deviations(terms, home_of(machine))[0]
     return np.asarray(here - home)

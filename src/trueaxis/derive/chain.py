@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trueaxis.derive import symbols
-from trueaxis.spec.machine import DIRECTIONS, LINEAR, Body, Machine
+from trueaxis.error_name import DIRECTIONS
+from trueaxis.spec.machine import LINEAR, Body, Machine
 from trueaxis.topology import branches
 
 Vector = tuple[sp.Expr, sp.Expr, sp.Expr]
@@ -66,7 +67,7 @@ def joint(body: Body) -> Joint:
     """The joint of a body: ideal position, position error, ideal motion, motion error."""
     x, y, z = (symbols.named(part) if isinstance(part, str) else _number(part) for part in body.position)
     location = dict(body.position_errors)
-    components = {name[:2]: name for name in body.motion_errors}
+    components = {name.direction: name for name in body.motion_errors}
     return Joint(
         body,
         Shift((x, y, z)),

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trueaxis.derive.chain import Error, Shift, Turn, Vector, cross_matrix, rotation
-from trueaxis.derive.views import View
+from trueaxis.derive.views import ViewWalk
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class FirstOrder:
         return x, y, z
 
 
-def first_order(view: View, point: Vector) -> FirstOrder:
+def first_order(view: ViewWalk, point: Vector) -> FirstOrder:
     """Walk a point through a view to first order; `point` in the frame of the seen body, mm."""
     at = sp.Matrix(point)
     columns: dict[str, sp.Matrix] = {}

@@ -14,7 +14,8 @@ from trueaxis.derive import symbols
 from trueaxis.derive.chain import Vector
 from trueaxis.derive.first_order import first_order
 from trueaxis.derive.routine import Binder
-from trueaxis.derive.views import View
+from trueaxis.derive.views import ViewWalk
+from trueaxis.error_name import ErrorName
 from trueaxis.spec.machine import ROTARY, Machine
 
 Monomial = tuple[int, ...]
@@ -33,16 +34,17 @@ def horner(coefficients: Sequence[sp.Expr], at: sp.Expr) -> sp.Expr:
     return value
 
 
-def curve(component: str, degree: int) -> sp.Expr:
+def curve(component: ErrorName, degree: int) -> sp.Expr:
     """A component error as a polynomial of its axis position."""
     powers = range(1, degree + 1)
-    return horner([coefficient(component, power) for power in powers], symbols.position(component[2]))
+    return horner([coefficient(component, power) for power in powers], symbols.position(component.axis))
 
 
-def folded_deviation(machine: Machine, view: View, point: Vector, binder: Binder) -> Vector:
+def folded_deviation(machine: Machine, view: ViewWalk, point: Vector, binder: Binder) -> Vector:
     """The first-order deviation of a view (mm) with curves of the machine's degree, folded as above."""
     columns = first_order(view, point).columns
     generators = _generators(machine)
+    axis_of: dict[str, str] = {component: component.axis for component in machine.components}
     entries: list[sp.Expr] = []
     for row in range(3):
         # monomial -> axis ("" for location errors) -> [(error, constant factor)]
@@ -50,7 +52,7 @@ def folded_deviation(machine: Machine, view: View, point: Vector, binder: Binder
         for name, column in columns.items():
             if column[row] == 0:
                 continue
-            axis = name[2] if name in machine.components else ""
+            axis = axis_of.get(name, "")
             for monomial, constant in sp.Poly(column[row], *generators).terms():
                 groups.setdefault(monomial, {}).setdefault(axis, []).append((name, constant))
         entries.append(sp.Add(*(_group(machine, generators, *item, binder) for item in sorted(groups.items()))))

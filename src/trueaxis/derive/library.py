@@ -10,7 +10,7 @@ from trueaxis.derive.first_order import first_order
 from trueaxis.derive.folded import coefficient, curve, folded_deviation
 from trueaxis.derive.propagate import walk
 from trueaxis.derive.routine import Argument, Assignment, Binder, Routine, build
-from trueaxis.derive.views import View, view, views
+from trueaxis.derive.views import ViewWalk, view, views
 from trueaxis.spec.machine import LINEAR, ROTARY, Machine
 
 _XYZ = ("x", "y", "z")
@@ -67,7 +67,7 @@ def _rows(rows: tuple[str, ...], values: Vector) -> dict[str, sp.Expr]:
     return dict(zip(rows, values, strict=True))
 
 
-def _view_routines(machine: Machine, seen: View) -> Iterator[Routine]:
+def _view_routines(machine: Machine, seen: ViewWalk) -> Iterator[Routine]:
     text = f"{seen.seen} point in the {seen.frame} frame"
     positions, errors, parameters = positions_argument(machine), errors_argument(machine), parameters_argument(machine)
     point = point_argument(seen.seen)
@@ -115,7 +115,7 @@ def _view_routines(machine: Machine, seen: View) -> Iterator[Routine]:
     )
 
 
-def _position_routines(machine: Machine, main: View) -> Iterator[Routine]:
+def _position_routines(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
     actual = vector_argument(
         "position", ("px", "py", "pz"), "actual position P_T^W of the tool point in the workpiece frame"
     )
@@ -140,7 +140,7 @@ def _position_routines(machine: Machine, main: View) -> Iterator[Routine]:
         )
 
 
-def _orientation_routines(machine: Machine, main: View) -> Iterator[Routine]:
+def _orientation_routines(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
     """Ideal direction of a vector of the tool frame, such as the tool axis, and its deviation (five-axis machines)."""
     axis = Argument(
         "direction", ("tx", "ty", "tz"), (3,), True, "1", "unit vector in the tool frame, (0, 0, 1) for the tool axis"
@@ -176,7 +176,7 @@ def _orientation_routines(machine: Machine, main: View) -> Iterator[Routine]:
         )
 
 
-def _curve_routines(machine: Machine, main: View) -> Iterator[Routine]:
+def _curve_routines(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
     powers = range(1, machine.curve_degree + 1)
     rows = tuple(coefficient(name, power).name for name in machine.components for power in powers)
     curves = Argument(
@@ -226,7 +226,7 @@ def _curve_routines(machine: Machine, main: View) -> Iterator[Routine]:
 
 
 def _walk_with_curves(
-    machine: Machine, main: View, rows: tuple[str, ...], *, exact: bool
+    machine: Machine, main: ViewWalk, rows: tuple[str, ...], *, exact: bool
 ) -> tuple[dict[str, sp.Expr], list[Assignment]]:
     """The walk with each component error replaced by its polynomial: results and what they refer to."""
     curves, steps = Binder("_curve"), Binder("_walk")
@@ -237,7 +237,7 @@ def _walk_with_curves(
     return results, curves.assignments + bound
 
 
-def _ballbar(machine: Machine, main: View) -> Routine:
+def _ballbar(machine: Machine, main: ViewWalk) -> Routine:
     binder = Binder()
     walked = walk(main, symbols.point(), binder, true_rotation=machine.true_rotation)
     ball = symbols.point("b")
@@ -273,7 +273,7 @@ def _ballbar(machine: Machine, main: View) -> Routine:
     )
 
 
-def _correction(machine: Machine, main: View) -> Iterator[Routine]:
+def _correction(machine: Machine, main: ViewWalk) -> Iterator[Routine]:
     """The inverse: moves of the linear axes that displace the ideal tool point by a given vector (Eqs. 53-55).
 
     A machine whose linear axes do not span space at any pose has none.

@@ -14,6 +14,7 @@ from trueaxis.derive.first_order import FirstOrder, first_order
 from trueaxis.derive.views import view
 from trueaxis.spec.machine import LINEAR, ROTARY, Machine
 from trueaxis.topology import branches
+from trueaxis.view import Carrier, Frame, view_of
 
 
 @dataclass(frozen=True)
@@ -24,13 +25,13 @@ class MotionEquation:
     """
 
     moves: tuple[str, ...]
-    frame: str
-    terms: tuple[tuple[int, str, Vector], ...]
+    frame: Frame
+    terms: tuple[tuple[int, Carrier, Vector], ...]
     motion: FirstOrder
 
 
 def motion_equation(
-    machine: Machine, moves: Collection[str], terms: tuple[tuple[int, str, Vector], ...], frame: str = "bed"
+    machine: Machine, moves: Collection[str], terms: tuple[tuple[int, Carrier, Vector], ...], frame: Frame = "bed"
 ) -> MotionEquation:
     """Displacement of the signed sum of points, seen in `frame`, with the axes `moves` away from home."""
     ideal = sp.zeros(3, 1)
@@ -38,16 +39,16 @@ def motion_equation(
     for sign, seen, point in terms:
         if seen == frame:
             continue  # a point does not move in the frame of its own body
-        moved = first_order(view(machine, f"{seen}_in_{frame}"), point)
+        moved = first_order(view(machine, view_of(seen, frame)), point)
         at, home = _at(machine, moved, moves), _at(machine, moved, ())
         ideal += sign * (sp.Matrix(at.ideal) - sp.Matrix(home.ideal))
         for name in machine.components:
-            if name[2] in moves and name in at.columns:
+            if name.axis in moves and name in at.columns:
                 columns[name] = columns.get(name, sp.zeros(3, 1)) + sign * sp.Matrix(at.columns[name])
-        for name in machine.location_errors:
-            if name in at.columns:
-                change = sp.Matrix(at.columns[name]) - sp.Matrix(home.columns[name])
-                columns[name] = columns.get(name, sp.zeros(3, 1)) + sign * change
+        for location in machine.location_errors:
+            if location in at.columns:
+                change = sp.Matrix(at.columns[location]) - sp.Matrix(home.columns[location])
+                columns[location] = columns.get(location, sp.zeros(3, 1)) + sign * change
     kept = {name: _vector(column) for name, column in columns.items() if any(column)}
     ordered = {name: kept[name] for name in machine.components + machine.location_errors if name in kept}
     axes = tuple(axis for axis in machine.axes if axis in moves)
@@ -68,7 +69,7 @@ def standard_motions(machine: Machine) -> tuple[MotionEquation, ...]:
     equations: list[MotionEquation] = []
     for pattern in [*patterns, *pairs]:
         on_tool, on_workpiece = set(pattern) & tool, set(pattern) & workpiece
-        terms: tuple[tuple[int, str, Vector], ...] = ()
+        terms: tuple[tuple[int, Carrier, Vector], ...] = ()
         if on_workpiece:
             terms += ((1, "workpiece", symbols.point("rW")),)
         if on_tool:

@@ -9,7 +9,7 @@ import sympy as sp
 
 from trueaxis.derive.chain import ZERO, Error, Shift, Turn, Vector, cross, rotation
 from trueaxis.derive.routine import Binder
-from trueaxis.derive.views import View
+from trueaxis.derive.views import ViewWalk
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class Walked:
 
 
 def walk(
-    view: View,
+    view: ViewWalk,
     start: Vector,
     binder: Binder,
     *,

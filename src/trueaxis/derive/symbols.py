@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trueaxis.spec.machine import ROTARY, Machine, component_unit
-
-_DIRECTION_INDEX = {"X": "x", "Y": "y", "Z": "z", "A": "x", "B": "y", "C": "z"}
+from trueaxis.effects.latex import component_latex
+from trueaxis.error_name import ErrorName
+from trueaxis.spec.machine import ROTARY, Machine
 
 
 @dataclass(frozen=True)
@@ -44,12 +44,6 @@ def point(prefix: str = "r") -> tuple[sp.Symbol, sp.Symbol, sp.Symbol]:
     return x, y, z
 
 
-def component_latex(component: str) -> str:
-    r"""The paper's name: \delta_x(y) of EXY, \varepsilon_z(x) of ECX."""
-    letter = r"\delta" if component_unit(component) == "mm" else r"\varepsilon"
-    return f"{letter}_{{{_DIRECTION_INDEX[component[1]]}}}({component[2].lower()})"
-
-
 def describe(machine: Machine) -> dict[str, SymbolText]:
     """Every symbol of a machine's equations by name, in the order positions, components, parameters, point."""
     table: dict[str, SymbolText] = {}
@@ -64,16 +58,14 @@ def describe(machine: Machine) -> dict[str, SymbolText]:
             table[f"cos_{letter}"] = SymbolText(rf"\cos({letter})", "1", f"cosine of the rotation about {axis}")
             table[f"sin_{letter}"] = SymbolText(rf"\sin({letter})", "1", f"sine of the rotation about {axis}")
     for component in machine.components:
-        table[component] = SymbolText(
-            component_latex(component), component_unit(component), describe_component(component)
-        )
+        table[component] = SymbolText(component_latex(component), component.unit, describe_component(component))
     for name in machine.dimensions:
         text = f"home position along {_along(machine, name)}, {_where(machine, name)}"
         table[name] = SymbolText(parameter_latex(name), "mm", text)
     for name in machine.location_errors:
         direction = machine.location_direction(name)
-        kind = "rotation about" if direction[1] in "ABC" else "displacement along"
-        text = f"location error, {kind} {_DIRECTION_INDEX[direction[1]].upper()}, {_where(machine, name)}"
+        kind = "rotation about" if direction.is_rotation else "displacement along"
+        text = f"location error, {kind} {direction.line}, {_where(machine, name)}"
         table[name] = SymbolText(parameter_latex(name), machine.parameter_unit(name), text)
     for letter, symbol in zip("xyz", point(), strict=True):
         table[symbol.name] = SymbolText(
@@ -82,22 +74,24 @@ def describe(machine: Machine) -> dict[str, SymbolText]:
     return table
 
 
-def describe_component(component: str) -> str:
+def describe_component(component: ErrorName) -> str:
     """The component error in words (ISO 230-1)."""
-    direction, axis = component[1], component[2]
-    if component_unit(component) == "mm":
-        if direction == axis:
+    direction, axis = component.direction.letter, component.axis
+    if not component.is_rotation:
+        if component.is_positioning:
             return f"positioning error of {axis}"
         return (
             f"straightness error of {axis} in {direction}"
-            if axis not in ROTARY
+            if component.is_straightness
             else f"error motion of {axis} along {direction}"
         )
-    if axis in ROTARY:
+    if not component.is_of_linear_axis:
         return (
-            f"angular positioning error of {axis}" if direction == axis else f"tilt error of {axis} about {direction}"
+            f"angular positioning error of {axis}"
+            if component.is_positioning
+            else f"tilt error of {axis} about {direction}"
         )
-    about = _DIRECTION_INDEX[direction].upper()
+    about = component.direction.line
     return f"roll error of {axis}" if about == axis else f"angular error of {axis} about {about} (pitch or yaw)"
 
 

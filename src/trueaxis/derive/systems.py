@@ -15,6 +15,7 @@ from trueaxis.derive import symbols
 from trueaxis.derive.chain import Vector
 from trueaxis.derive.motion import MotionEquation, motion_equation
 from trueaxis.spec.machine import ROTARY, Machine
+from trueaxis.view import Carrier, Frame
 
 Point = tuple[float, float, float]
 
@@ -30,9 +31,9 @@ class RunPattern:
     name: str
     moves: tuple[str, ...]
     direction: tuple[float, float, float]
-    frame: str
-    target: tuple[str, Point]
-    reference: tuple[str, Point]
+    frame: Frame
+    target: tuple[Carrier, Point]
+    reference: tuple[Carrier, Point]
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,7 @@ class IdentificationSystem:
     known: tuple[sp.Expr, ...]
     inverse: sp.Matrix | None
     determinant: sp.Expr | None
-    points: tuple[tuple[Vector, str, Point], ...]
+    points: tuple[tuple[Vector, Carrier, Point], ...]
     rank: int
 
     def numeric_matrix(self) -> sp.Matrix:
@@ -71,9 +72,10 @@ class Identification:
 
 def identification(machine: Machine, runs: Sequence[RunPattern]) -> Identification:
     """The systems of a set of runs. Deterministic: ties are broken by the order of the runs."""
-    unknowns = [name for name in machine.components if any(name[2] in run.moves for run in runs)]
+    unknowns = [name for name in machine.components if any(name.axis in run.moves for run in runs)]
     readings = [_reading(machine, run, _labels([run])[0]) for run in runs]
-    held = [[unknowns.index(name) for name in reading if name in unknowns] for reading in readings]
+    row_of: dict[str, int] = {name: row for row, name in enumerate(unknowns)}
+    held = [[row_of[name] for name in reading if name in row_of] for reading in readings]
     order = solution_order(held, len(unknowns))
     labels, _ = _labels(runs)  # of all runs together: a point has one name in all systems
     systems = tuple(
@@ -93,7 +95,7 @@ def undetermined(machine: Machine, runs: Sequence[RunPattern]) -> tuple[dict[str
     a component of a linear axis is given as the slope (per mm) by which its curve would change, one of a rotary axis
     as its change at one pose; combinations without a location error hold at every position by themselves.
     """
-    moved = [name for name in machine.components if any(name[2] in run.moves for run in runs)]
+    moved = [name for name in machine.components if any(name.axis in run.moves for run in runs)]
     location = list(machine.location_errors)
     rotary = any(axis in ROTARY for run in runs for axis in run.moves)
     # The effect of a location error is linear in positions, so that one tells of all, but not in angles: there it must
@@ -101,7 +103,7 @@ def undetermined(machine: Machine, runs: Sequence[RunPattern]) -> tuple[dict[str
     poses = [_pose(machine, k) for k in range(len(_HALF_TANGENTS) if rotary else 1)]
     rows: list[list[sp.Expr]] = []
     for index, pose in enumerate(poses):
-        scale = {name: pose.get(symbols.position(name[2]), sp.S.One) for name in moved}
+        scale: dict[str, sp.Expr] = {name: pose.get(symbols.position(name.axis), sp.S.One) for name in moved}
         for run in runs:
             labels, points = _labels([run])
             reading = _reading(machine, run, labels)
@@ -132,16 +134,16 @@ def _pose(machine: Machine, index: int) -> dict[sp.Symbol, sp.Rational]:
     return values
 
 
-def point_values(points: Sequence[tuple[Vector, str, Point]]) -> dict[sp.Symbol, sp.Rational]:
+def point_values(points: Sequence[tuple[Vector, Carrier, Point]]) -> dict[sp.Symbol, sp.Rational]:
     """Exact coordinates by point symbol: the decimal numbers as the files have them."""
     return {s: sp.Rational(repr(c)) for triple, _, at in points for s, c in zip(triple, at, strict=True)}
 
 
 def _labels(
     runs: Sequence[RunPattern],
-) -> tuple[dict[tuple[str, Point], Vector], tuple[tuple[Vector, str, Point], ...]]:
+) -> tuple[dict[tuple[Carrier, Point], Vector], tuple[tuple[Vector, Carrier, Point], ...]]:
     """A symbol triple for each different point: rT1x .. on the tool, rW1x .. on the workpiece, rB1x .. on the bed."""
-    labels: dict[tuple[str, Point], Vector] = {}
+    labels: dict[tuple[Carrier, Point], Vector] = {}
     counts: dict[str, int] = {}
     for run in runs:
         for on, at in (run.target, run.reference):
@@ -151,7 +153,7 @@ def _labels(
     return labels, tuple((triple, on, at) for (on, at), triple in labels.items())
 
 
-def run_motion(machine: Machine, run: RunPattern, labels: dict[tuple[str, Point], Vector]) -> MotionEquation:
+def run_motion(machine: Machine, run: RunPattern, labels: dict[tuple[Carrier, Point], Vector]) -> MotionEquation:
     """The motion equation that a run senses a direction of."""
     terms = tuple(
         (sign, end[0], labels[end]) for sign, end in ((1, run.target), (-1, run.reference)) if end[0] != run.frame
@@ -159,7 +161,7 @@ def run_motion(machine: Machine, run: RunPattern, labels: dict[tuple[str, Point]
     return motion_equation(machine, run.moves, terms, run.frame)
 
 
-def _reading(machine: Machine, run: RunPattern, labels: dict[tuple[str, Point], Vector]) -> dict[str, sp.Expr]:
+def _reading(machine: Machine, run: RunPattern, labels: dict[tuple[Carrier, Point], Vector]) -> dict[str, sp.Expr]:
     direction = [sp.Rational(repr(part)) for part in run.direction]
     columns = run_motion(machine, run, labels).motion.columns
     reading = {
@@ -169,7 +171,7 @@ def _reading(machine: Machine, run: RunPattern, labels: dict[tuple[str, Point], 
 
 
 def _system(
-    machine: Machine, runs: Sequence[RunPattern], unknowns: Sequence[str], labels: dict[tuple[str, Point], Vector]
+    machine: Machine, runs: Sequence[RunPattern], unknowns: Sequence[str], labels: dict[tuple[Carrier, Point], Vector]
 ) -> IdentificationSystem:
     points = tuple((labels[end], *end) for end in _labels(runs)[0])
     readings = [_reading(machine, run, labels) for run in runs]

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from trueaxis.derive.chain import Joint, Step, chains
 from trueaxis.spec.machine import Machine
+from trueaxis.view import Carrier, Frame, View
 
 
 @dataclass(frozen=True)
@@ -19,16 +20,16 @@ class Factor:
 
 
 @dataclass(frozen=True)
-class View:
+class ViewWalk:
     """A point of `seen` in the frame of `frame`; `walk` lists the factors in the order in which they act on it."""
 
-    name: str
-    seen: str
-    frame: str
+    name: View
+    seen: Carrier
+    frame: Frame
     walk: tuple[Factor, ...]
 
 
-def views(machine: Machine) -> tuple[View, ...]:
+def views(machine: Machine) -> tuple[ViewWalk, ...]:
     """The views of a machine: tool_in_workpiece (Eq. 4), tool_in_bed and workpiece_in_bed (Eq. 53), bed_in_workpiece.
 
     A body below both ends stands on both branches; what it does to the view cancels only as far as it truly does.
@@ -37,14 +38,14 @@ def views(machine: Machine) -> tuple[View, ...]:
     up_tool, up_workpiece = _towards_bed(tool), _towards_bed(workpiece)
     down_workpiece = tuple(Factor(factor.step, True) for factor in reversed(up_workpiece))
     return (
-        View("tool_in_workpiece", "tool", "workpiece", up_tool + down_workpiece),
-        View("tool_in_bed", "tool", "bed", up_tool),
-        View("workpiece_in_bed", "workpiece", "bed", up_workpiece),
-        View("bed_in_workpiece", "bed", "workpiece", down_workpiece),
+        ViewWalk("tool_in_workpiece", "tool", "workpiece", up_tool + down_workpiece),
+        ViewWalk("tool_in_bed", "tool", "bed", up_tool),
+        ViewWalk("workpiece_in_bed", "workpiece", "bed", up_workpiece),
+        ViewWalk("bed_in_workpiece", "bed", "workpiece", down_workpiece),
     )
 
 
-def view(machine: Machine, name: str) -> View:
+def view(machine: Machine, name: View) -> ViewWalk:
     """The view of that name."""
     return next(candidate for candidate in views(machine) if candidate.name == name)
 

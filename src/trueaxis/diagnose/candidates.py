@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from trueaxis.diagnose.rows import Rows
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import allows, reads
+from trueaxis.error_name import ROTATIONS
 from trueaxis.runtime.effect_values import identity
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR, Machine
@@ -35,13 +36,13 @@ def _of_kind(kind: Kind, machine: Machine, rows: Rows) -> Iterator[Effect]:
 def _of_components(kind: Kind, machine: Machine, rows: Rows) -> Iterator[Effect]:
     moving = {axis for axis, at in zip(rows.axes, rows.positions, strict=True) if at.min() < at.max()}
     for component in machine.components:
-        if not allows(kind, component) or component[2] not in moving:
+        if not allows(kind, component) or component.axis not in moving:
             continue
         if not kind.other_axis:
             yield Effect(kind.name, component)
             continue
         for axis in machine.axes:
-            if axis != component[2] and axis in moving:
+            if axis != component.axis and axis in moving:
                 yield Effect(kind.name, component, axis)
 
 
@@ -50,9 +51,9 @@ def _missing_locations(kind: Kind, machine: Machine) -> Iterator[Effect]:
         if axis not in LINEAR:
             continue
         there = {direction for direction, _ in machine.mover(axis).position_errors}
-        for direction in ("EA", "EB", "EC"):
-            if direction not in there and "ABC".index(direction[1]) != "XYZ".index(axis):
-                yield Effect(kind.name, f"{direction}0{axis}")
+        for turn in ROTATIONS:
+            if turn not in there and turn.line != axis:
+                yield Effect(kind.name, turn.location_error(axis))
 
 
 def _of_runs(kind: Kind, rows: Rows) -> Iterator[Effect]:

@@ -57,5 +57,5 @@ def _instead(tight: Ground, null: Null, scan: Scanned, known: Sequence[FloatArra
     """The effect fitted with true values beside it, and what is stale then."""
     signature = signature_of(tight.readings, scan.effect, (scan.point,))
     (cause,) = refit(tight, (Found(scan, signature),))
-    free = free_besides(null, (*known, cause.signal), tuple(imperfections(tight.readings, cause)))
-    return cause, stale_values(null, free, tight.freedom)
+    besides = tuple(imperfections(tight.readings, cause))
+    return cause, stale_values(null, (*known, cause.signal), besides, tight.freedom)

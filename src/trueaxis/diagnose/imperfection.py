@@ -77,7 +77,7 @@ def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
             yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * np.where(mine, signal, 0.0)
     if "direction" in used and cause.effect.component:
         share, ways = FLANK
-        since = readings.context.since_reversal[rows.axes.index(cause.effect.component[-1])]
+        since = readings.context.since_reversal[rows.axes.index(cause.effect.own_axis)]
         for way in ways:
             yield share * signal * np.exp(-since / way)
     if "T" in used and rows.time is not None and np.isfinite(rows.time).all():
@@ -110,8 +110,7 @@ def _of_searched(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
 
 
 def _axes(cause: Fitted) -> tuple[str, ...]:
-    own = (cause.effect.component or "")[-1:]
-    return tuple(axis for axis in (own, cause.effect.axis or "") if axis)
+    return tuple(axis for axis in (cause.effect.own_axis, cause.effect.axis) if axis)
 
 
 def _followed(readings: Readings, constant: float) -> FloatArray:

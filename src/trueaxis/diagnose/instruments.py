@@ -12,6 +12,7 @@ import numpy as np
 from scipy.special import ndtr
 
 from trueaxis.diagnose.base import Base
+from trueaxis.diagnose.by_run import ByRun
 from trueaxis.diagnose.null import Null, factored
 from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.whiten import RANK
@@ -94,7 +95,7 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
     """Those that are, most evident first, each beside those before. signal: (n,), mm, what causes in the machine do to
     the readings.
     """
-    columns = np.hstack([null.base.columns, null.base.by_chance])
+    columns = null.base.columns.beside(null.base.by_chance)
     q, r, length = factored(null.whitening, columns)
     deviation = np.ones(length.size)
     deviation[: null.base.of_machine] = WIDE * null.base.expected[: null.base.of_machine]
@@ -102,8 +103,8 @@ def instruments_off(null: Null, signal: FloatArray) -> tuple[Off, ...]:
     root[np.linalg.norm(r, axis=0) <= RANK] = 0.0  # what the unknowns of single runs hold
     left, found = null.values - signal, dict[tuple[str, object], Off]()
     while len(found) < MOST:
-        coefficient = root[:, : r.shape[0]] @ (q.T @ null.whitening(left))
-        every = [*_shared(null.base, coefficient, root), *_own(null, left, columns, coefficient, root)]
+        coefficient = root[:, : r.shape[0]] @ q.transposed(null.whitening(left))
+        every = [*_shared(null.base, columns, coefficient, root), *_own(null, left, columns, coefficient, root)]
         every = [one for one in every if (one.kind, one.of) not in found]
         chances = [_chance(one, [o for o in every if o.kind == one.kind and o.of != one.of]) for one in every]
         sure = [one for one, chance in zip(every, chances, strict=True) if chance * len(every) < FALSE_ALARMS]
@@ -131,9 +132,8 @@ def _chance(one: _Unknown, others: Sequence[_Unknown]) -> float:
     return float(2.0 * ndtr(-abs(one.value) / np.hypot(size, one.u)) @ weight / weight.sum())
 
 
-def _shared(base: Base, coefficient: FloatArray, root: FloatArray) -> Iterator[_Unknown]:
+def _shared(base: Base, columns: ByRun, coefficient: FloatArray, root: FloatArray) -> Iterator[_Unknown]:
     """Unknowns that runs share, what is expected of each itself taken off again."""
-    columns = np.hstack([base.columns, base.by_chance])
     place = {run.rows.index: number for number, run in enumerate(base.runs)}
     for k, unknown in enumerate(base.shared, start=base.of_machine):
         variance = float(root[k] @ root[k])
@@ -145,21 +145,29 @@ def _shared(base: Base, coefficient: FloatArray, root: FloatArray) -> Iterator[_
         runs = tuple(place[index] for index in unknown.runs if index in place)
         factor = unknown.unknown_class.factor
         yield _Unknown(
-            unknown.kind, k, runs, size, factor, value * size, u * size, columns[:, k] / size, (value / u) ** 2
+            unknown.kind,
+            k,
+            runs,
+            size,
+            factor,
+            value * size,
+            u * size,
+            columns.take(np.array([k])).dense()[:, 0] / size,
+            (value / u) ** 2,
         )
 
 
-def _own(
-    null: Null, left: FloatArray, columns: FloatArray, coefficient: FloatArray, root: FloatArray
-) -> Iterator[_Unknown]:
+def _own(null: Null, left: FloatArray, columns: ByRun, coefficient: FloatArray, root: FloatArray) -> Iterator[_Unknown]:
     """Unknowns of single runs, those of one set-up together where they agree; of a ball also what its runs share."""
     rest = left - columns @ coefficient
     by_kind: dict[str, list[_OfRun]] = {}
-    for place, (run, own, noise) in enumerate(zip(null.base.runs, null.base.own, null.whitening.runs, strict=True)):
+    inside = np.split(columns.weights @ root, columns.ends[1:-1])
+    members_of = zip(null.base.runs, null.base.own, null.whitening.runs, columns.few, inside, strict=True)
+    for place, (run, own, noise, few, part) in enumerate(members_of):
         kinds, k = np.array(null.base.own_kinds[place]), own.shape[1]
         size = np.array([_expected_of(run.rows.run, kind)[0] for kind in kinds])
-        white = noise.whitened(np.column_stack([own * size, rest[run.rows.at], columns[run.rows.at] @ root]))
-        information, asked = _told(white[:, :k], white[:, k], white[:, k + 1 :])
+        white = noise.whitened(np.column_stack([own * size, rest[run.rows.at], few]))
+        information, asked = _told(white[:, :k], white[:, k], white[:, k + 1 :] @ part)
         for kind in dict.fromkeys(kinds[np.isin(kinds, list(KINDS))].tolist()):
             at = np.flatnonzero(kinds == kind)
             value, u, squares = _of_class(information, asked, at)

@@ -16,7 +16,7 @@ from trueaxis.diagnose.gain import fit, gain_of, held_out, of_instruments, predi
 from trueaxis.diagnose.imperfection import imperfection, imperfections
 from trueaxis.diagnose.instruments import Off, instruments_off
 from trueaxis.diagnose.null import Null, again, null_of
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.projection import Projection, spanned
 from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted, refit
 from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, FloatArray, NoiseOf
@@ -33,7 +33,7 @@ from trueaxis.diagnose.search import (
     without,
 )
 from trueaxis.diagnose.signatures import Readings, readings_of
-from trueaxis.diagnose.stale import Changes, free_besides, stale_values
+from trueaxis.diagnose.stale import Changes, stale_values
 from trueaxis.diagnose.standing import refitted_columns, standing_effects
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.diagnose.verdict import HOMOGENEOUS, explained_share, names_stand, verdict_of
@@ -108,6 +108,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             ),
             stale=changes.stale,
             stale_p=changes.p_value,
+            report=data.setup.report,
         )
     )
 
@@ -155,7 +156,7 @@ def _values_judged(
     besides = [column for one in known for column in imperfections(ground.readings, one)]
     off = instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
     signals += [one.signal for one in off]
-    changes = stale_values(null, free_besides(null, signals, besides), ground.freedom)
+    changes = stale_values(null, signals, besides, ground.freedom)
     if not changes.stale or judged.search.causes or any(one.fired for one in judged.checks):
         return judged, changes, off
     named, left = contest(ground, null, changes, signals)
@@ -235,7 +236,8 @@ def _searched(
 
 def _plain(null: Null, free: FloatArray) -> Projection:
     """What is no news before any cause is known. free: (n, k), mm, columns that are free besides."""
-    basis = Projection(orthonormal(null.whitening(np.hstack([null.base.columns, free]))))
+    columns = null.base.columns.beside(free) if free.size else null.base.columns
+    basis = Projection(spanned(columns.whitened(null.whitening)))
     return basis.softened(null.whitening(null.base.by_chance))
 
 

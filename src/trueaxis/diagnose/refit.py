@@ -70,7 +70,7 @@ def _bounds(one: Found, values: FloatArray, readings: Readings) -> tuple[FloatAr
         share = FAR
         if parameter.grid == "pitch" and one.scan.effect.component:
             rows = readings.rows
-            span = float(np.ptp(rows.positions[rows.axes.index(one.scan.effect.component[-1])]))
+            span = float(np.ptp(rows.positions[rows.axes.index(one.scan.effect.own_axis)]))
             share = min(FAR, 0.5 * values[place] / span)
         low[place], high[place] = values[place] / (1.0 + share), values[place] * (1.0 + share)
     return low, high

@@ -235,6 +235,23 @@ class NextRun:
     gain: str
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasuredWith:
+    """What one device measured. device, serial: empty where setup.toml names none; sessions: named ones; motions: axes
+    that move, of runs; time_s, temperature_c: from, to; None where the readings have none.
+    """
+
+    instrument: str
+    device: str
+    serial: str
+    sessions: tuple[str, ...]
+    runs: int
+    readings: int
+    motions: tuple[str, ...]
+    time_s: tuple[float, float] | None
+    temperature_c: tuple[float, float] | None
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Residuals:
     """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds;
@@ -268,7 +285,8 @@ class Residuals:
 @dataclass(frozen=True, slots=True, eq=False)
 class Diagnosis:
     """Everything that was found. correlation: (g, g), R^2 between the candidates of `isolability`, base projected out;
-    threshold: evidence that a candidate had to reach; absences: what the data lack and what that costs.
+    threshold: evidence that a candidate had to reach; absences: what the data lack and what that costs; report: what
+    setup.toml says of the measurement in free words.
     """
 
     machine: str
@@ -290,3 +308,5 @@ class Diagnosis:
     absences: tuple[str, ...]
     warnings: tuple[str, ...]
     residuals: Residuals
+    measured: tuple[MeasuredWith, ...]
+    report: Mapping[str, str]

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.diagnose.base import Base
+from trueaxis.diagnose.by_run import of_basis
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.null import Null
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.projection import Projection, orthonormal, spanned
 from trueaxis.diagnose.result import FloatArray, IntArray, Stale
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
@@ -74,18 +75,23 @@ def free_besides(null: Null, causes: Sequence[FloatArray], besides: Sequence[Flo
     standard deviation.
     """
     base, white = null.base, null.whitening
-    free = Projection(orthonormal(white(np.column_stack([base.columns[:, base.of_machine :], *causes]))))
-    return free.softened(white(np.column_stack([base.by_chance, *besides])))
+    columns = base.columns.take(slice(base.of_machine, None))
+    columns = columns.beside(np.column_stack(causes)) if causes else columns
+    return Projection(spanned(columns.whitened(white))).softened(white(np.column_stack([base.by_chance, *besides])))
 
 
-def stale_values(null: Null, free: Projection, freedom: Freedom) -> Changes:
-    """What is stale. free: what is besides, see `free_besides`."""
+def stale_values(null: Null, causes: Sequence[FloatArray], besides: Sequence[FloatArray], freedom: Freedom) -> Changes:
+    """What is stale. causes, besides: see `free_besides`."""
     rows, base = null.rows, null.base
-    columns = np.column_stack([base.machine * base.expected[: base.of_machine], null.values])
-    r = np.asarray(np.linalg.qr(free.rest(null.whitening(columns)), mode="r"))
+    further = np.column_stack([*causes, base.by_chance, *besides, null.values])
+    white = base.columns.times(np.diag(base.expected)).beside(further).whitened(null.whitening).weights
+    free = base.expected.size + len(causes)
+    aside, chance = white[:, base.of_machine : free], white[:, free:-1]
+    nuisance = Projection(of_basis(orthonormal(aside))).softened(chance)
+    r = np.asarray(np.linalg.qr(nuisance.rest(white[:, [*range(base.of_machine), -1]]), mode="r"))
     names, every = np.array(base.components), tuple(dict.fromkeys(base.components))
     at = {name: np.flatnonzero(names == name) for name in every}
-    of_noise = {name: freedom.of(np.arange(rows.size), base.machine[:, at[name]]) for name in every}
+    of_noise = {name: freedom.of(np.arange(rows.size), base.machine.take(at[name]).dense()) for name in every}
     asked = _Asked(r, at, of_noise)
     sizes, evidence = _chosen(asked)
     found = [_change(rows, base, asked, sizes, name) for name in sizes]

@@ -1,6 +1,6 @@
 """From what was computed to the record that report and diagnosis.json are made of; the verdict is reached here."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,7 @@ from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fit, predicted
 from trueaxis.diagnose.instruments import Off
 from trueaxis.diagnose.linearisation import linearisation_note
+from trueaxis.diagnose.measured import measured_with
 from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
 from trueaxis.diagnose.noise import REPEATS, STATED
 from trueaxis.diagnose.null import Null
@@ -62,6 +63,7 @@ class Outcome:
     of_instruments: FloatArray
     stale: tuple[Stale, ...]
     stale_p: float
+    report: Mapping[str, str]
 
 
 def diagnosis_of(outcome: Outcome) -> Diagnosis:
@@ -92,6 +94,8 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         absences=(*absences(ground.readings, outcome.audit, outcome.null.noise), linearisation_note(ground)),
         warnings=_warnings(outcome, causes),
         residuals=_residuals(outcome),
+        measured=measured_with(ground.readings.rows),
+        report=outcome.report,
     )
 
 

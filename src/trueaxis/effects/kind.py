@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from trueaxis.error_name import ErrorName
+
 Place = Literal["component", "reading", "point", "location"]
 Role = Literal["linear", "phase", "root", "grid"]
 Grid = Literal["pitch", "time", "reversal", "reversal_time", "reversal_path", "moment", "given"]
@@ -77,6 +79,16 @@ class Effect:
     axis: str | None = None
     runs: tuple[str, ...] = ()
     end: str | None = None
+
+    @property
+    def error(self) -> ErrorName:
+        """The component by its name. Raises ValueError where the effect is on readings or on a point of the set-up."""
+        return ErrorName(self.component or "")
+
+    @property
+    def own_axis(self) -> str:
+        """The axis whose error it adds to, X .. C; empty where it is on readings or on a point of the set-up."""
+        return self.error.axis if self.component else ""
 
     @property
     def label(self) -> str:

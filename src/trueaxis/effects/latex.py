@@ -9,9 +9,9 @@ import re
 from trueaxis.effects.expression import Binary, Call, Expression, Function, Name, Negative, Number, Pi, Power, parse
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.variables import OF_AXIS, VARIABLES
+from trueaxis.error_name import ErrorName
 
 ADDED = r"\;{+}{=}\;"  # \mathrel{+}= nests one operator in another, which MathML does not allow
-_INDEX = dict(zip("XYZABC", "xyzxyz", strict=True))
 _GREEK = ("alpha", "beta", "gamma", "delta", "epsilon", "kappa", "lambda", "mu", "nu", "rho", "tau", "phi", "omega")
 _FUNCTIONS = {
     "sin": r"\sin",
@@ -32,11 +32,9 @@ def effect_latex(kind: Kind, effect: Effect) -> str:
     ball bar's length, a point of the set-up, or the position error by its name in ISO 230-7.
     """
     if kind.place == "component":
-        assert effect.component is not None
-        return f"{component_latex(effect.component)} {ADDED} {term_latex(kind, effect)}"
+        return f"{component_latex(effect.error)} {ADDED} {term_latex(kind, effect)}"
     if kind.place == "location":
-        assert effect.component is not None
-        return f"E_{{{effect.component[1:]}}} {ADDED} {_parameter(kind.parameters[0].name)}"
+        return f"E_{{{effect.error.subscript}}} {ADDED} {_parameter(kind.parameters[0].name)}"
     if kind.place == "point":
         point = rf"\mathbf{{r}}_{{\text{{{effect.end or 'ball'}}}}}"
         coordinates = r" \\ ".join(_parameter(one.name) for one in kind.parameters)
@@ -50,10 +48,10 @@ def term_latex(kind: Kind, effect: Effect) -> str:
     return _Writer(kind, effect).sum(parse(kind.expression))
 
 
-def component_latex(component: str) -> str:
+def component_latex(component: ErrorName) -> str:
     r"""The paper's name of a component error: \delta_{x}(y) of EXY, \varepsilon_{z}(x) of ECX."""
-    letter = r"\delta" if component[1] in "XYZ" else r"\varepsilon"
-    return f"{letter}_{{{_INDEX[component[1]]}}}({component[2].lower()})"
+    letter = r"\varepsilon" if component.is_rotation else r"\delta"
+    return f"{letter}_{{{component.direction.line.lower()}}}({component.axis.lower()})"
 
 
 def _parameter(name: str) -> str:
@@ -82,8 +80,7 @@ class _Writer:
     """Writes a syntax tree; one method per level of the grammar, parentheses where a level needs them."""
 
     def __init__(self, kind: Kind, effect: Effect) -> None:
-        component = effect.component or ""
-        self._axes = {"": component[-1:].lower(), "_b": (effect.axis or "").lower()}
+        self._axes = {"": effect.own_axis.lower(), "_b": (effect.axis or "").lower()}
         self._parameters = {one.name for one in kind.parameters}
 
     def sum(self, expression: Expression) -> str:

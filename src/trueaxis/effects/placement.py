@@ -6,8 +6,9 @@ from typing import Literal, Protocol
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.variables import OF_COMPONENT_TERMS, OF_READING_TERMS, VARIABLES, Variable
+from trueaxis.error_name import ErrorName
 
-Direction = Literal["along", "across", "turn"]
+Way = Literal["along", "across", "turn"]
 
 
 class ReadRun(Protocol):
@@ -24,19 +25,19 @@ class ReadRun(Protocol):
         ...
 
 
-def direction_of(component: str) -> Direction:
+def way_of(component: ErrorName) -> Way:
     """Whether a component error (ISO 230-1 name) is along the motion of its axis, across it, or turns.
 
     Along is the positioning error: EXX of a linear axis, ECC of a rotary one.
     """
-    if component[1] == component[2]:
+    if component.is_positioning:
         return "along"
-    return "across" if component[1] in "XYZ" else "turn"
+    return "turn" if component.is_rotation else "across"
 
 
-def allows(kind: Kind, component: str) -> bool:
+def allows(kind: Kind, component: ErrorName) -> bool:
     """Whether effects of a kind may act on a component error."""
-    return component in kind.components or direction_of(component) in kind.directions
+    return component in kind.components or way_of(component) in kind.directions
 
 
 def reads(kind: Kind, instrument: str) -> bool:

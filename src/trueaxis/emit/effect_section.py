@@ -9,9 +9,10 @@ import sympy as sp
 from trueaxis.derive import symbols
 from trueaxis.derive.effect_terms import term
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.latex import component_latex
 from trueaxis.effects.placement import context_of
 from trueaxis.effects.variables import OF_AXIS, OF_OTHER_AXIS, VARIABLES, Variable
-from trueaxis.spec.machine import ROTARY, Machine, component_unit
+from trueaxis.spec.machine import ROTARY, Machine
 
 _INSTRUMENTS = {"laser": "the laser", "probe": "the probe", "ballbar": "the ball bar"}
 
@@ -51,7 +52,7 @@ def effect_symbols(machine: Machine) -> list[SymbolRow]:
             continue
         for parameter in kind.parameters:
             latex = _indexed(parameter.name, number)
-            unit = _unit(parameter.unit, effect.component, (effect.component or "")[-1:])
+            unit = _unit(parameter.unit, effect, effect.own_axis)
             rows[latex] = SymbolRow(latex, f"`{parameter.name}`", unit, f"effect {number}: {parameter.meaning}")
         for variable in (VARIABLES[name] for name in _used(kind) if name not in ("q", "q_b")):
             axis = _axis(variable, effect)
@@ -89,7 +90,7 @@ def _equation(kind: Kind, effect: Effect, number: int) -> tuple[str, str]:
     names = {symbols.named(parameter.name): _indexed(parameter.name, number) for parameter in kind.parameters}
     names |= {symbols.named(name): _bound(VARIABLES[name], effect) for name in _used(kind)}
     text = _latex(value, names)
-    left = "L" if effect.component is None else symbols.component_latex(effect.component)
+    left = "L" if effect.component is None else component_latex(effect.error)
     return left, f"{left} {text}" if text.startswith("-") else f"{left} + {text}"
 
 
@@ -105,7 +106,7 @@ def _used(kind: Kind) -> Iterator[str]:
 
 def _axis(variable: Variable, effect: Effect) -> str:
     if variable in OF_AXIS:
-        return (effect.component or "")[-1:]
+        return effect.own_axis
     return (effect.axis or "") if variable in OF_OTHER_AXIS else ""
 
 
@@ -122,8 +123,8 @@ def _indexed(parameter: str, number: int) -> str:
     return f"{text[:-1]},{number}}}" if "_{" in text else f"{text}_{{{number}}}"
 
 
-def _unit(unit: str, component: str | None, axis: str) -> str:
-    names = {"u": component_unit(component) if component else "mm", "axis": "deg" if axis in ROTARY else "mm"}
+def _unit(unit: str, effect: Effect | None, axis: str) -> str:
+    names = {"u": effect.error.unit if effect and effect.component else "mm", "axis": "deg" if axis in ROTARY else "mm"}
     return re.sub(r"\b(u|axis)\b", lambda found: names[found[0]], unit)
 
 

@@ -9,10 +9,12 @@ import sympy as sp
 from trueaxis.derive import symbols
 from trueaxis.derive.chain import Vector
 from trueaxis.derive.motion import MotionEquation, motion_equation
+from trueaxis.effects.latex import component_latex
 from trueaxis.emit.latex import Latex
 from trueaxis.emit.paper_layout import Pattern, Reading
 from trueaxis.spec.machine import Body, Machine
 from trueaxis.topology import branches
+from trueaxis.view import Carrier
 
 _POINT = re.compile(r"r\^?([XYZ]*)_([kl]\w*)([xyz])")
 AXES = "xyz"
@@ -26,10 +28,10 @@ class Form:
     columns: Mapping[str, sp.Expr]
 
 
-def point(name: str, pattern: str = "") -> Vector:
+def point(label: str, pattern: str = "") -> Vector:
     """The coordinates of P_k1, P_l ...; points of a linkage bear its axes, because their numbers begin at 1 again."""
-    above = f"^{pattern}" if len(pattern) > 1 and name[-1].isdigit() else ""
-    x, y, z = (sp.Symbol(f"r{above}_{name}{axis}", real=True) for axis in AXES)
+    above = f"^{pattern}" if len(pattern) > 1 and label[-1].isdigit() else ""
+    x, y, z = (sp.Symbol(f"r{above}_{label}{axis}", real=True) for axis in AXES)
     return x, y, z
 
 
@@ -37,7 +39,7 @@ def paper_latex(machine: Machine, values: list[sp.Symbol]) -> Latex:
     """A printer of the paper's names: x_h, delta_x(x_h), r_{k1x}."""
     names = {axis.lower(): f"{axis.lower()}_h" for axis in machine.axes}
     for component in machine.components:
-        names[component] = symbols.component_latex(component).replace(")", "_h)")
+        names[component] = component_latex(component).replace(")", "_h)")
     for symbol in values:
         if found := _POINT.fullmatch(symbol.name):
             above = f"^{{{found[1]}}}" if found[1] else ""
@@ -48,8 +50,9 @@ def paper_latex(machine: Machine, values: list[sp.Symbol]) -> Latex:
 def motion(machine: Machine, pattern: str, label: str) -> MotionEquation:
     """The motion equation of a pattern for the point of a label: of P_l on the worktable less P_k on the tool."""
     workpiece, tool = branches(machine)
-    terms: tuple[tuple[int, str, Vector], ...] = ()
-    for name, seen, bodies in (("l", "workpiece", workpiece), ("k", "tool", tool)):
+    terms: tuple[tuple[int, Carrier, Vector], ...] = ()
+    ends: tuple[tuple[str, Carrier, tuple[Body, ...]], ...] = (("l", "workpiece", workpiece), ("k", "tool", tool))
+    for name, seen, bodies in ends:
         if {body.moves for body in bodies} & set(pattern):
             sign = -1 if terms else 1
             terms += ((sign, seen, _in_frame(bodies[-1], point(name + label, pattern))),)

@@ -12,6 +12,7 @@ from trueaxis.emit.paper_notation import AXES, Form, form, monomial_terms, motio
 from trueaxis.emit.paper_tables import Table1, points, table_1, table_3
 from trueaxis.emit.rows import broken
 from trueaxis.spec.machine import Machine
+from trueaxis.view import view_of
 
 Row = str
 
@@ -121,7 +122,7 @@ def _motion_block(machine: Machine, pattern: Pattern, latex: Latex) -> Block:
         left = " - ".join(_difference(text, axis, bracket=n > 0) for n, text in enumerate(differences))
         column = {name: entry[i] for name, entry in equation.motion.columns.items()}
         rows.append(broken(left, latex.terms(equation.motion.ideal[i]) + monomial_terms(column, latex)))
-    views = " less ".join(f"`{seen}_in_bed`" for _, seen, _ in equation.terms)
+    views = " less ".join(f"`{view_of(seen, 'bed')}`" for _, seen, _ in equation.terms)
     text = f"Eq. (11) with the columns {pattern.axes} of Table 3; to first order the view {views}, there less at home:"
     return Block(pattern.motion, f"motion of {pattern.title}", text, rows=tuple(rows))
 

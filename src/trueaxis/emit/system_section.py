@@ -14,6 +14,7 @@ from trueaxis.emit.chain_section import AXES, Row
 from trueaxis.emit.latex import Latex, is_negative, joined
 from trueaxis.emit.rows import WIDEST, broken, width
 from trueaxis.spec.machine import Machine
+from trueaxis.view import view_of
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ def motion_text(equation: MotionEquation, latex: Latex, references: dict[str, st
         for i, row in enumerate(AXES)
     )
     what = " minus ".join(f"{seen} point" for _, seen, _ in equation.terms)
-    sources = " less ".join(f"`{seen}_in_{equation.frame}`" for _, seen, _ in equation.terms)
+    sources = " less ".join(f"`{view_of(seen, equation.frame)}`" for _, seen, _ in equation.terms)
     reference = references.get(motion_name(equation.moves), "")
     return EquationText(f"{' and '.join(equation.moves)}: {what}", reference, sources, rows)
 

@@ -10,11 +10,10 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.instruments import SharedUnknown
+from trueaxis.estimation.result import Estimate
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn
-from trueaxis.spec.machine import LINEAR
 
 TENTH = 0.1  # of the standard uncertainty, as what rests on the prior is judged
 MOST_PARTNERS = 3  # a sum of more than four is no statement on any of them: that none is known is in their u
@@ -66,8 +65,8 @@ def _named(found: Estimate) -> tuple[list[tuple[What, str, float, str]], FloatAr
     for name in layout.locations:
         names.append(("location", name, 1.0, model.machine.parameter_unit(name)))
     for name, basis in zip(layout.components, layout.bases, strict=True):
-        unit = f"{'mm' if name[1] in LINEAR else 'rad'}/{'mm' if name[2] in LINEAR else 'deg'}"
-        unit = "1" if name[1] == name[2] and name[2] in LINEAR else unit  # a scale, no angle
+        is_scale = name.is_positioning and name.is_of_linear_axis
+        unit = "1" if is_scale else name.slope_unit
         names.append(("slope", name, basis.per_position, unit))
     for unknown in layout.shared:
         names.append(("instrument", _label(unknown), 1.0, unknown.unknown_class.unit))

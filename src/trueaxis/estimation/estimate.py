@@ -1,8 +1,7 @@
 """The estimate: sizes, noise and unknowns in turn, on the exact model, until nothing moves any more."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import TypeVar
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -12,13 +11,12 @@ from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import averaged, best_sizes, posterior_at
-from trueaxis.estimation.gauge import exactly_level, levelling
 from trueaxis.estimation.giving_way import giving_way
-from trueaxis.estimation.layout import Layout, layout_of
+from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.least_norm import least_norm
-from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
+from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.signs import reversed_runs
 from trueaxis.estimation.sizes import Sizes
@@ -32,13 +30,10 @@ from trueaxis.estimation.state import (
     with_noise,
     without_outliers,
 )
-from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.effect_values import EffectValues, identity
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
-
-T = TypeVar("T")
 
 LEAST_ROUNDS, MOST_ROUNDS = 5, 30  # in which noise, outliers and sizes are estimated
 SEARCH_ROUNDS = 3  # before the start of an effect is searched: the noise then still holds it, and its start is rough
@@ -47,7 +42,6 @@ MOST_STEPS = 20
 STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
 EXACT = 1e-6  # the same without a prior: readings without noise then give the errors back
 LEAST_STEP = 1e-12  # of the size of an unknown: rounding
-SETTLED_BY_CONVENTION = 1e-6  # of their sizes: what is left of a combination that the convention settles is rounding
 SEED = 20  # of the draws from which the noise is taken
 
 
@@ -56,123 +50,60 @@ class NothingHeldError(ValueError):
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Estimate:
-    """What readings say of a machine and of the instruments.
-
-    values: of the machine; unknowns: (n,), mm, rad or 1; spread: (n, r), a root of their covariance, the last
-    `of_prior` columns of which are the prior's part, the others that of the readings; open: (n, d), combinations of
-    errors, as large as expected, that are zero since, without a prior, no reading determines them, with what
-    instruments and effects would then be; scale: (n,), their prior standard deviations, at their estimated sizes;
-    factors: class of sizes -> the estimated size over the expected one; noise: of each instrument; scales: of each run
-    with readings, by index, its noise over that of its instrument; stated: instruments whose noise was given: their
-    scales are mm; zeroed: effects that are zero, since the readings make their square negative; reversed: runs, by
-    index, that read as if their sign were reversed, and the logarithm of how much likelier that is; outliers:
-    (n_readings,), left out; residual: (n_readings,), mm; freedom: degrees of freedom that are left; rounds, steps: how
-    often noise and sizes, then the unknowns alone were estimated; last_step, last_change: the largest last step in
-    standard uncertainties, and by how much it changed a residual, mm; converged: whether it was none.
+class EstimationOptions:
+    """noise: standard deviation of the readings of runs, by index, mm; that of an instrument is estimated unless all of
+    its runs are there; start: values of effects, which spare the search of those that the readings do not depend on
+    linearly; prior: whether anything is expected of the machine's errors: if not, what the readings do not determine is
+    zero, and `open`; ideal: whether nothing is unknown of the instruments; degree: of the curves.
     """
 
-    layout: Layout
-    values: ErrorValues
-    unknowns: FloatArray
-    spread: FloatArray
-    open: FloatArray
-    of_prior: int
-    scale: FloatArray
-    factors: Mapping[str, float]
-    noise: Mapping[str, Noise]
-    scales: Mapping[int, float]
-    stated: frozenset[str]
-    zeroed: tuple[Effect, ...]
-    reversed: Mapping[int, float]
-    outliers: BoolArray
-    residual: FloatArray
-    freedom: float
-    rounds: int
-    steps: int
-    last_step: float
-    last_change: float
-    converged: bool
-
-    def levelled(self) -> "Estimate":
-        """By the convention for straightness and squareness; what the instruments' unknowns are stays.
-
-        Values on the exact model; covariance and what is open to first order.
-        """
-        change = levelling(self.layout)
-        prior = np.linalg.norm(change * self.scale, axis=1)
-        unknowns = change @ self.unknowns
-        left_open = change @ self.open
-        of_machine = (left_open / self.scale[:, np.newaxis])[: self.layout.of_machine]
-        left_open = left_open[:, np.linalg.norm(of_machine, axis=0) > SETTLED_BY_CONVENTION]
-        given = replace(self.values, parameters=_others(self.values.parameters, self.layout.locations))
-        given = replace(given, motion_errors=_others(self.values.motion_errors, self.layout.components))
-        own = {identity(one.effect) for one in self.layout.effects.members}
-        given = replace(given, effects=tuple(one for one in given.effects if identity(one.effect) not in own))
-        if self.unknowns.any():
-            unknowns = exactly_level(self.layout, self.values, given, unknowns, self.scale)
-        values = self.layout.values(unknowns, given)
-        return replace(self, values=values, unknowns=unknowns, spread=change @ self.spread, open=left_open, scale=prior)
+    noise: Mapping[int, float] = field(default_factory=dict)
+    start: Sequence[EffectValues] = ()
+    prior: bool = True
+    ideal: bool = False
+    degree: int = DEGREE
 
 
-def _others(values: Mapping[str, T], names: tuple[str, ...]) -> dict[str, T]:
-    return {name: value for name, value in values.items() if name not in names}
+USUAL = EstimationOptions()
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Setting:
-    """What every estimation of one data set shares; noise: as stated, mm, of runs by index; prior, ideal, degree: see
-    `estimate`.
-    """
+    """What every estimation of one data set shares."""
 
     model: MachineModel
     observed: Observations
     given: ErrorValues
     runs: tuple[MeasuredRun, ...]
-    noise: Mapping[int, float]
-    prior: bool
-    ideal: bool
-    degree: int
+    options: EstimationOptions
 
     def started(self, effects: EffectUnknowns) -> tuple[State, Sizes]:
         """Nothing estimated yet."""
-        layout = giving_way(layout_of(self.model, self.observed, self.given, effects, self.degree), self.runs)
-        state = started(layout, self.runs, self.given, self.noise)
-        return state, Sizes(layout, state.own_kinds, flat=not self.prior, ideal=self.ideal)
+        layout = giving_way(layout_of(self.model, self.observed, self.given, effects, self.options.degree), self.runs)
+        state = started(layout, self.runs, self.given, self.options.noise)
+        return state, Sizes(layout, state.own_kinds, flat=not self.options.prior, ideal=self.options.ideal)
 
 
 def estimate(
     model: MachineModel,
     observed: Observations,
     given: ErrorValues | None = None,
-    noise: Mapping[int, float] | None = None,
-    start: Sequence[EffectValues] = (),
-    *,
-    prior: bool = True,
-    ideal: bool = False,
-    degree: int = DEGREE,
+    options: EstimationOptions = USUAL,
 ) -> Estimate:
     """The errors and effects that are not given, from all readings, as a linear mixed model.
 
-    given: values that are taken as they are, dimensions too; noise: standard deviation of the readings of runs, by
-    index, mm; that of an instrument is estimated unless all of its runs are there; start: values of effects, which
-    spare the search of those that the readings do not depend on linearly; prior: whether anything is expected of the
-    machine's errors: if not, what the readings do not determine is zero, and `open`; ideal: whether nothing is unknown
-    of the instruments; degree: of the curves. Raises NothingHeldError where no reading holds an error of the machine,
-    InputError where the readings lack a column that an effect depends on.
+    given: values that are taken as they are, dimensions too. Raises NothingHeldError where no reading holds an error of
+    the machine, InputError where the readings lack a column that an effect depends on.
     """
     given = with_locations(model, replace(given or ErrorValues(model.name), u={}, undetermined=(), covariance=None))
     model = model.with_values(given)
-    sought = sought_effects(model, observed, given, start)
+    sought = sought_effects(model, observed, given, options.start)
     setting = _Setting(
         model=model,
         observed=observed,
         given=given,
         runs=tuple(measured_runs(observed)),
-        noise=noise or {},
-        prior=prior,
-        ideal=ideal,
-        degree=degree,
+        options=options,
     )
     effects = sought.at_once
     for effect, kind in (*sought.waiting, *(sought.waiting if len(sought.waiting) > 1 else ())):
@@ -220,7 +151,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
     x, state, rounds = _rounds(state, sizes, MOST_ROUNDS)
     converged, last = False, np.inf
     steps = 0
-    while steps < MOST_STEPS and last >= (STILL if setting.prior else EXACT):
+    while steps < MOST_STEPS and last >= (STILL if setting.options.prior else EXACT):
         steps += 1
         found = linearised(state)
         whole = posterior_at(sizes, found, x)
@@ -235,11 +166,11 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         converged = last < STILL
 
     def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
-        start = started(layout, tuple(runs), setting.given, setting.noise, state.kept)
+        start = started(layout, tuple(runs), setting.given, setting.options.noise, state.kept)
         return _rounds(start, sizes, MOST_ROUNDS)[:2]
 
     flipped = reversed_runs(state, sizes, x, posterior, refit)
-    if setting.prior:
+    if setting.options.prior:
         posterior = averaged(sizes, found, x)
         state = at_share(state, posterior) if stays_within(state, posterior) else state
     left, outliers = np.zeros(setting.observed.reading.size), np.zeros(setting.observed.reading.size, dtype=bool)
@@ -250,23 +181,22 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         values=layout.values(state.unknowns, setting.given),
         unknowns=state.unknowns,
         spread=posterior.spread * layout.sizes[:, np.newaxis],
-        open=left_open * layout.sizes[:, np.newaxis],
         of_prior=posterior.of_prior,
+        open=left_open * layout.sizes[:, np.newaxis],
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
-        noise=state.noise,
-        scales={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},
-        stated=state.stated,
-        zeroed=(),
-        reversed=flipped,
-        outliers=outliers,
-        residual=left,
-        freedom=float((~outliers).sum()) - posterior.told,
-        rounds=rounds,
-        steps=steps,
-        last_step=last,
-        last_change=change,
-        converged=converged,
+        noise=InstrumentNoise(
+            of_instrument=state.noise,
+            scale_of_run={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},
+            stated=state.stated,
+        ),
+        readings=ReadingsLeft(
+            residual=left,
+            outliers=outliers,
+            reversed=flipped,
+            freedom=float((~outliers).sum()) - posterior.told,
+        ),
+        iteration=Iteration(rounds=rounds, steps=steps, last_step=last, last_change=change, converged=converged),
     )
 
 

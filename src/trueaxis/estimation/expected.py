@@ -8,8 +8,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import posterior_at
+from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import RunRows, pieces
 from trueaxis.estimation.layout import Layout, layout_of
@@ -19,6 +20,7 @@ from trueaxis.estimation.own_part import own_part
 from trueaxis.estimation.parts import parted_root
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import reduced
+from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.measure.machine import FloatArray
@@ -44,38 +46,44 @@ def expected_posterior(
     return posterior_at(sizes, found, start), sizes.factors(start)
 
 
-def expected(model: MachineModel, observed: Observations, given: ErrorValues, noise: Mapping[int, float]) -> Estimate:
+def expected(
+    model: MachineModel,
+    observed: Observations,
+    given: ErrorValues,
+    noise: Mapping[int, float],
+    effects: EffectUnknowns | None = None,
+) -> Estimate:
     """The estimate from readings of a machine without errors: its spread is what a plan lets expect.
 
-    observed, noise: see `expected_posterior`; given: errors that are no unknowns. Effects of the spec are left out.
+    observed, noise: see `expected_posterior`; given: errors that are no unknowns; effects: those that are unknowns, at
+    the values at which they are linearised; None: none.
     """
-    layout = layout_of(model.with_values(given), observed, given)
+    layout = layout_of(model.with_values(given), observed, given, effects)
+    layout = giving_way(layout, measured_runs(observed))
+    layout = layout.at(layout.start(), given)
     posterior, factors = expected_posterior(layout, observed, noise)
     spread, of_prior = parted_root([posterior], posterior.mean, layout.of_machine)
-    unknowns, readings = np.zeros(layout.count), observed.reading.size
+    unknowns, readings = layout.start(), observed.reading.size
     instruments = frozenset(observed.runs[index].instrument for index in noise)
     return Estimate(
         layout=layout,
         values=layout.values(unknowns, given),
         unknowns=unknowns,
         spread=spread * layout.sizes[:, np.newaxis],
-        open=np.zeros((layout.count, 0)),
         of_prior=of_prior,
+        open=np.zeros((layout.count, 0)),
         scale=posterior.scale * layout.sizes,
         factors=factors,
-        noise=dict.fromkeys(sorted(instruments), UNIT),
-        scales=dict(noise),
-        stated=instruments,
-        zeroed=(),
-        reversed={},
-        outliers=np.zeros(readings, dtype=bool),
-        residual=np.zeros(readings),
-        freedom=readings - posterior.told,
-        rounds=0,
-        steps=0,
-        last_step=0.0,
-        last_change=0.0,
-        converged=True,
+        noise=InstrumentNoise(
+            of_instrument=dict.fromkeys(sorted(instruments), UNIT), scale_of_run=dict(noise), stated=instruments
+        ),
+        readings=ReadingsLeft(
+            residual=np.zeros(readings),
+            outliers=np.zeros(readings, dtype=bool),
+            reversed={},
+            freedom=readings - posterior.told,
+        ),
+        iteration=Iteration(rounds=0, steps=0, last_step=0.0, last_change=0.0, converged=True),
     )
 
 

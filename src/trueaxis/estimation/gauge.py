@@ -13,7 +13,6 @@ from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.uncertainty import derivative, home_of
-from trueaxis.spec.machine import LINEAR
 
 POSITIONS, SEED = 40, 3
 # mm: what moves none of these points of the tool frame moves no other. Where a rotary axis turns the tool behind the
@@ -116,5 +115,5 @@ def _slopes(layout: Layout) -> list[int]:
     return [
         int(first)
         for name, first in zip(layout.components, layout.offsets[:-1].tolist(), strict=True)
-        if name[1] in LINEAR and name[2] in LINEAR and name[1] != name[2]
+        if name.is_straightness
     ]

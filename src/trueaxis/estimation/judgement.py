@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.error_name import ErrorName
+from trueaxis.estimation.result import Estimate
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import Determined
@@ -31,7 +32,7 @@ class Judged:
     determined: Determined
 
 
-def judged_component(found: Estimate, component: str) -> Judged:
+def judged_component(found: Estimate, component: ErrorName) -> Judged:
     """Of a component that was estimated."""
     layout = found.layout
     place = layout.components.index(component)

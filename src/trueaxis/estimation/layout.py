@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.instruments import SharedUnknown, shared_unknowns, straight_runs
@@ -12,11 +13,10 @@ from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.bases import LegendreBasis, travel_basis
-from trueaxis.runtime.curves import LegendreCurve
+from trueaxis.runtime.curves import Curve, LegendreCurve
 from trueaxis.runtime.effect_values import in_order
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
-from trueaxis.spec.machine import LINEAR
 
 EFFECT = "effect"  # class of all unknowns of effects: their size is not estimated, 1 mm of a reading is any size at all
 
@@ -34,7 +34,7 @@ class Layout:
     """
 
     model: MachineModel
-    components: tuple[str, ...]
+    components: tuple[ErrorName, ...]
     bases: tuple[LegendreBasis, ...]
     locations: tuple[str, ...]
     shared: tuple[SharedUnknown, ...]
@@ -72,7 +72,7 @@ class Layout:
     def values(self, unknowns: FloatArray, given: ErrorValues) -> ErrorValues:
         """Error values from unknowns (n,), mm or rad, and what is given."""
         offsets = self.offsets
-        curves = {
+        curves: dict[str, Curve] = {
             name: LegendreCurve(basis, tuple(unknowns[first:last].tolist()))
             for name, basis, first, last in zip(
                 self.components, self.bases, offsets[:-1].tolist(), offsets[1:].tolist(), strict=True
@@ -114,7 +114,7 @@ def layout_of(
     locations = tuple(name for name in model.location_errors if name not in given.parameters)
     straightness = straight_runs(model, observed.runs, observed.run, observed.positions)
     shared = shared_unknowns(observed.runs, np.unique(observed.run).tolist(), straightness)
-    bases = tuple(travel_basis(model.travel[name[2]], degree) for name in components)
+    bases = tuple(travel_basis(model.travel[name.axis], degree) for name in components)
     prior, machine = model.prior, model.machine
     sizes = [
         *np.repeat([prior.of_component(name) for name in components], [basis.degree for basis in bases]).tolist(),
@@ -140,9 +140,9 @@ def layout_of(
     )
 
 
-def class_of(component: str) -> str:
+def class_of(component: ErrorName) -> str:
     """The class whose size a component shares."""
-    return "translation" if component[1] in LINEAR else "rotation"
+    return "rotation" if component.is_rotation else "translation"
 
 
 def _classes_of(model: MachineModel, locations: Sequence[str]) -> list[str]:

@@ -6,10 +6,12 @@ from typing import Protocol, Self
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.measure.machine import FloatArray, MeasuredMachine, View
+from trueaxis.error_name import ErrorName
+from trueaxis.measure.machine import FloatArray, MeasuredMachine
 from trueaxis.runtime.errors import ErrorValues
+from trueaxis.spec.machine import LINEAR
+from trueaxis.view import View
 
-LINEAR = ("X", "Y", "Z")
 IntArray = npt.NDArray[np.int64]
 
 
@@ -22,7 +24,7 @@ class IdentifiedMachine(MeasuredMachine, Protocol):
         ...
 
     @property
-    def components(self) -> tuple[str, ...]:
+    def components(self) -> tuple[ErrorName, ...]:
         """Motion-error components (ISO 230-1 names)."""
         ...
 
@@ -52,7 +54,7 @@ class IdentifiedMachine(MeasuredMachine, Protocol):
 
 def component_axes(machine: IdentifiedMachine) -> IntArray:
     """(n_components,): the row of the axis positions that each component depends on."""
-    return np.array([machine.axes.index(name[2]) for name in machine.components], dtype=np.int64)
+    return np.array([machine.axes.index(name.axis) for name in machine.components], dtype=np.int64)
 
 
 def lever(machine: IdentifiedMachine) -> float:
@@ -68,7 +70,7 @@ def units(machine: IdentifiedMachine) -> tuple[str, ...]:
     """
     home = np.zeros((len(machine.axes), 2))
     points = np.array([[0.0, 1.0], [0.0, 2.0], [0.0, 4.0]])
-    found = ["rad" if name[1] in "ABC" else "mm" for name in machine.components]
+    found = [name.unit for name in machine.components]
     turns = np.zeros(len(machine.location_errors), dtype=bool)
     views: tuple[View, ...] = ("tool_in_bed", "workpiece_in_bed")
     for view in views:

@@ -5,10 +5,11 @@ from typing import cast
 import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
-from trueaxis.measure.machine import FloatArray, View
+from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_geometry import ideal_displacement
 from trueaxis.measure.reading_model import home_positions, measuring_frame, sensed_directions
 from trueaxis.measure.setup import PointOn, Run
+from trueaxis.view import view_of
 
 STRAIGHT = 1e-6  # share of a motion that may lie along the sensed direction or beside the line of the motion
 
@@ -40,7 +41,7 @@ def carried(machine: IdentifiedMachine, run: Run, ball: PointOn, coordinate: int
     unit[coordinate] = 1.0
     if ball.on == frame:
         return np.repeat(unit, positions.shape[1], axis=1)
-    view = cast(View, f"{ball.on}_in_{frame}")
+    view = view_of(ball.on, frame)
     return machine.view_ideal(view, positions, unit) - machine.view_ideal(view, positions, np.zeros((3, 1)))
 
 

@@ -6,9 +6,9 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.layout import Layout
+from trueaxis.estimation.result import Estimate
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Vector
 from trueaxis.runtime.best_fit import placements
@@ -115,7 +115,7 @@ def tool_summary(found: Estimate, tools: Sequence[Vector], covariance: Covarianc
         prior_placed_rms=_rms(placed.prior),
         largest_u=largest.largest_u,
         largest_at=dict(zip(model.axes, np.round(largest.largest_at, 1).tolist(), strict=True)),
-        estimated=found.rounds > 0,
+        estimated=found.iteration.rounds > 0,
     )
 
 

@@ -5,8 +5,10 @@ from itertools import combinations
 
 import numpy as np
 
-from trueaxis.estimation.machine import LINEAR, IdentifiedMachine
-from trueaxis.measure.machine import FloatArray, View
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.measure.machine import FloatArray
+from trueaxis.spec.machine import LINEAR
+from trueaxis.view import View
 
 
 @dataclass(frozen=True, slots=True, eq=False)

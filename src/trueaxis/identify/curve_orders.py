@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 from typing import Literal
 
+from trueaxis.error_name import ErrorName
 from trueaxis.identify.curve_fit import fit_tables, polynomial_curves
 from trueaxis.identify.held_out import held_out
 from trueaxis.identify.report import CurveOrderReport
-from trueaxis.identify.words import unit_of
 from trueaxis.runtime.curves import Curve, PolynomialCurve
 
 
@@ -23,7 +23,7 @@ def ordered_curves(
             coefficients, u = tuple(one.fit.coefficients.tolist()), tuple(one.fit.u.tolist())
             found[name] = PolynomialCurve(one.fit.powers, coefficients, u, curves[name].measured)
     orders = tuple(
-        CurveOrderReport(name, fits[name].after.powers, one.fit.powers, one.rms_optimal, one.rms, unit_of(name))
+        CurveOrderReport(name, fits[name].after.powers, one.fit.powers, one.rms_optimal, one.rms, ErrorName(name).unit)
         for name, one in checked.items()
     )
     return found, notes, orders

@@ -7,11 +7,12 @@ import numpy as np
 
 from trueaxis.estimation.combinations import combinations
 from trueaxis.estimation.curve_prior import DEGREE
-from trueaxis.estimation.estimate import Estimate, NothingHeldError, estimate
+from trueaxis.estimation.estimate import EstimationOptions, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
 from trueaxis.estimation.judgement import judged_component, judged_location, open_counts
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
+from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.faults import Fault, InputError
 from trueaxis.identify.estimated_effects import covariance_with_effects, with_uncertainty
@@ -72,19 +73,18 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
             model,
             observed,
             given,
-            noise,
-            options.start,
-            prior=options.prior,
-            ideal=options.ideal,
-            degree=options.degree,
+            EstimationOptions(
+                noise=noise, start=options.start, prior=options.prior, ideal=options.ideal, degree=options.degree
+            ),
         )
     except NothingHeldError as error:
         remedy = "runs that move an axis, or fewer values in --known"
         raise InputError([Fault(observed.source, "", str(error), remedy)]) from error
     residuals = _residuals(model, observed, found, noise)
-    if not found.converged:
-        raise NotConvergedError(run_residuals(residuals, observed.runs), found.rounds + found.steps)
-    judged = with_reversed(quality(residuals, observed.runs), [observed.runs[index].id for index in found.reversed])
+    if not found.iteration.converged:
+        raise NotConvergedError(run_residuals(residuals, observed.runs), found.iteration.rounds + found.iteration.steps)
+    against = [observed.runs[index].id for index in found.readings.reversed]
+    judged = with_reversed(quality(residuals, observed.runs), against)
     together = combinations(found)
     tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if options.prior else None
     found = found.levelled() if options.squareness == "convention" else found
@@ -138,7 +138,7 @@ def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float]:
 
 
 def _residuals(model: MachineModel, observed: Observations, found: Estimate, noise: dict[int, float]) -> Residuals:
-    good = ~found.outliers
+    good = ~found.readings.outliers
     known, sizes = known_noise(observed, None), expected_sizes(model, observed.runs, observed.run, observed.positions)
     if set(np.unique(observed.run).tolist()) <= set(noise):
         sizes = None  # with a noise that is stated too small the values follow it: no allowance for what a model lacks
@@ -146,10 +146,10 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
     return Residuals(
         observed.run,
         good.astype(np.float64),
-        np.where(good, found.residual, 0.0) ** 2,
+        np.where(good, found.readings.residual, 0.0) ** 2,
         known,
         sizes,
-        int(found.freedom),
+        int(found.readings.freedom),
         () if set(np.unique(observed.run).tolist()) <= set(noise) else tuple(copied_runs(observed).tolist()),
     )
 
@@ -176,8 +176,8 @@ def _measured(model: MachineModel, observed: Observations) -> dict[str, tuple[fl
         positions = np.ascontiguousarray(observed.positions[:, observed.run == index])
         held = np.abs(sensed(model, observed.runs[index], positions)) > 0.0
         for row, name in enumerate(model.components):
-            at = positions[model.axes.index(name[2]), held[row]]
-            if at.size and np.ptp(positions[model.axes.index(name[2])]) > 0.0:
+            at = positions[model.axes.index(name.axis), held[row]]
+            if at.size and np.ptp(positions[model.axes.index(name.axis)]) > 0.0:
                 low, high = found.get(name, (np.inf, -np.inf))
                 found[name] = (min(low, float(at.min())), max(high, float(at.max())))
     return found

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from trueaxis.estimation.effects.unknowns import unit_in
-from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.judgement import NINE_TENTHS, open_counts
+from trueaxis.estimation.result import Estimate
 from trueaxis.identify.report import FROM_READINGS, EffectParameterReport, EffectReport
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.covariance import Covariance

@@ -4,10 +4,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.judgement import NINE_TENTHS, Judged, open_counts
 from trueaxis.estimation.machine import lever
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.result import Estimate
 from trueaxis.identify.estimated_effects import effect_reports
 from trueaxis.identify.fit_quality import FitQuality
 from trueaxis.identify.notes import dimension_notes, estimate_notes
@@ -19,7 +20,7 @@ from trueaxis.identify.report import (
     LocationReport,
     NoiseGroupReport,
 )
-from trueaxis.identify.words import DETERMINED_BY, enumerated, unit_of
+from trueaxis.identify.words import DETERMINED_BY, enumerated
 from trueaxis.runtime.errors import Determined, ErrorValues
 from trueaxis.runtime.model import MachineModel
 
@@ -38,7 +39,7 @@ def estimated_report(
     values: ErrorValues,
     given: ErrorValues,
     *,
-    components: Mapping[str, Judged],
+    components: Mapping[ErrorName, Judged],
     locations: Mapping[str, Judged],
     judged: FitQuality,
     squareness: str,
@@ -47,10 +48,10 @@ def estimated_report(
     """values: as they are written; given: those that were taken as they are; components, locations: by what those that
     were estimated are determined; squareness: what parts it from straightness; prior: whether anything was expected.
     """
-    good = ~found.outliers
+    good = ~found.readings.outliers
     unit = {name: model.machine.parameter_unit(name) for name in model.location_errors}
-    scale = np.array([found.scales.get(index, np.nan) for index in range(len(observed.runs))])
-    sigma = {name: one.sigma for name, one in found.noise.items()}
+    scale = np.array([found.noise.scale_of_run.get(index, np.nan) for index in range(len(observed.runs))])
+    sigma = {name: one.sigma for name, one in found.noise.of_instrument.items()}
     each = np.array([sigma.get(run.instrument, np.nan) for run in observed.runs]) * scale
     return IdentificationReport(
         machine=model.name,
@@ -61,10 +62,10 @@ def estimated_report(
         lever=lever(model),
         rank_tolerance=0.0,
         blocks=(),
-        iterations=found.rounds + found.steps,
-        last_change=found.last_change,
-        residual_rms_um=float(np.sqrt(np.mean(found.residual[good] ** 2))) * 1e3,
-        freedom=int(found.freedom),
+        iterations=found.iteration.rounds + found.iteration.steps,
+        last_change=found.iteration.last_change,
+        residual_rms_um=float(np.sqrt(np.mean(found.readings.residual[good] ** 2))) * 1e3,
+        freedom=int(found.readings.freedom),
         noise_um=float(np.sqrt(np.mean(each[observed.run] ** 2))) * 1e3,
         noise_origin=_noise_origin(found),
         locations=tuple(
@@ -102,15 +103,15 @@ def _known_u(judged: Judged) -> float | None:
     return judged.u if np.isfinite(judged.u) else None
 
 
-def _component(name: str, judged: Judged | None, origins: Mapping[Determined, str]) -> ComponentReport:
+def _component(name: ErrorName, judged: Judged | None, origins: Mapping[Determined, str]) -> ComponentReport:
     if judged is None:
-        return ComponentReport(name, "given", 0.0, None, unit_of(name))
+        return ComponentReport(name, "given", 0.0, None, name.unit)
     return ComponentReport(
         name,
         KNOWN[judged.determined],
         judged.largest,
         _known_u(judged),
-        unit_of(name),
+        name.unit,
         u_readings=judged.u_readings,
         u_prior=judged.u_prior,
         origin=origins[judged.determined],
@@ -132,19 +133,20 @@ def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentRep
 
 
 def _noise_origin(found: Estimate) -> str:
-    estimated = sorted(found.noise.keys() - found.stated)
+    estimated = sorted(found.noise.of_instrument.keys() - found.noise.stated)
     if not estimated:
         return "stated"
-    which = f" of {enumerated(estimated)}" if found.stated else ""
+    which = f" of {enumerated(estimated)}" if found.noise.stated else ""
     return f"estimated with the errors{which}, by restricted maximum likelihood"
 
 
 def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupReport, ...]:
     """Of every instrument, over its runs; what of it is slow."""
     groups = []
-    for name, one in found.noise.items():
-        scales = [scale for index, scale in found.scales.items() if observed.runs[index].instrument == name]
+    for name, one in found.noise.of_instrument.items():
+        scales = [scale for index, scale in found.noise.scale_of_run.items() if observed.runs[index].instrument == name]
         size = one.sigma * float(np.sqrt(np.mean(np.square(scales)))) * 1e3
-        told = " (stated)" if name in found.stated else f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
+        slow = f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
+        told = " (stated)" if name in found.noise.stated else slow
         groups.append(NoiseGroupReport(name + told, size))
     return tuple(groups)

@@ -224,9 +224,9 @@ def _changed(
             curves[name] = replace(curve, coefficients=tuple(moved.tolist()))
     of_curves = sum(basis.count for basis in covariance.bases)
     parameters = dict(errors.parameters)
-    for row, name in enumerate(covariance.locations, of_curves):
-        if name in parameters:
-            parameters[name] += float(changed[row])
+    for row, location in enumerate(covariance.locations, of_curves):
+        if location in parameters:
+            parameters[location] += float(changed[row])
     return replace(errors, parameters=parameters, motion_errors=curves)
 
 

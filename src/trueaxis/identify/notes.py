@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.set_up import is_straightness
 from trueaxis.identify.report import ComponentReport
 from trueaxis.identify.words import enumerated
@@ -62,7 +62,7 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             f"{enumerated(fixed)}: taken as known{what}, without uncertainty (--known, --squareness known); "
             "remove them from the file to have them estimated"
         )
-    for name, one in found.noise.items():
+    for name, one in found.noise.of_instrument.items():
         if one.slow > SLOW * one.white:
             notes.append(
                 f"the noise of {name} is mostly slow: its slow part, {one.slow * 1e3:.3g} um, is "
@@ -82,8 +82,8 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
                 f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g}: more than a "
                 f"factor of {FAR:g} apart; the estimate takes the size that the readings show"
             )
-    if found.outliers.any():
-        rows = np.flatnonzero(found.outliers)
+    if found.readings.outliers.any():
+        rows = np.flatnonzero(found.readings.outliers)
         seq = rows if observed.seq is None else observed.seq[rows]
         named = [
             f"{observed.runs[index].id} seq {number}"
@@ -91,7 +91,7 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
         ]
         rest = f" and {len(named) - MOST_OUTLIERS} more" if len(named) > MOST_OUTLIERS else ""
         notes.append(
-            f"{rows.size} of {found.outliers.size} readings {'is' if rows.size == 1 else 'are'} left out as "
+            f"{rows.size} of {found.readings.outliers.size} readings {'is' if rows.size == 1 else 'are'} left out as "
             f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
             f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )

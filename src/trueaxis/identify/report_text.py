@@ -17,7 +17,7 @@ from trueaxis.identify.report import (
     InstrumentReport,
     LocationReport,
 )
-from trueaxis.identify.words import IN_COMBINATION, combination_text, tool_sentence
+from trueaxis.identify.words import IN_COMBINATION, combination_text, in_small, tool_sentence
 
 WIDTH = 100
 MICRO = 1e6
@@ -135,10 +135,8 @@ def _effect(one: EffectReport) -> list[str]:
 
 def _effect_parameter(one: EffectParameterReport) -> str:
     """Sizes in micrometres or microradians, periods, times and phases as they are."""
-    factor, unit = 1.0, "" if one.unit == "1" else one.unit
-    for plain, small, by in (("mm", "um", 1e3), ("rad", "urad", MICRO)):
-        if one.role in ("linear", "root") and unit.split("/")[0] == plain:
-            factor, unit = by, small + unit.removeprefix(plain)
+    factor, unit = in_small(one.unit) if one.role in ("linear", "root") else (1.0, one.unit)
+    unit = "" if unit == "1" else unit
     told = f"{one.name} {factor * one.value:.5g} {unit}".rstrip()
     return told if one.u is None else f"{told}, U {2.0 * factor * one.u:.2g} {unit}".rstrip()
 

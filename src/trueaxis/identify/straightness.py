@@ -6,13 +6,7 @@ lines. A slope common to both is then part of the squareness alone.
 
 import numpy as np
 
-from trueaxis.estimation.machine import LINEAR
 from trueaxis.measure.machine import FloatArray
-
-
-def is_straightness(component: str) -> bool:
-    """Whether a component is a translation of a linear axis across its motion."""
-    return component[1] in LINEAR and component[2] in LINEAR and component[1] != component[2]
 
 
 def slope_weights(positions: FloatArray) -> FloatArray:

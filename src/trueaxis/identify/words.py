@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.estimation.combinations import Combination
-from trueaxis.estimation.machine import LINEAR
 from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import Determined
@@ -89,14 +88,12 @@ def small(value: float, unit: str) -> str:
     return f"{value * (1e3 if of == 'mm' else 1e6):.3g} {'um' if of == 'mm' else 'urad'}{'/' + per if per else ''}"
 
 
-def slope_unit(component: str) -> str:
-    """`mm/mm`, `rad/deg` and the like."""
-    return f"{'mm' if component[1] in LINEAR else 'rad'}/{'mm' if component[2] in LINEAR else 'deg'}"
-
-
-def unit_of(component: str) -> str:
-    """`mm` or `rad`."""
-    return "mm" if component[1] in LINEAR else "rad"
+def in_small(unit: str) -> tuple[float, str]:
+    """The factor and the unit by which sizes of effects are written: micrometres and microradians."""
+    for plain, small_unit, by in (("mm", "um", 1e3), ("rad", "urad", 1e6)):
+        if unit.split("/", maxsplit=1)[0] == plain:
+            return by, small_unit + unit.removeprefix(plain)
+    return 1.0, unit
 
 
 def only_slope(positions: FloatArray, values: FloatArray, origin: float) -> float | None:

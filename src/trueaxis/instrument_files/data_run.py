@@ -12,10 +12,11 @@ from trueaxis.instrument_files.instrument_run import DirectionArray, FloatArray,
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.measure.limits import COLDEST, FARTHEST_POINT, FASTEST, LONGEST_ID, LONGEST_TIME, WARMEST
 from trueaxis.measure.readings_reader import LARGEST_READING
-from trueaxis.measure.setup import Carrier, Frame, Instrument, PointOn, Run, Vector
+from trueaxis.measure.setup import Instrument, PointOn, Run, Vector
 from trueaxis.measure.setup_reader import LONGEST_BAR
 from trueaxis.plain_text import escaped
 from trueaxis.spec.machine import BED, LINEAR, Machine
+from trueaxis.view import Carrier, Frame
 
 PLANES = {"XY": ("X", "Y"), "YZ": ("Y", "Z"), "ZX": ("Z", "X")}
 SMALLEST = 1e-9  # length of a direction that can be made a unit vector

@@ -1,7 +1,7 @@
 """What measuring needs to know of a machine, and of a machine model."""
 
 from collections.abc import Mapping, Sequence
-from typing import Literal, Protocol, runtime_checkable
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
@@ -9,10 +9,9 @@ import numpy.typing as npt
 from trueaxis.effects.kind import Kind
 from trueaxis.runtime.context import Context, ReadingContext
 from trueaxis.runtime.effect_values import EffectValues
+from trueaxis.view import View
 
 FloatArray = npt.NDArray[np.float64]
-
-View = Literal["tool_in_workpiece", "tool_in_bed", "workpiece_in_bed", "bed_in_workpiece"]
 
 
 class MachineAxes(Protocol):

@@ -6,8 +6,9 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.measure.machine import FloatArray, MeasuredMachine, View
-from trueaxis.measure.setup import Frame, PointOn, Run, Vector
+from trueaxis.measure.machine import FloatArray, MeasuredMachine
+from trueaxis.measure.setup import PointOn, Run, Vector
+from trueaxis.view import Frame, View, view_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +37,7 @@ def run_terms(run: Run) -> tuple[Term, ...]:
     """
     frame = measuring_frame(run)
     return tuple(
-        Term(cast(View, f"{end.on}_in_{frame}"), sign, end.point)
+        Term(view_of(end.on, frame), sign, end.point)
         for end, sign in ((run.target, 1.0), (run.reference, -1.0))
         if end.on != frame
     )
@@ -104,4 +105,4 @@ def column(point: Vector) -> FloatArray:
 def _ideal(machine: MeasuredMachine, end: PointOn, frame: Frame, positions: FloatArray) -> FloatArray:
     if end.on == frame:
         return np.repeat(column(end.point), positions.shape[1], axis=1)
-    return machine.view_ideal(cast(View, f"{end.on}_in_{frame}"), positions, column(end.point))
+    return machine.view_ideal(view_of(end.on, frame), positions, column(end.point))

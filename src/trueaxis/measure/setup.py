@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from trueaxis.view import Carrier, Frame
+
 Instrument = Literal["laser", "ballbar", "probe"]
-Frame = Literal["bed", "workpiece"]
-Carrier = Literal["tool", "workpiece", "bed"]
 Vector = tuple[float, float, float]
 
 FILE_NAME = "setup.toml"

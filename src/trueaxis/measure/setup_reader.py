@@ -11,9 +11,10 @@ from trueaxis.input_files import input_bytes, utf8_text
 from trueaxis.measure.devices import check_devices, check_label, read_devices
 from trueaxis.measure.limits import FARTHEST_POINT
 from trueaxis.measure.machine import MachineAxes
-from trueaxis.measure.setup import Carrier, CompensationKey, Device, Frame, Instrument, PointOn, Run, Setup, Vector
+from trueaxis.measure.setup import CompensationKey, Device, Instrument, PointOn, Run, Setup, Vector
 from trueaxis.spec.fields import Fields, shown
 from trueaxis.toml_lines import complainer, key_lines, parse_toml, place
+from trueaxis.view import Carrier, Frame
 
 UNIT_TOLERANCE = 1e-6  # a unit vector written with seven digits or more is one
 LONGEST_BAR = 1e4  # mm; beyond this the length is no length of a ball bar

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from trueaxis.error_name import ErrorName
 from trueaxis.identify.polynomial import OptimalFit
 from trueaxis.pictures.png import BLUE, GREY, ORANGE, png
 
@@ -111,12 +112,13 @@ def _draw_prior(panel: Axes, component: str, curve: PriorCurve) -> None:
 
 
 def _unit(component: str) -> tuple[str, float]:
-    return ("\N{MICRO SIGN}rad", 1e6) if component[1] in "ABC" else ("\N{MICRO SIGN}m", 1e3)
+    return ("\N{MICRO SIGN}rad", 1e6) if ErrorName(component).is_rotation else ("\N{MICRO SIGN}m", 1e3)
 
 
 def _frame(panel: Axes, component: str, summary: str, unit: str) -> None:
     panel.set_title(f"{component}: {summary}", fontsize=9, loc="left")
-    panel.set_xlabel(f"{component[2]} ({'deg' if component[2] in 'ABC' else 'mm'})", fontsize=8, labelpad=1)
+    name = ErrorName(component)
+    panel.set_xlabel(f"{name.axis} ({name.axis_unit})", fontsize=8, labelpad=1)
     panel.set_ylabel(f"{component} ({unit})", fontsize=8, labelpad=2)
     panel.tick_params(labelsize=8)
     panel.margins(x=0.02)

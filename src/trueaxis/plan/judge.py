@@ -5,33 +5,40 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from trueaxis.estimation.combinations import combinations
-from trueaxis.estimation.estimate import Estimate
 from trueaxis.estimation.judgement import Judged, judged_component, judged_location
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
+from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import tool_summary
-from trueaxis.identify.words import unit_of
+from trueaxis.identify.estimated_effects import covariance_with_effects
 from trueaxis.measure.setup import Vector
 from trueaxis.plan.measuring_time import minutes
-from trueaxis.plan.report import ErrorReport, Expectations, NoiseReport
+from trueaxis.plan.report import ErrorReport, Expectations, ExpectedEffect, NoiseReport
 from trueaxis.plan.runs import PlannedRuns
 
 
-def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], tools: Sequence[Vector]) -> Expectations:
+def judge(
+    found: Estimate,
+    planned: PlannedRuns,
+    noise: Mapping[int, float],
+    tools: Sequence[Vector],
+    effects: tuple[ExpectedEffect, ...],
+) -> Expectations:
     """What is to be expected of runs. found: the estimate that they let expect; noise: of every run, by index, mm;
-    tools: points in the tool frame whose uncertainty counts, mm.
+    tools: points in the tool frame whose uncertainty counts, mm; effects: what is to be expected of them.
     """
     observed = planned.observed
     return Expectations(
-        tool=tool_summary(found, tools),
+        tool=tool_summary(found, tools, covariance_with_effects(found)),
         components=_components(found),
         locations=_locations(found),
+        effects=effects,
         combinations=combinations(found),
         noise=_noise(observed, noise),
         runs=len(planned.runs),
         readings=observed.reading.size,
         unknowns=found.layout.of_machine,
-        freedom=found.freedom,
+        freedom=found.readings.freedom,
         minutes=minutes(planned.paths),
     )
 
@@ -39,7 +46,7 @@ def judge(found: Estimate, planned: PlannedRuns, noise: Mapping[int, float], too
 def _components(found: Estimate) -> tuple[ErrorReport, ...]:
     level, layout = found.levelled(), found.layout
     return tuple(
-        _error(name, unit_of(name), judged_component(level, name) if name in layout.components else None)
+        _error(name, name.unit, judged_component(level, name) if name in layout.components else None)
         for name in layout.model.components
     )
 

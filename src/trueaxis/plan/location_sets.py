@@ -10,11 +10,12 @@ from itertools import product
 
 import numpy as np
 
-from trueaxis.estimation.machine import LINEAR, IdentifiedMachine, scales, units
+from trueaxis.estimation.machine import IdentifiedMachine, scales, units
 from trueaxis.identify.words import enumerated
 from trueaxis.measure.machine import FloatArray
 from trueaxis.plan.report import LocationSet, Redundant
 from trueaxis.runtime.errors import ErrorValues
+from trueaxis.spec.machine import LINEAR
 
 DEPENDENT = 1e-7  # share of a column that others leave over, below which they stand for it
 TOOL_POINT = (23.0, 41.0, -97.0)  # mm: a point in no special place, so that every dimension counts
@@ -38,7 +39,7 @@ def location_sets(machine: IdentifiedMachine, known: ErrorValues) -> tuple[Locat
     point = np.array(TOOL_POINT)[:, np.newaxis]
     sensitivity = _stacked(generic.view_sensitivity("tool_in_workpiece", positions, point)) * scales(generic)
     count = len(generic.components)
-    others = [i for i, name in enumerate(generic.components) if name[1] != name[2]]
+    others = [i for i, name in enumerate(generic.components) if not name.is_positioning]
     errors = sensitivity[:, count:]
     constant = sensitivity[:, others]
     names = [generic.components[i] for i in others]

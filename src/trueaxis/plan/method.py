@@ -5,15 +5,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
-from trueaxis.estimation.expected import expected
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import Datum
 from trueaxis.identify.weighting import NoiseModel
-from trueaxis.identify.words import enumerated, unit_of
+from trueaxis.identify.words import enumerated
 from trueaxis.measure.setup import Device, Instrument, Run, Vector
 from trueaxis.plan.candidates import LENGTHS, Candidate, Kit
 from trueaxis.plan.choice import LEAST_FALL, Chosen
+from trueaxis.plan.effects import expected_with_effects
 from trueaxis.plan.judge import judge
 from trueaxis.plan.location_sets import location_sets
 from trueaxis.plan.noise import noise_of_instruments, noise_of_runs
@@ -21,6 +22,7 @@ from trueaxis.plan.order import order
 from trueaxis.plan.propose import VOLUME, Proposal, Wish, for_noise, named, propose
 from trueaxis.plan.report import Added, PlanReport, ProposalReport
 from trueaxis.plan.runs import PlannedRuns, no_runs
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 
@@ -31,7 +33,7 @@ FIRST = "a plan from nothing"
 class PlanOptions:
     """given: error values that are no unknowns; noise: what is known of it; tools: points in the tool frame whose
     uncertainty counts, mm; wanted: what proposed runs are to tell best: VOLUME, a component or a location error;
-    datum: against which the tool point is known then.
+    datum: against which the tool point is known then; effects: values at which effects are linearised.
     """
 
     given: ErrorValues
@@ -39,6 +41,7 @@ class PlanOptions:
     tools: tuple[Vector, ...]
     wanted: str = VOLUME
     datum: Datum = "home"
+    effects: tuple[EffectValues, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,12 +58,12 @@ def judged_plan(model: MachineModel, options: PlanOptions, planned: PlannedRuns)
     """Everything that can be said of a plan, proposals apart, and the estimate to expect from it."""
     observed = planned.observed
     noise = noise_of_runs(observed, options.noise)
-    found = expected(model, observed, options.given, noise)
+    found, effects = expected_with_effects(model, observed, options.given, noise, options.effects)
     blocks = order(model.with_values(options.given), observed, options.given)
     report = PlanReport(
         machine=model.name,
         source=observed.source,
-        expected=judge(found, planned, noise, options.tools),
+        expected=judge(found, planned, noise, options.tools, effects),
         blocks=blocks.blocks() if blocks else (),
         blocks_fault=blocks.fault if blocks else "",
         free_of_order=blocks.left_out if blocks else tuple(run.id for run in observed.runs),
@@ -112,7 +115,7 @@ def _with_report(
     runs = tuple(one.candidate for one in found.runs)
     whole = planned.with_added(runs)
     every = {**noise, **{k: wish.noise[one.run.instrument] for k, one in enumerate(runs, len(planned.runs))}}
-    after = expected(model, whole.observed, options.given, every)
+    after, effects = expected_with_effects(model, whole.observed, options.given, every, options.effects)
     added = tuple(
         Added(
             run=one.candidate.run.id,
@@ -129,7 +132,7 @@ def _with_report(
         before=found.before,
         candidates=found.count,
         added=added,
-        after=judge(after, whole, every, options.tools),
+        after=judge(after, whole, every, options.tools, effects),
     )
     return Proposed(whole, runs, report, after)
 
@@ -154,14 +157,14 @@ def _wish(options: PlanOptions, kit: Kit) -> Wish:
 
 def _unit(model: MachineModel, wanted: str) -> str:
     if wanted in model.components:
-        return unit_of(wanted)
+        return ErrorName(wanted).unit
     return model.machine.parameter_unit(wanted) if wanted in model.location_errors else "mm"
 
 
 def _effect_notes(model: MachineModel) -> tuple[str, ...]:
     if not model.effects:
         return ()
-    return (f"{enumerated([one.label for one in model.effects])}: taken as known; identify estimates them as well",)
+    return (f"{enumerated([one.label for one in model.effects])}: --propose chooses runs as if they were known",)
 
 
 def _travel_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:

@@ -5,11 +5,12 @@ from itertools import product
 
 import numpy as np
 
-from trueaxis.estimation.machine import LINEAR, IdentifiedMachine
+from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.measure.columns import BoolArray
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.reading_model import column
 from trueaxis.measure.setup import Vector
+from trueaxis.spec.machine import LINEAR
 
 SHARE = 0.5  # of the positions of a path that must be within the travels
 TILT = 45.0  # deg: at which other rotary axes stand, besides home

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from trueaxis.effects.kind import Role
 from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.runtime.errors import Determined
@@ -41,6 +42,35 @@ class ErrorReport:
     u: float | None = None
     u_rms: float | None = None
     prior: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExpectedParameter:
+    """A parameter of an effect. value: at which it is linearised, 0 where u does not depend on it; u: standard
+    uncertainty, None where the runs do not tell it; both in `unit`; role: as in its kind.
+    """
+
+    name: str
+    value: float
+    u: float | None
+    unit: str
+    role: Role
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExpectedEffect:
+    """An effect of the spec.
+
+    state: `data`, told by the readings; `errors`, only together with errors of the machine: u would be a tenth or less
+    if they were known; `silent`, no reading holds it; `lacking`, readings lack columns that it depends on, `missing`;
+    `given`. stated: whether the user said at which values it is linearised.
+    """
+
+    effect: str
+    state: Literal["data", "errors", "silent", "lacking", "given"]
+    parameters: tuple[ExpectedParameter, ...] = ()
+    missing: tuple[str, ...] = ()
+    stated: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,6 +122,7 @@ class Expectations:
     tool: ToolSummary
     components: tuple[ErrorReport, ...]
     locations: tuple[ErrorReport, ...]
+    effects: tuple[ExpectedEffect, ...]
     combinations: tuple[Combination, ...]
     noise: tuple[NoiseReport, ...]
     runs: int

@@ -11,6 +11,7 @@ from trueaxis.identify.words import (
     IN_COMBINATION,
     combination_text,
     enumerated,
+    in_small,
     small,
     tool_sentence,
 )
@@ -19,6 +20,8 @@ from trueaxis.plan.report import (
     BlockReport,
     ErrorReport,
     Expectations,
+    ExpectedEffect,
+    ExpectedParameter,
     LocationSet,
     NoiseReport,
     PlanReport,
@@ -26,6 +29,8 @@ from trueaxis.plan.report import (
 )
 
 WIDTH = 110
+STATES = {"silent": "no reading holds it", "given": "given"}
+APART = "no run tells it from the errors of the machine: u would be a tenth or less if they were known"
 LEVEL = "least-squares lines of the straightness are level (ISO 230-1): the location errors take their slopes"
 
 
@@ -77,6 +82,7 @@ def _expectations(found: Expectations) -> list[str]:
         lines += ["", f"location errors: standard uncertainty; what [prior] lets expect; {LEVEL}"]
         lines[-1:] = _wrapped(lines[-1], "")
         lines += _errors(found.locations)
+    lines += _effects(found.effects)
     lines += ["", f"{IN_COMBINATION}:" if found.combinations else f"{IN_COMBINATION}: nothing"]
     for combination in found.combinations:
         lines += _wrapped(combination_text(combination), "- ")
@@ -111,6 +117,35 @@ def _error(one: ErrorReport) -> str:
     u = _column(one.u, one.unit)
     parts = u if one.u == one.u_rms else f"{_column(one.u_rms, one.unit)} {u}"
     return f"  {one.name:<8} {DETERMINED_BY[one.state]:<23}{parts}  of {small(one.prior, one.unit)}".rstrip()
+
+
+def _effects(found: Sequence[ExpectedEffect]) -> list[str]:
+    """Lines on the effects of the spec, none where it has none."""
+    lines = ["", "effects: standard uncertainty"] if found else []
+    for one in found:
+        lines += _wrapped(f"{one.effect}: {_effect(one)}", "  ")
+    return lines
+
+
+def _effect(one: ExpectedEffect) -> str:
+    if one.state == "lacking":
+        columns = enumerated([f"column {name}" for name in one.missing])
+        return f"cannot be told in advance: {columns} {'is' if len(one.missing) == 1 else 'are'} missing or has gaps"
+    if one.state in STATES:
+        return STATES[one.state]
+    told = [f"{parameter.name} {_size_of(parameter, parameter.u)}" for parameter in one.parameters if parameter.u]
+    at = [f"{parameter.name} {_size_of(parameter, parameter.value)}" for parameter in one.parameters if parameter.value]
+    silent = [parameter.name for parameter in one.parameters if parameter.u is None]
+    text = ", ".join(told)
+    text += f"; at {enumerated(at)}{'' if one.stated else ' (assumed: --effects)'}" if at else ""
+    text += f"; the runs do not tell {enumerated(silent)}" if silent else ""
+    return f"{text}; {APART}" if one.state == "errors" else text
+
+
+def _size_of(one: ExpectedParameter, value: float) -> str:
+    """Sizes in micrometres or microradians, periods, times and phases as they are."""
+    factor, unit = in_small(one.unit) if one.role in ("linear", "root") else (1.0, one.unit)
+    return f"{factor * value:.3g} {'' if unit == '1' else unit}".rstrip()
 
 
 def _column(value: float, unit: str) -> str:

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 
-from trueaxis.estimation.estimate import Estimate
+from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import tool_point
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Vector

@@ -9,6 +9,8 @@ import numpy as np
 import numpy.typing as npt
 from numpy.polynomial import legendre
 
+from trueaxis.error_name import ErrorName
+
 FloatArray = npt.NDArray[np.float64]
 
 UNMEASURED_DEGREE = 3  # a curve that no reading holds may have any shape: low orders move the tool as much as high ones
@@ -93,9 +95,9 @@ class PowerBasis:
 Basis = LegendreBasis | HatBasis | PowerBasis
 
 
-def unmeasured_basis(travel: Mapping[str, tuple[float, float]], component: str) -> LegendreBasis:
+def unmeasured_basis(travel: Mapping[str, tuple[float, float]], component: ErrorName) -> LegendreBasis:
     """Functions that stand for a component of which nothing is known; travel: of every axis, mm or deg."""
-    return axis_basis(travel[component[2]], UNMEASURED_DEGREE)
+    return axis_basis(travel[component.axis], UNMEASURED_DEGREE)
 
 
 def axis_basis(travel: tuple[float, float], degree: int) -> LegendreBasis:

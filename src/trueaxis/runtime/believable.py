@@ -5,11 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from trueaxis.effects.kind import Effect
+from trueaxis.error_name import ErrorName
 from trueaxis.faults import Faults
 from trueaxis.runtime.curves import Curve, TableCurve
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.strict_json import JsonPath, key_path
-from trueaxis.spec.machine import Machine, component_unit
+from trueaxis.spec.machine import Machine
 
 # Sizes of the prior that a value may have. A hundred of the default ones are 2 mm, 5 mrad, a squareness of 10 mrad and
 # an offset of 100 mm: a belt-driven router stays below, a value in um taken for mm does not.
@@ -41,19 +42,19 @@ def check_believable(machine: Machine, errors: ErrorValues, faults: Faults) -> N
 def _sizes(machine: Machine, errors: ErrorValues) -> Iterator[tuple[JsonPath, float, float, str]]:
     """Key, largest absolute value, limit and unit (mm or rad) of every error value that has a size to expect."""
     prior = machine.prior
-    for name, curve in errors.motion_errors.items():
+    for name, curve in ((ErrorName(text), curve) for text, curve in errors.motion_errors.items()):
         limit = MOST_SIZES * prior.of_component(name)
         yield (
             ("motion_errors", name),
-            _largest(curve, curve.measured or machine.travel[name[2]]),
+            _largest(curve, curve.measured or machine.travel[name.axis]),
             limit,
-            component_unit(name),
+            name.unit,
         )
-    for name in machine.location_errors:
-        if name in errors.parameters:
-            unit = machine.parameter_unit(name)
-            size = abs(errors.parameters[name])
-            yield ("parameters", name), size, MOST_SIZES * prior.of_location(name, unit), unit
+    for location in machine.location_errors:
+        if location in errors.parameters:
+            unit = machine.parameter_unit(location)
+            size = abs(errors.parameters[location])
+            yield ("parameters", location), size, MOST_SIZES * prior.of_location(location, unit), unit
     for index, values in enumerate(errors.effects):
         limit, unit = _limit_of_effect(machine, values.effect)
         for parameter in machine.kinds[values.effect.kind].parameters:
@@ -66,7 +67,7 @@ def _limit_of_effect(machine: Machine, effect: Effect) -> tuple[float, str]:
     """Of a parameter that has the unit of what the effect acts on; readings and points count as translations."""
     name = effect.component or ""
     if name in machine.components:
-        return MOST_SIZES * machine.prior.of_component(name), component_unit(name)
+        return MOST_SIZES * machine.prior.of_component(effect.error), effect.error.unit
     if name in machine.location_errors:
         unit = machine.parameter_unit(name)
         return MOST_SIZES * machine.prior.of_location(name, unit), unit

@@ -1,10 +1,12 @@
 """Compile the C kernels of a machine once, into a cache of the user's own."""
 
+import contextlib
 import hashlib
 import os
 import platform
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
@@ -184,18 +186,33 @@ def _kept(output: Path, cache: Path, key: str) -> Path:
 
 
 def _run(command: Sequence[str], folder: Path) -> subprocess.CompletedProcess[str]:
-    environment = os.environ | {"LC_ALL": "C"}
-    return subprocess.run(
+    """Run the compiler. Where the time limit or a signal ends it, what it has started (gcc: cc1, as) ends, too."""
+    with subprocess.Popen(
         command,
-        env=environment,
+        env=os.environ | {"LC_ALL": "C"},
         cwd=folder,
         stdin=subprocess.DEVNULL,
-        capture_output=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
         text=True,
         errors="replace",
-        timeout=_SECONDS,
-        check=False,
-    )
+        start_new_session=True,  # a process group of its own; Windows has none
+    ) as process:
+        try:
+            output, errors = process.communicate(timeout=_SECONDS)
+        except BaseException:
+            _kill(process)
+            raise
+    return subprocess.CompletedProcess(command, process.returncode, output, errors)
+
+
+def _kill(process: "subprocess.Popen[str]") -> None:
+    """Kill the process and its group; on Windows the process alone, as its children cannot be known for certain."""
+    if sys.platform == "win32":
+        process.kill()
+        return
+    with contextlib.suppress(ProcessLookupError, PermissionError):  # all have ended; macOS: none but zombies are left
+        os.killpg(process.pid, signal.SIGKILL)
 
 
 def _first_error(text: str) -> str:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from scipy.sparse import block_diag, csr_array, eye_array
 
+from trueaxis.error_name import ErrorName
 from trueaxis.runtime.bases import Basis
 from trueaxis.runtime.curve_json import curve_object
 from trueaxis.runtime.curves import FloatArray
@@ -38,7 +39,7 @@ class Covariance:
     """
 
     machine: str
-    components: tuple[str, ...]
+    components: tuple[ErrorName, ...]
     bases: tuple[Basis, ...]
     locations: tuple[str, ...]
     root: FloatArray | csr_array | None
@@ -68,7 +69,7 @@ class Covariance:
         start = sum(basis.count for basis in self.bases[:index])
         return slice(start, start + self.bases[index].count)
 
-    def with_open_components(self, bases: Mapping[str, Basis]) -> "Covariance":
+    def with_open_components(self, bases: Mapping[ErrorName, Basis]) -> "Covariance":
         """With further components of which nothing is known at all: every coefficient of their bases is open."""
         added = sum(basis.count for basis in bases.values())
         at = sum(basis.count for basis in self.bases)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from scipy.sparse import csr_array
 
+from trueaxis.error_name import ErrorName
 from trueaxis.faults import Faults
 from trueaxis.input_files import input_bytes
 from trueaxis.runtime.bases import Basis, HatBasis, LegendreBasis, PowerBasis
@@ -149,7 +150,7 @@ def _parsed(head: Mapping[str, Any], values: FloatArray, indices: Any, indptr: A
         root = np.asarray(sparse.toarray()) if sparse.nnz > DENSE * rows * columns else sparse
     return Covariance(
         machine=str(head["machine"]),
-        components=_names(head["components"]),
+        components=tuple(map(ErrorName, _names(head["components"]))),
         bases=tuple(_basis(one) for one in head["bases"]),
         locations=_names(head["locations"]),
         root=root,

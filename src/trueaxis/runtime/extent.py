@@ -91,7 +91,7 @@ def table_positions(covariance: Covariance, axis: str) -> list[float]:
         {
             position
             for name, basis in zip(covariance.components, covariance.bases, strict=True)
-            if name[2] == axis and isinstance(basis, HatBasis)
+            if name.axis == axis and isinstance(basis, HatBasis)
             for position in basis.positions
         }
     )

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trueaxis.error_name import ErrorName
 from trueaxis.runtime.curves import FloatArray, TableCurve
 from trueaxis.runtime.errors import ErrorValues
 
@@ -39,7 +40,7 @@ def beyond_measured(errors: ErrorValues, axes: Sequence[str], positions: FloatAr
     for name, curve in errors.motion_errors.items():
         if curve.measured is not None:
             by_prior = not isinstance(curve, TableCurve) and curve.u_prior is not None
-            ranges.setdefault((name[2], *curve.measured, by_prior), []).append(name)
+            ranges.setdefault((ErrorName(name).axis, *curve.measured, by_prior), []).append(name)
     found = []
     for (axis, low, high, by_prior), names in ranges.items():
         at = positions[list(axes).index(axis)]

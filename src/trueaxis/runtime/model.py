@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind, Place
+from trueaxis.error_name import ErrorName
 from trueaxis.faults import Faults
 from trueaxis.runtime.believable import check_believable
 from trueaxis.runtime.context import Context, ReadingContext
@@ -19,8 +20,7 @@ from trueaxis.runtime.kernels import Kernels, load_kernels
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.machine import LINEAR
 from trueaxis.spec.prior import Prior
-
-VIEWS = ("tool_in_workpiece", "tool_in_bed", "workpiece_in_bed", "bed_in_workpiece")
+from trueaxis.view import View
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class MachineModel:
     """Kernels and error values of a machine.
 
     Arrays: positions (n_axes, n) commanded, mm or deg; point (3, 1) or (3, n) in the frame of its body, mm; results
-    (3, n), mm. A view is one of VIEWS: a point of one body seen from another.
+    (3, n), mm. A view is of a point of one body, seen from another.
 
     context: of the positions that the model will be asked for, where effects depend on more than positions (see
     `in_context`). Without one all axes stand and have not moved yet (direction 0, velocity 0, no reversal), at time 0
@@ -51,7 +51,7 @@ class MachineModel:
         return self.machine.axes
 
     @property
-    def components(self) -> tuple[str, ...]:
+    def components(self) -> tuple[ErrorName, ...]:
         """Motion-error components in the order of the kernels."""
         return self.machine.components
 
@@ -135,7 +135,7 @@ class MachineModel:
         NaN where the context lacks what an effect depends on. Raises ValueError for a context of another number of
         positions.
         """
-        axes = [self.axes.index(name[2]) for name in self.components]
+        axes = [self.axes.index(name.axis) for name in self.components]
         found = evaluate_components(self.errors.motion_errors, self.components, axes, positions)
         terms = self._effects_on("component")
         if not terms:
@@ -163,16 +163,16 @@ class MachineModel:
         result: FloatArray = self.kernels[name](*arrays)
         return result
 
-    def view_ideal(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
+    def view_ideal(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
         """Coordinates of the point on the error-free machine."""
         return self._call(f"{view}_ideal", positions, self.parameter_values, point)
 
-    def view_deviation(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
+    def view_deviation(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
         """Actual minus ideal coordinates, on the exact model."""
         (found,) = self.view_deviations([(view, point)], positions)
         return found
 
-    def view_deviations(self, points: Sequence[tuple[str, FloatArray]], positions: FloatArray) -> list[FloatArray]:
+    def view_deviations(self, points: Sequence[tuple[View, FloatArray]], positions: FloatArray) -> list[FloatArray]:
         """Actual minus ideal coordinates of points, each in its view, on the exact model; errors are found but once."""
         found, errors = [], None
         for view, point in points:
@@ -185,12 +185,12 @@ class MachineModel:
         return found
 
     def view_deviation_of(
-        self, view: str, positions: FloatArray, errors: FloatArray, parameters: FloatArray, point: FloatArray
+        self, view: View, positions: FloatArray, errors: FloatArray, parameters: FloatArray, point: FloatArray
     ) -> FloatArray:
         """Actual minus ideal coordinates with component errors (n_components, n) and parameters given."""
         return self._call(f"{view}_deviation", positions, errors, parameters, point)
 
-    def view_sensitivity(self, view: str, positions: FloatArray, point: FloatArray) -> FloatArray:
+    def view_sensitivity(self, view: View, positions: FloatArray, point: FloatArray) -> FloatArray:
         """(3, n_components + n_location_errors, n): derivative of the deviation by each error, error-free."""
         return self._call(f"{view}_sensitivity", positions, self.parameter_values, point)
 

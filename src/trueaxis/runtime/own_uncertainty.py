@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.error_name import ErrorName
 from trueaxis.runtime.bases import Basis, unmeasured_basis
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.curves import Curve, FloatArray, TableCurve, basis_of_curve
@@ -21,7 +22,7 @@ def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
     """
     named = {name for item in errors.undetermined for name in item.parameters}
     curves = {name: errors.motion_errors[name] for name in machine.components if name in errors.motion_errors}
-    bases: dict[str, Basis] = {name: basis_of_curve(curve) for name, curve in curves.items()}
+    bases: dict[ErrorName, Basis] = {name: basis_of_curve(curve) for name, curve in curves.items()}
     for name in machine.components:
         if name in named and name not in bases:
             bases[name] = unmeasured_basis(machine.travel, name)
@@ -50,7 +51,11 @@ def own_uncertainty(machine: Machine, errors: ErrorValues) -> Covariance:
 
 
 def _own_parts(
-    errors: ErrorValues, curves: Mapping[str, Curve], bases: Mapping[str, Basis], locations: Sequence[str], count: int
+    errors: ErrorValues,
+    curves: Mapping[ErrorName, Curve],
+    bases: Mapping[ErrorName, Basis],
+    locations: Sequence[str],
+    count: int,
 ) -> FloatArray:
     """(2, count): the parts of u by the readings and by the prior, NaN where a value does not have them."""
     found = np.full((2, count), np.nan)
@@ -60,8 +65,8 @@ def _own_parts(
         if not isinstance(curve, TableCurve | None) and curve.u_readings is not None and curve.u_prior is not None:
             found[:, start : start + basis.count] = curve.u_readings, curve.u_prior
         start += basis.count
-    for at, name in enumerate(locations, start):
-        found[:, at] = errors.u_readings.get(name, np.nan), errors.u_prior.get(name, np.nan)
+    for at, location in enumerate(locations, start):
+        found[:, at] = errors.u_readings.get(location, np.nan), errors.u_prior.get(location, np.nan)
     return found
 
 

@@ -190,7 +190,7 @@ def derivative(
     by_error = _by_error(model, positions, tool)
     parts = []
     for name, basis in zip(covariance.components, covariance.bases, strict=True):
-        at = basis(positions[model.axes.index(name[2])])
+        at = basis(positions[model.axes.index(name.axis)])
         parts.append(by_error[:, model.components.index(name), np.newaxis] * at)
     start = len(model.components)
     parts += [by_error[:, start + model.location_errors.index(name), np.newaxis] for name in covariance.locations]
@@ -239,12 +239,12 @@ def open_steps(machine: Machine, covariance: Covariance) -> FloatArray:
     """
     relative = []
     for name, basis in zip(covariance.components, covariance.bases, strict=True):
-        at = basis(np.linspace(*machine.travel[name[2]], _SAMPLES))
+        at = basis(np.linspace(*machine.travel[name.axis], _SAMPLES))
         curve = covariance.open[covariance.rows_of(name)].T @ at
         relative.append(np.abs(curve).max(axis=1, initial=0.0) / machine.prior.of_component(name))
     start = sum(basis.count for basis in covariance.bases)
-    for row, name in enumerate(covariance.locations, start):
-        size = machine.prior.of_location(name, machine.parameter_unit(name))
+    for row, location in enumerate(covariance.locations, start):
+        size = machine.prior.of_location(location, machine.parameter_unit(location))
         relative.append(np.abs(covariance.open[row]) / size)
     relative += list(np.abs(covariance.open[start + len(covariance.locations) :]))
     largest = np.max(np.array(relative).reshape(len(relative), covariance.open.shape[1]), axis=0, initial=0.0)

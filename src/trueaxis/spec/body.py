@@ -2,8 +2,9 @@
 
 from typing import Any
 
+from trueaxis.error_name import DIRECTIONS, Direction, ErrorName
 from trueaxis.spec.fields import Fields, shown
-from trueaxis.spec.machine import AXES, DIRECTIONS, LINEAR, Body
+from trueaxis.spec.machine import AXES, LINEAR, Body
 
 # Titles and names of bodies stand in docstrings, comments and tables of Markdown.
 FARTHEST = 1e5  # mm, from the origin of the lower body's frame: the largest gantry machines travel 6e4
@@ -24,7 +25,7 @@ def read_body(fields: Fields) -> Body | None:
 
 
 def read_joint(
-    fields: Fields, number: int, lower: int, moves: str | None, name: str, location: tuple[tuple[str, str], ...]
+    fields: Fields, number: int, lower: int, moves: str | None, name: str, location: tuple[tuple[Direction, str], ...]
 ) -> Body:
     """The body that a table describes; `name` and `location` (position errors) hold where the table is silent."""
     said = fields.text("name", default=name, pattern=PROSE, meaning=PROSE_MEANING)
@@ -88,12 +89,12 @@ def _position(fields: Fields) -> tuple[float | str, float | str, float | str]:
     return read[0], read[1], read[2]
 
 
-def _motion_errors(fields: Fields, moves: str | None) -> tuple[str, ...]:
+def _motion_errors(fields: Fields, moves: str | None) -> tuple[ErrorName, ...]:
     fields.known.add("motion_errors")
     value: Any = fields.raw.get("motion_errors", "all" if moves else [])
     if moves is None and "moves" in fields.raw:
         return ()  # which errors it may have is unknown until its axis is
-    allowed = tuple(direction + moves for direction in DIRECTIONS) if moves else ()
+    allowed = tuple(direction.motion_error(moves) for direction in DIRECTIONS) if moves else ()
     if value == "all" and moves:
         return allowed
     if not isinstance(value, list):

@@ -8,10 +8,11 @@ from trueaxis.effects.expression import FUNCTIONS
 from trueaxis.effects.kind import Kind, Parameter
 from trueaxis.effects.library import ALL_DIRECTIONS, BY_NAME
 from trueaxis.effects.variables import VARIABLES
+from trueaxis.error_name import ErrorName
 from trueaxis.spec.body import PROSE, PROSE_MEANING
 from trueaxis.spec.effect_expression import check_expression
 from trueaxis.spec.fields import Fields, shown
-from trueaxis.spec.machine import AXES, DIRECTIONS, Body
+from trueaxis.spec.machine import AXES, Body
 from trueaxis.spec.structure import is_taken
 
 MOST_KINDS = 20
@@ -22,7 +23,6 @@ LARGEST_SEARCH = 1000  # combinations of values of all
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 _PARAMETER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
-_COMPONENT = re.compile(rf"(?:{'|'.join(DIRECTIONS)})[{''.join(AXES)}]")
 _UNIT = r"(1|{0})([*/]{0})*".format(r"(u|axis|mm|deg|rad|s|K)(\^[2-9])?")
 _UNIT_MEANING = (
     "units u (of the component), axis (of its axis), mm, deg, rad, s, K or 1, joined by * and /, such as u/K"
@@ -46,7 +46,7 @@ def read_effect_kinds(top: Fields, bodies: Sequence[Body] | None) -> tuple[Kind,
     return tuple(found.values())
 
 
-def component_errors(bodies: Sequence[Body]) -> list[str]:
+def component_errors(bodies: Sequence[Body]) -> list[ErrorName]:
     """The motion errors of all bodies, axis by axis."""
     moving = sorted((body for body in bodies if body.moves), key=lambda body: AXES.index(body.moves or ""))
     return [name for body in moving for name in body.motion_errors]
@@ -125,7 +125,8 @@ def _read_parameter(fields: Fields, name: str) -> Parameter:
 def _check_components(fields: Fields, kind: Kind, bodies: Sequence[Body] | None) -> None:
     there = None if bodies is None else component_errors(bodies)
     for component in kind.components:
-        if not _COMPONENT.fullmatch(component) or (there is not None and component not in there):
+        name = ErrorName.parse(component)
+        if name is None or name.is_location or (there is not None and name not in there):
             right = f"of {' '.join(there)}" if there else "a component error of this machine"
             problem = f"{shown(component)} is no component error of this machine"
             fields.fault("components", problem, f"{' '.join(ALL_DIRECTIONS)}, or one {right}")

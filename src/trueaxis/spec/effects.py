@@ -7,14 +7,14 @@ from difflib import get_close_matches
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME
 from trueaxis.effects.placement import allows
+from trueaxis.error_name import DIRECTIONS, ROTATIONS, ErrorName, rotation_about
 from trueaxis.spec.effect_kinds import component_errors
 from trueaxis.spec.fields import Fields, shown
-from trueaxis.spec.machine import AXES, DIRECTIONS, Body
+from trueaxis.spec.machine import AXES, Body
 
 ENDS = ("target", "reference")
 
 _KEYS = ("component", "axis", "runs", "end")
-_ABOUT = {"X": "EA", "Y": "EB", "Z": "EC", "A": "EA", "B": "EB", "C": "EC"}  # the rotation about an axis's own line
 
 
 def read_effects(top: Fields, bodies: Sequence[Body] | None, own: Iterable[Kind]) -> tuple[Effect, ...]:
@@ -45,8 +45,9 @@ def read_effects(top: Fields, bodies: Sequence[Body] | None, own: Iterable[Kind]
 
 def with_squareness(bodies: Sequence[Body], effects: Iterable[Effect]) -> tuple[Body, ...]:
     """The bodies with the position errors that effects of the place `location` add, named as the effect's component."""
-    added = [effect.component for effect in effects if _is_location(effect)]
-    return tuple(_with_errors(body, [name for name in added if name and name[3:] == body.moves]) for body in bodies)
+    added = [effect.component for effect in effects if effect.component and _is_location(effect)]
+    names = [name for text in added if (name := ErrorName.parse(text)) and name.is_location]
+    return tuple(_with_errors(body, [name for name in names if name.axis == body.moves]) for body in bodies)
 
 
 def _is_location(effect: Effect) -> bool:
@@ -54,8 +55,8 @@ def _is_location(effect: Effect) -> bool:
     return kind is not None and kind.place == "location"
 
 
-def _with_errors(body: Body, names: Iterable[str]) -> Body:
-    errors = dict(body.position_errors) | {name[:2]: name for name in names}
+def _with_errors(body: Body, names: Iterable[ErrorName]) -> Body:
+    errors = dict(body.position_errors) | {name.direction: str(name) for name in names}
     ordered = tuple((direction, errors[direction]) for direction in DIRECTIONS if direction in errors)
     return replace(body, position_errors=ordered)
 
@@ -104,11 +105,13 @@ def _check_component(fields: Fields, kind: Kind, component: str, bodies: Sequenc
 
 def _check_axis(fields: Fields, component: str | None, bodies: Sequence[Body] | None) -> None:
     axis = fields.raw.get("axis")
-    others = [name for name in _axes(bodies or ()) if not component or name != component[-1]]
+    name = ErrorName.parse(component or "")
+    own = name.axis if name else None
+    others = [other for other in _axes(bodies or ()) if other != own]
     right = f"the other axis, one of {' '.join(others)}" if others else "the other axis"
     if axis is None:
         fields.fault("axis", "is missing", right)
-    elif component and axis == component[-1]:
+    elif axis == own:
         fields.fault("axis", f"{axis} is the axis of {component} itself", right)
     elif bodies is not None and axis in AXES and axis not in others:
         fields.fault("axis", f"this machine has no axis {axis}", right)
@@ -121,19 +124,23 @@ def _axes(bodies: Sequence[Body]) -> list[str]:
 
 def _check_location(fields: Fields, component: str, bodies: Sequence[Body]) -> None:
     """A rotation of the body that an axis moves, not about the axis's own line, which the body does not have yet."""
-    possible = [(f"{turn}0{axis}", axis) for axis in _axes(bodies) for turn in DIRECTIONS[3:] if turn != _ABOUT[axis]]
+    possible = [
+        turn.location_error(axis) for axis in _axes(bodies) for turn in ROTATIONS if turn != rotation_about(axis)
+    ]
     there = {
-        f"{direction}0{body.moves}": (body, parameter)
+        direction.location_error(body.moves): (body, direction, parameter)
         for body in bodies
         for direction, parameter in body.position_errors
+        if body.moves
     }
-    free = [name for name, _ in possible if name not in there]
+    free = [name for name in possible if name not in there]
     names = {name for body in bodies for _, name in body.position_errors}
     names |= {part for body in bodies for part in body.position if isinstance(part, str)}
     right = f"one of {' '.join(free)}" if free else "leave it out: this machine has all of them"
-    if component in there:
-        body, parameter = there[component]
-        has = f"body {body.number} ({body.name}) has the position error {component[:2]} already, {parameter}"
+    name = ErrorName.parse(component)
+    if name in there:
+        body, direction, parameter = there[name]
+        has = f"body {body.number} ({body.name}) has the position error {direction} already, {parameter}"
         fields.fault("component", has, right)
     elif component not in free:
         fields.fault("component", f"{shown(component)} is no squareness of an axis of this machine", right)

@@ -7,12 +7,12 @@ from functools import cached_property
 
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME
+from trueaxis.error_name import Direction, ErrorName
 from trueaxis.spec.places import Position
 from trueaxis.spec.prior import Prior
 
 AXES = ("X", "Y", "Z", "A", "B", "C")
 LINEAR, ROTARY = AXES[:3], AXES[3:]
-DIRECTIONS = ("EX", "EY", "EZ", "EA", "EB", "EC")
 BED = 1
 
 
@@ -32,8 +32,8 @@ class Body:
     sense: int = 1
     travel: tuple[float, float] | None = None
     position: tuple[float | str, float | str, float | str] = (0.0, 0.0, 0.0)
-    motion_errors: tuple[str, ...] = ()
-    position_errors: tuple[tuple[str, str], ...] = ()
+    motion_errors: tuple[ErrorName, ...] = ()
+    position_errors: tuple[tuple[Direction, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Machine:
         return tuple(axis for axis in AXES if axis in moved)
 
     @cached_property
-    def components(self) -> tuple[str, ...]:
+    def components(self) -> tuple[ErrorName, ...]:
         """Motion-error components: axis by axis, EX EY EZ EA EB EC within each."""
         return tuple(name for axis in self.axes for name in self.mover(axis).motion_errors)
 
@@ -109,14 +109,13 @@ class Machine:
         """The body that an axis moves."""
         return next(body for body in self.bodies if body.moves == axis)
 
-    def location_direction(self, parameter: str) -> str:
+    def location_direction(self, parameter: str) -> Direction:
         """EX .. EC: what a location error displaces or turns."""
         return next(d for body in self.bodies for d, name in body.position_errors if name == parameter)
 
     def parameter_unit(self, parameter: str) -> str:
         """`mm` or `rad`."""
-        rotation = parameter in self.location_errors and self.location_direction(parameter)[1] in "ABC"
-        return "rad" if rotation else "mm"
+        return self.location_direction(parameter).unit if parameter in self.location_errors else "mm"
 
     @cached_property
     def digest(self) -> str:
@@ -128,8 +127,3 @@ class Machine:
         for name in ("references", "prior", "start", "reference_points"):
             del said[name]
         return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
-
-
-def component_unit(component: str) -> str:
-    """`mm` for a translation error, `rad` for a rotation error."""
-    return "mm" if component[1] in "XYZ" else "rad"

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from trueaxis.error_name import ErrorName
 from trueaxis.spec.fields import Fields
 
 SIZES = {"translation_um": 20.0, "rotation_urad": 50.0, "location_urad": 100.0, "location_um": 1000.0}
@@ -24,22 +25,23 @@ class Prior:
     location_length: float = SIZES["location_um"] / 1e3
     named: tuple[tuple[str, float], ...] = ()
 
-    def of_component(self, component: str) -> float:
+    def of_component(self, component: ErrorName) -> float:
         """Size of a component error such as EXY, mm or rad."""
-        return dict(self.named).get(component, self.translation if component[1] in "XYZ" else self.rotation)
+        return dict(self.named).get(component, self.rotation if component.is_rotation else self.translation)
 
     def of_location(self, name: str, unit: str) -> float:
         """Size of the location error `name`, whose unit is `mm` or `rad`."""
         return dict(self.named).get(name, self.location_length if unit == "mm" else self.location_angle)
 
 
-def read_prior(top: Fields, components: Sequence[str], locations: Mapping[str, str]) -> Prior:
+def read_prior(top: Fields, components: Sequence[ErrorName], locations: Mapping[str, str]) -> Prior:
     """The table [prior] of a spec, defaults where it is silent.
 
     components: motion-error components of the machine; locations: its location errors with their units.
     """
     fields = top.table("prior")
-    units = {name: "mm" if name[1] in "XYZ" else "rad" for name in components} | dict(locations)
+    units: dict[str, str] = {name: name.unit for name in components}
+    units |= locations
     sizes = {key: _size(fields, key, default) for key, default in SIZES.items()}
     named = []
     for name in [name for name in units if name in fields.raw]:

@@ -9,6 +9,7 @@ import re
 from collections import Counter
 from dataclasses import dataclass
 
+from trueaxis.error_name import DIRECTIONS, Direction, rotation_about
 from trueaxis.spec.machine import AXES, LINEAR
 
 _ISO = re.compile(r"\[?\s*(?P<first>[wt])(?P<left>[^b]*)b(?P<right>[^b]*)(?P<last>[wt])\s*\]?")
@@ -47,7 +48,7 @@ def parse_structure(code: str) -> AxisOrder:
     return order
 
 
-def default_location_errors(axis: str, order: AxisOrder) -> tuple[tuple[str, str], ...]:
+def default_location_errors(axis: str, order: AxisOrder) -> tuple[tuple[Direction, str], ...]:
     """Location errors of an axis by their ISO 230-1 names: the usual set, that places every axis line.
 
     The linear axis nearest to the bed is the reference of directions; the next outwards is square to it in their plane,
@@ -57,16 +58,14 @@ def default_location_errors(axis: str, order: AxisOrder) -> tuple[tuple[str, str
     linear = _from_bed_outwards(order)
     if axis in linear:
         place = linear.index(axis)
-        directions: tuple[str, ...] = ()
+        directions: tuple[Direction, ...] = ()
         if place == 1:
             directions = (_third(linear[0], axis),)
         elif place == 2:
-            directions = tuple(_angle(letter) for letter in LINEAR if letter != axis)
+            directions = tuple(rotation_about(letter) for letter in LINEAR if letter != axis)
     else:
-        own = {"A": "X", "B": "Y", "C": "Z"}[axis]
-        others = [letter for letter in LINEAR if letter != own]
-        directions = (*(f"E{letter}" for letter in others), *(_angle(letter) for letter in others))
-    return tuple((direction, f"{direction}0{axis}") for direction in directions)
+        directions = tuple(one for one in DIRECTIONS if one.line != rotation_about(axis).line)
+    return tuple((direction, str(direction.location_error(axis))) for direction in directions)
 
 
 def _from_bed_outwards(order: AxisOrder) -> list[str]:
@@ -100,9 +99,5 @@ def _axes(text: str, *, primes: bool = False) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _angle(letter: str) -> str:
-    return {"X": "EA", "Y": "EB", "Z": "EC"}[letter]
-
-
-def _third(first: str, second: str) -> str:
-    return _angle(next(letter for letter in LINEAR if letter not in (first, second)))
+def _third(first: str, second: str) -> Direction:
+    return rotation_about(next(letter for letter in LINEAR if letter not in (first, second)))

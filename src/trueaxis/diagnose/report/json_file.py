@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,8 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "schema": SCHEMA,
         "machine": diagnosis.machine,
         "verdict": diagnosis.verdict,
+        "report": dict(diagnosis.report),
+        "measured": [asdict(one) for one in diagnosis.measured],
         "noise_um": _um(noise(diagnosis)),
         "causes": [_cause(one) for one in diagnosis.causes],
         "gain": {

@@ -9,6 +9,7 @@ from trueaxis.diagnose.report.structures import check_name
 from trueaxis.diagnose.result import Cause, Check, Diagnosis, Gain, Stale, StructureClass, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
+from trueaxis.error_name import ErrorName
 
 TITLES: dict[Verdict, str] = {
     "no_discrepancy": "No discrepancy",
@@ -19,9 +20,7 @@ TITLES: dict[Verdict, str] = {
 }
 MOST_STRUCTURES = 5  # named in a line
 AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is right
-_LINEAR = "XYZ"
 ESTIMATED = frozenset({"repeats", "courses"})  # origins of a noise that has degrees of freedom
-_ABOUT = {"A": "X", "B": "Y", "C": "Z"}
 
 
 def effect_title(effect: Effect) -> str:
@@ -34,19 +33,18 @@ def effect_title(effect: Effect) -> str:
 
 def joint(effect: Effect) -> str:
     """Where an effect acts: `positioning error of the X axis (EXX)`."""
-    name = effect.component
-    if name is None:
+    if effect.component is None:
         where = f"readings of {', '.join(effect.runs)}" if effect.runs else "readings of the instrument"
         return f"set-up of {', '.join(effect.runs) or 'the runs'}" if effect.end else where
-    direction, axis = name[1], name[-1]
-    if "0" in name:
-        return f"squareness: position error E{direction} of the joint of the {axis} axis ({name})"
-    if direction == axis:
+    name, axis = effect.error, effect.own_axis
+    if name.is_location:
+        return f"squareness: position error {name.direction} of the joint of the {axis} axis ({name})"
+    if name.is_positioning:
         return f"positioning error of the {axis} axis ({name})"
-    if direction in _ABOUT:
-        return f"rotation of the {axis} axis about {_ABOUT[direction]} ({name})"
-    error = "error motion" if axis in _ABOUT else "straightness"
-    return f"{error} of the {axis} axis in {direction} ({name})"
+    if name.is_rotation:
+        return f"rotation of the {axis} axis about {name.direction.line} ({name})"
+    error = "straightness" if name.is_straightness else "error motion"
+    return f"{error} of the {axis} axis in {name.direction.line} ({name})"
 
 
 def size_of(cause: Cause) -> str:
@@ -153,7 +151,7 @@ def stale_range(one: Stale) -> tuple[str, str]:
     """From where to where values have changed, `300` and `400 mm`; empty of a location error."""
     if one.first is None or one.last is None:
         return "", ""
-    unit = "mm" if one.component[-1] in _LINEAR else "deg"
+    unit = ErrorName(one.component).axis_unit
     return written(one.first, ".4g"), f"{written(one.last, '.4g')}{NBSP}{unit}"
 
 

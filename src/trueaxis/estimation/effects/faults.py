@@ -9,7 +9,6 @@ from trueaxis.effects.placement import concerns, used_variables
 from trueaxis.estimation.effects.signature import Ground, RunRows
 from trueaxis.faults import Faults
 from trueaxis.runtime.context import FloatArray
-from trueaxis.runtime.effect_terms import component_axis
 
 COLUMNS = {"t": "time_s", "T": "temperature_c", "v": "feed", "d_time": "time_s (or, by ball bar, feed)"}
 
@@ -19,7 +18,7 @@ def check_columns(ground: Ground, effects: Sequence[tuple[Effect, Kind]], chosen
     faults = Faults(ground.observed.source)
     needed: dict[str, list[str]] = {}
     for effect, kind in effects:
-        for column in _missing(ground, effect, kind, chosen):
+        for column in missing_columns(ground, effect, kind, chosen):
             needed.setdefault(column, []).append(effect.label)
     for column, labels in needed.items():
         remedy = f"a value in every row of the runs that hold {'it' if len(labels) == 1 else 'them'}"
@@ -27,7 +26,8 @@ def check_columns(ground: Ground, effects: Sequence[tuple[Effect, Kind]], chosen
     faults.raise_if_any()
 
 
-def _missing(ground: Ground, effect: Effect, kind: Kind, chosen: Sequence[RunRows]) -> list[str]:
+def missing_columns(ground: Ground, effect: Effect, kind: Kind, chosen: Sequence[RunRows]) -> list[str]:
+    """Columns that an effect depends on and that readings which hold it lack."""
     found = []
     for name in used_variables(kind):
         column = COLUMNS.get(name.removesuffix("_b"))
@@ -53,7 +53,7 @@ def _values(ground: Ground, effect: Effect, name: str) -> FloatArray:
         return ground.context.time
     if name == "T":
         return ground.context.temperature
-    axis = effect.axis if name.endswith("_b") else component_axis(effect)
+    axis = effect.axis if name.endswith("_b") else effect.own_axis
     of_axes = ground.context.time_since if name.removesuffix("_b") == "d_time" else ground.context.velocity
     row: FloatArray = of_axes[ground.model.axes.index(axis or "")]
     return row

@@ -65,7 +65,7 @@ def covered_by(effect: Effect, axes: tuple[str, ...], positions: FloatArray, con
     A spike is searched where axes are read on the way: where they stand, it has died away or is taken for something
     else.
     """
-    axis = (effect.component or "")[2:3]
+    axis = effect.own_axis
     if axis not in axes or not context.count:
         return Covered(context.time)
     row = axes.index(axis)

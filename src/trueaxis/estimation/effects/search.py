@@ -54,7 +54,7 @@ class _Explained:
 
 def searched_start(ground: Ground, effect: Effect, kind: Kind, others: Others) -> EffectUnknown:
     """The effect at its best point."""
-    points = _grid(ground, effect, kind)
+    points = grid_points(ground, effect, kind)
     found = _explained(ground, effect, kind, points, others)
     best = int(np.argmax(found.squares))
     most, point, amplitudes = found.squares[best], points[best], found.amplitudes[best]
@@ -68,7 +68,8 @@ def searched_start(ground: Ground, effect: Effect, kind: Kind, others: Others) -
     return EffectUnknown(effect, kind, np.concatenate([amplitudes, [point[name] for name in free]]), free)
 
 
-def _grid(ground: Ground, effect: Effect, kind: Kind) -> tuple[Point, ...]:
+def grid_points(ground: Ground, effect: Effect, kind: Kind) -> tuple[Point, ...]:
+    """Where the searched parameters of an effect are looked for in these readings."""
     observed = ground.observed
     mine = np.array([concerns(kind, effect, run) for run in observed.runs], dtype=bool)[observed.run]
     covered = covered_by(effect, ground.model.axes, observed.positions[:, mine], ground.context.of(mine))

@@ -221,8 +221,8 @@ def member_at(effect: Effect, kind: Kind, parameters: Mapping[str, float]) -> Ef
 
 def unit_in(unit: str, effect: Effect) -> str:
     """A unit of a kind with the component's and axis's own: `u/axis/K` of EXX is mm/mm/K."""
-    component = effect.component or "EXX"
-    own = {"u": "mm" if component[1] in "XYZ" else "rad", "axis": "mm" if component[-1] in "XYZ" else "deg"}
+    error = effect.error if effect.component else None
+    own = {"u": error.unit if error else "mm", "axis": error.axis_unit if error else "mm"}
     parts = unit.replace("^", " ^").split("/")
     return "/".join(" ".join(own.get(word, word) for word in part.split()).replace(" ^", "^") for part in parts)
 

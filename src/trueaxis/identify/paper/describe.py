@@ -11,7 +11,7 @@ from trueaxis.identify.paper.solution import sloped
 from trueaxis.identify.paper.squareness import LinesFromAngles, covered
 from trueaxis.identify.paper.steps import SolvedStep
 from trueaxis.identify.report import BlockReport, ComponentReport, Known, LocationReport
-from trueaxis.identify.words import Share, enumerated, only_slope, slope_unit, split_apart, together, unit_of
+from trueaxis.identify.words import Share, enumerated, only_slope, split_apart, together
 from trueaxis.measure.machine import FloatArray
 from trueaxis.runtime.errors import Undetermined
 
@@ -86,7 +86,7 @@ def components(result: PaperResult) -> tuple[ComponentReport, ...]:
         if result.u_nodes is not None and not opened.all():
             u = _number(np.max(result.u_nodes[nodes][~opened], initial=0.0))
         largest = float(np.max(np.abs(result.solution.nodes[nodes]), initial=0.0))
-        found.append(ComponentReport(name, known, largest, u, unit_of(name)))
+        found.append(ComponentReport(name, known, largest, u, name.unit))
     return tuple(found)
 
 
@@ -174,9 +174,9 @@ def _gone_along(result: PaperResult, index: int) -> Undetermined:
         partners.append(component)
         if slope is None:
             far = int(np.abs(along[nodes]).argmax())
-            shares.append(Share(f"the curve of {component}", float(along[nodes][far]), unit_of(component)))
+            shares.append(Share(f"the curve of {component}", float(along[nodes][far]), component.unit))
         else:
-            shares.append(Share(component, slope, slope_unit(component)))
+            shares.append(Share(component, slope, component.slope_unit))
     text = f"{split_apart([name], partners, shares)}; {name}: {origin}"
     return Undetermined(text, (name, *partners))
 
@@ -190,12 +190,12 @@ def _shares(result: PaperResult, nodes: IntArray, vector: FloatArray) -> tuple[l
         Share(
             result.grid.components[component[i]],
             float(vector[taking_part[i]] / vector[taking_part[lead]]),
-            unit_of(result.grid.components[component[i]]),
+            result.grid.components[component[i]].unit,
         )
         for i in [lead, *(i for i in range(taking_part.size) if i != lead)]
     ]
     where = dict.fromkeys(
-        f"{result.grid.components[c][2]} = {result.grid.position_of(int(nodes[i])):g}"
+        f"{result.grid.components[c].axis} = {result.grid.position_of(int(nodes[i])):g}"
         for c, i in zip(component, taking_part, strict=True)
     )
     return shares, ", ".join(where)
@@ -203,7 +203,7 @@ def _shares(result: PaperResult, nodes: IntArray, vector: FloatArray) -> tuple[l
 
 def _places(result: PaperResult, solved: SolvedStep) -> str:
     component = result.grid.component_of(solved.nodes)
-    axes = dict.fromkeys(result.grid.components[c][2] for c in component)
+    axes = dict.fromkeys(result.grid.components[c].axis for c in component)
     knots = {
         axis: len({result.grid.position_of(int(node)) for node in solved.nodes if _axis(result, node) == axis})
         for axis in axes
@@ -212,7 +212,7 @@ def _places(result: PaperResult, solved: SolvedStep) -> str:
 
 
 def _axis(result: PaperResult, node: int) -> str:
-    return result.grid.components[int(result.grid.component_of(np.array([node]))[0])][2]
+    return result.grid.components[int(result.grid.component_of(np.array([node]))[0])].axis
 
 
 def _of(result: PaperResult, nodes: IntArray, name: str) -> IntArray:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.machine import IdentifiedMachine, component_axes
 from trueaxis.estimation.observations import Observations
 from trueaxis.measure.machine import FloatArray
@@ -26,7 +27,7 @@ class Grid:
     """
 
     axes: tuple[str, ...]
-    components: tuple[str, ...]
+    components: tuple[ErrorName, ...]
     knots: tuple[FloatArray, ...]
     reference: IntArray
     home: IntArray

@@ -6,14 +6,15 @@ from typing import Literal, Protocol
 
 import numpy as np
 
-from trueaxis.estimation.machine import LINEAR, IdentifiedMachine
+from trueaxis.error_name import ROTATIONS
+from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.identify.axis_lines import AxisLine, angle_matrix, axis_lines
 from trueaxis.identify.paper.grid import BoolArray, Grid, IntArray
-from trueaxis.identify.straightness import is_straightness, slope_weights
+from trueaxis.identify.straightness import slope_weights
 from trueaxis.measure.machine import FloatArray
+from trueaxis.spec.machine import LINEAR
 
 Choice = Literal["convention", "from-angles", "known"]
-TURN = "ABC"
 NEGLIGIBLE = 1e-12
 
 
@@ -148,7 +149,9 @@ def _line_slopes(grid: Grid, axis: str, reached: BoolArray) -> FloatArray:
     found = np.zeros((3, grid.count))
     along = LINEAR.index(axis)
     for across in range(3):
-        name = f"E{TURN[3 - along - across]}{axis}" if across != along else ""
+        if across == along:
+            continue
+        name = ROTATIONS[3 - along - across].motion_error(axis)
         if name in grid.components:
             nodes, positions, reference = _reached_knots(grid, grid.components.index(name), reached)
             found[across, nodes] = accumulated_slope(positions, reference)
@@ -159,7 +162,7 @@ def _straightness_slopes(grid: Grid, reached: BoolArray) -> FloatArray:
     """(straightness components, n_nodes): slopes of the least-squares lines."""
     rows = []
     for index, name in enumerate(grid.components):
-        if is_straightness(name):
+        if name.is_straightness:
             nodes, positions, _ = _reached_knots(grid, index, reached)
             row = np.zeros(grid.count)
             row[nodes] = slope_weights(positions)

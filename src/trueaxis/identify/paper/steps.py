@@ -150,7 +150,7 @@ def _check_known(
     found: dict[tuple[int, str, float], set[str]] = {}
     for row, node in zip(entries.row[missing], entries.col[missing], strict=True):
         component = grid.components[int(grid.component_of(np.array([node]))[0])]
-        key = (int(cells.run[rows[row]]), component[2], grid.position_of(int(node)))
+        key = (int(cells.run[rows[row]]), component.axis, grid.position_of(int(node)))
         found.setdefault(key, set()).add(component)
     for index, ((run, axis, position), components) in enumerate(sorted(found.items())):
         if index == MOST_FAULTS:

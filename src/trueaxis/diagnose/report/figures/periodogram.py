@@ -60,7 +60,7 @@ def periodograms(diagnosis: Diagnosis) -> list[Picture]:
 def _periods(diagnosis: Diagnosis) -> list[Period]:
     """Of causes whose kind has a parameter that is a pitch; it is over the axis that moves, the last letter."""
     return [
-        Period(cause.effect.component[-1], abs(estimate.value), effect_title(cause.effect))
+        Period(cause.effect.own_axis, abs(estimate.value), effect_title(cause.effect))
         for cause in diagnosis.causes
         if cause.effect.component and (kind := BY_NAME.get(cause.effect.kind))
         for parameter, estimate in zip(kind.parameters, cause.parameters, strict=False)
