@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from trueaxis.diagnose.instruments import OF_INSTRUMENTS
+from trueaxis.diagnose.instruments import NOT_OF_THE_MACHINE
 from trueaxis.diagnose.result import Diagnosis, FloatArray
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
@@ -34,7 +34,7 @@ def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
     if diagnosis.verdict not in ("explained", "ambiguous"):
         return ()
     named = (cause.effect for cause in diagnosis.causes if not cause.rivals)
-    return tuple(effect for effect in named if effect.kind not in OF_INSTRUMENTS)
+    return tuple(effect for effect in named if effect.kind not in NOT_OF_THE_MACHINE)
 
 
 def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
@@ -42,7 +42,7 @@ def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
     return tuple(
         EffectValues(one.effect, {each.name: each.value for each in one.parameters})
         for one in diagnosis.causes
-        if one.effect.kind not in OF_INSTRUMENTS
+        if one.effect.kind not in NOT_OF_THE_MACHINE
     )
 
 

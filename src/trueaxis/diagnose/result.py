@@ -184,7 +184,8 @@ class Stage:
 class Stale:
     """Values given that are no longer true: the component or location error, from where to where (mm or deg; None of a
     location error), its change where that is clearest, with its standard uncertainty, mm or rad; p_value: of all its
-    values being right.
+    values being right, the others stale; bent: whether the change is that from the straight line between the ends;
+    alike: other components whose change explains the readings about as well; effects: of the library that do.
     """
 
     component: str
@@ -194,6 +195,9 @@ class Stale:
     u: float
     unit: str
     p_value: float
+    bent: bool = False
+    alike: tuple[str, ...] = ()
+    effects: tuple[Effect, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

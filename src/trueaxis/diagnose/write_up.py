@@ -132,7 +132,10 @@ def _of_instrument(ground: Ground, off: Off) -> Cause:
     kind = machine.kinds[off.effect.kind]
     return Cause(
         effect=off.effect,
-        parameters=(Estimate(kind.parameters[0].name, off.value, off.u, unit_in(kind.parameters[0].unit, off.effect)),),
+        parameters=tuple(
+            Estimate(one.name, float(value), float(u), unit_in(one.unit, off.effect))
+            for one, value, u in zip(kind.parameters, off.values, off.u, strict=True)
+        ),
         sentence=kind.sentence,
         formula=formula_of(machine, off.effect),
         p_value=off.p_value,

@@ -110,6 +110,8 @@ def _stale(one: Stale) -> dict[str, Any]:
         "u": one.u,
         "unit": one.unit,
         "p_value": one.p_value,
+        "from_straight_line": one.bent,
+        "cannot_be_told_from": [*({"component": other} for other in one.alike), *map(_effect, one.effects)],
     }
 
 
