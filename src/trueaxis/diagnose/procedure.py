@@ -238,5 +238,9 @@ def _plain(null: Null, free: FloatArray) -> Projection:
 
 def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf]) -> bool:
     pairs = [(one.sigma, other.sigma) for one, other in zip(before, after, strict=True)]
-    pairs += [(one.sigma + one.settles, other.sigma + other.settles) for one, other in zip(before, after, strict=True)]
+    pairs += [(_whole(one), _whole(other)) for one, other in zip(before, after, strict=True)]
     return any(abs(one - other) > AGAIN * max(one, other) for one, other in pairs)
+
+
+def _whole(one: NoiseOf) -> float:
+    return one.sigma + one.settles + one.wanders

@@ -22,8 +22,8 @@ Verdict = Literal["no_discrepancy", "recalibrate", "explained", "ambiguous", "un
 class NoiseOf:
     """Noise of the readings of one instrument, mm: white, and slow (correlation: from one reading to the next).
 
-    settles: by which its runs change after their start; freedom: degrees of freedom of the estimate; origin: where it
-    is from, see diagnose.noise.
+    settles: by which its runs change after their start; wanders: random walk of a run, at its end; freedom: degrees of
+    freedom of the estimate; origin: where it is from, see diagnose.noise.
     """
 
     instrument: str
@@ -33,6 +33,7 @@ class NoiseOf:
     settles: float
     freedom: float
     origin: str
+    wanders: float = 0.0
 
     @property
     def sigma(self) -> float:

@@ -51,6 +51,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
                 "correlated_um": _um(one.correlated),
                 "correlation": one.correlation,
                 "settles_um": _um(one.settles),
+                "wanders_um": _um(one.wanders),
                 "freedom": one.freedom if one.origin in ESTIMATED else None,
                 "origin": one.origin,
             }

@@ -158,13 +158,24 @@ def noise(diagnosis: Diagnosis) -> Table:
             micrometres(one.correlated),
             _short(one.correlation) if one.correlated else DASH,
             micrometres(one.settles),
+            micrometres(one.wanders),
             f"{one.freedom:.0f}" if one.origin in ESTIMATED else DASH,
             noise_origin(one.origin),
         )
         for one in diagnosis.noise
     )
-    head = ("instrument", "in all", "white", "slow", "correlation", "runs settle by", "d.o.f.", "known from")
-    return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 7)))
+    head = (
+        "instrument",
+        "in all",
+        "white",
+        "slow",
+        "correlation",
+        "runs settle by",
+        "runs wander by",
+        "d.o.f.",
+        "known from",
+    )
+    return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 8)))
 
 
 def scan(diagnosis: Diagnosis) -> Table:
