@@ -36,7 +36,8 @@ def rows_of(page: str) -> list[Row]:
 
 
 def _split(block: str) -> Iterator[str]:
-    text = re.sub(r"\\(?:begin|end)\{aligned\}", "", block)
+    # As TeX reads it: a bracket behind \begin{aligned} is its option (where to align) and is not printed; {} keeps it.
+    text = re.sub(r"\\begin\{aligned\}(?:\s*\[[^\]]*\]|\s*\{\})?|\\end\{aligned\}", "", block)
     text = text.replace("\\\\\n&\\quad", " ").replace("_{i=1}", "_{i:1}")
     text = re.sub(r"\\begin\{bmatrix\}.*?\\end\{bmatrix\}", lambda m: m[0].replace("&", ";"), text, flags=re.DOTALL)
     for line in text.split("\\\\\n"):

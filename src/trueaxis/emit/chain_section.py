@@ -7,7 +7,7 @@ import sympy as sp
 
 from trueaxis.derive import symbols
 from trueaxis.derive.branch_steps import BranchStep, Columns, branch_steps
-from trueaxis.derive.chain import Joint, chains, matrix
+from trueaxis.derive.chain import Joint, Vector, chains, matrix
 from trueaxis.derive.first_order import first_order
 from trueaxis.derive.views import view
 from trueaxis.emit.latex import Latex
@@ -76,7 +76,7 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
             _branch(name, number, side, latex)
             for name, number, side in (("[SBW]", "(2)", sides[0]), ("[SBT]", "(3)", sides[1]))
         ),
-        tuple(matrix_rows("M", (inverse * ends[1]).applyfunc(sp.expand), latex, "M_{{{}}}")),
+        tuple(matrix_rows("M", _pose(main.ideal), latex, "M_{{{}}}")),
         tuple(broken(f"P_{row}", latex.terms(point[i])) for i, row in enumerate(AXES)),
         tuple(_turned(inverse[:3, :3], latex)),
         tuple(
@@ -87,6 +87,14 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
             for i, row in enumerate(AXES)
         ),
     )
+
+
+def _pose(ideal: Vector) -> sp.Matrix:
+    """The matrix that takes the point to its ideal place."""
+    result = sp.eye(4)
+    result[:3, :3] = sp.Matrix(ideal).jacobian(symbols.point())
+    result[:3, 3] = sp.Matrix(ideal).xreplace(dict.fromkeys(symbols.point(), sp.S.Zero))
+    return result.applyfunc(sp.expand)
 
 
 def matrix_rows(name: str, value: sp.Matrix, latex: Latex, element: str) -> Iterator[Row]:

@@ -69,8 +69,14 @@ def _systems(model: DerivedModel, latex: Latex) -> dict[str, Any]:
 
 
 def _body_row(body: Body) -> tuple[object, ...]:
-    located = ", ".join(f"{direction} = {parameter}" for direction, parameter in body.position_errors)
-    return body.number, body.name, body.lower, body.moves or "-", " ".join(body.motion_errors) or "-", located or "-"
+    located = ", ".join(f"{direction} = {linked(parameter)}" for direction, parameter in body.position_errors)
+    moved = " ".join(linked(name) for name in body.motion_errors)
+    return body.number, body.name, body.lower, body.moves or "-", moved or "-", located or "-"
+
+
+def linked(name: str) -> str:
+    """A symbol by its name in files, with a link to its row in the table of symbols."""
+    return f"[`{name}`](#{name})"
 
 
 def _sensitivities(machine: Machine, latex: Latex) -> list[tuple[str, ...]]:
