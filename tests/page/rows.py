@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 _HEADING = re.compile(r"^(#{2,3}) (.*)$|^\*\*(Body .*)\*\*$")
+_INLINE = re.compile(r"\$([^$]*)\$")
 
 
 @dataclass(frozen=True)
@@ -17,7 +18,7 @@ class Row:
 
 
 def rows_of(page: str) -> list[Row]:
-    """Every formula of the blocks of maths of a page."""
+    """Every formula of the blocks of maths of a page, and every equality within its sentences."""
     section = title = ""
     found: list[Row] = []
     lines = iter(page.splitlines())
@@ -32,6 +33,8 @@ def rows_of(page: str) -> list[Row]:
             while (line := next(lines)) != "```":
                 block.append(line)
             found += [Row(section, title, text) for text in _split("\n".join(block))]
+        elif not line.startswith("|"):
+            found += [Row(section, title, text) for text in _INLINE.findall(line) if "=" in text]
     return found
 
 

@@ -68,7 +68,6 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
     joints = {part.body.number: part for part in workpiece + tool}
     main = first_order(view(machine, "tool_in_workpiece"), symbols.point())
     ends = [side[-1].ideal if side else sp.eye(4) for side in sides]
-    inverse = _rigid_inverse(ends[0])
     point = ends[1] * sp.Matrix([*symbols.point(), 1])
     return ChainTexts(
         tuple(_joint(part, latex) for part in joints.values()),
@@ -78,7 +77,7 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
         ),
         tuple(matrix_rows("M", _pose(main.ideal), latex, "M_{{{}}}")),
         tuple(broken(f"P_{row}", latex.terms(point[i])) for i, row in enumerate(AXES)),
-        tuple(_turned(inverse[:3, :3], latex)),
+        tuple(_turned(ends[0][:3, :3].T, latex)),
         tuple(
             broken(
                 f"P^W_{{T{row}}}",
@@ -158,14 +157,6 @@ def _step(step: BranchStep, before: int, latex: Latex) -> StepText:
 
 def _entry(columns: Columns, row: int) -> dict[str, sp.Expr]:
     return {name: sp.expand(column[row]) for name, column in columns.items()}
-
-
-def _rigid_inverse(pose: sp.Matrix) -> sp.Matrix:
-    """The inverse of rotation and translation: transposed, and turned back."""
-    result = sp.eye(4)
-    result[:3, :3] = pose[:3, :3].T
-    result[:3, 3] = -pose[:3, :3].T * pose[:3, 3]
-    return result.applyfunc(sp.expand)
 
 
 def _turned(back: sp.Matrix, latex: Latex) -> Iterator[Row]:

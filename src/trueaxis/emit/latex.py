@@ -20,7 +20,7 @@ class Latex:
 
     def __init__(self, machine: Machine, names: Mapping[str, str] | None = None) -> None:
         self._names = {name: text.latex for name, text in describe(machine).items()} | dict(names or {})
-        self._errors = {*machine.components, *machine.location_errors}
+        self._ranks = dict.fromkeys(machine.components, 2) | dict.fromkeys(machine.location_errors, 3)
 
     def with_names(self, names: Mapping[str, str]) -> "Latex":
         """The same printer with further names of symbols."""
@@ -50,8 +50,8 @@ class Latex:
         return str(sp.latex(value.xreplace(rounded | ranked), symbol_names=names))
 
     def _rank(self, name: str) -> int:
-        """Order of the factors of a product: cosines and sines, lengths, errors; within these by name."""
-        return 0 if _ROTARY.fullmatch(name) else 2 if name in self._errors else 1
+        """Order of the factors of a product: cosines and sines, lengths, motion errors, location errors."""
+        return 0 if _ROTARY.fullmatch(name) else self._ranks.get(name, 1)
 
     def terms(self, value: sp.Expr) -> list[str]:
         """The terms of a sum, each with its sign; a constant term or a positive one leads."""
