@@ -11,11 +11,13 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from trueaxis.diagnose.instruments import NOT_OF_THE_MACHINE
-from trueaxis.diagnose.result import Diagnosis, FloatArray
+from trueaxis.diagnose.result import Diagnosis, ErrorNow, FloatArray
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.judgement import SAMPLES
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.report import Identification
 from trueaxis.identify.words import enumerated
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
@@ -55,8 +57,8 @@ def kept_readings(data: MeasuredData, diagnosis: Diagnosis, source: str) -> Obse
 
 def reidentified(
     model: MachineModel, given: ErrorValues, observed: Observations, start: Sequence[EffectValues] = ()
-) -> ErrorValues:
-    """Error values of the extended machine: what `identify` makes of the readings, as a change of those given.
+) -> tuple[ErrorValues, tuple[ErrorNow, ...]]:
+    """Error values of the extended machine: what `identify` makes of the readings, as a change of those given; a table.
 
     model: of the extended machine; given: values of the machine before; start: of its effects, to start from. Sizes of
     the changes are estimated, and unknowns of the instruments with them: where nothing has changed, nothing is changed.
@@ -67,8 +69,42 @@ def reidentified(
     bare = ErrorValues(model.name, dimensions)
     before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
     options = EstimateOptions(known=bare, start=tuple(start))
-    change = identify_estimated(model, replace(observed, reading=observed.reading - before), options).values
-    return changed(given, change, model.location_errors)
+    found = identify_estimated(model, replace(observed, reading=observed.reading - before), options)
+    values = changed(given, found.values, model.location_errors)
+    return values, _table(model, given, values, found)
+
+
+def _table(model: MachineModel, given: ErrorValues, now: ErrorValues, found: Identification) -> tuple[ErrorNow, ...]:
+    u_of: dict[str, float | None] = {one.name: one.u for one in found.report.components}
+    u_of |= {one.name: one.u for one in found.report.locations}
+
+    def row(name: str, unit: str, before: FloatArray, after: FloatArray) -> ErrorNow:
+        u = u_of[name]
+        return ErrorNow(
+            name=name,
+            unit=unit,
+            given=_largest(before),
+            now=_largest(after),
+            change=_largest(after - before),
+            u=np.nan if u is None else u,
+            determined=found.values.determined[name],
+        )
+
+    known = found.values.determined.keys()
+    rows = []
+    for name in (one for one in model.components if one in known):
+        at = np.linspace(*model.travel[name.axis], SAMPLES)
+        before = given.motion_errors[name](at) if name in given.motion_errors else np.zeros(SAMPLES)
+        rows.append(row(name, name.unit, before, now.motion_errors[name](at)))
+    for location in (one for one in model.location_errors if one in known):
+        before, after = (np.array([one.parameters.get(location, 0.0)]) for one in (given, now))
+        rows.append(row(location, model.machine.parameter_unit(location), before, after))
+    return tuple(rows)
+
+
+def _largest(values: FloatArray) -> float:
+    """The value that is farthest from zero."""
+    return float(values[np.argmax(np.abs(values))])
 
 
 def changed(given: ErrorValues, change: ErrorValues, locations: Sequence[str]) -> ErrorValues:

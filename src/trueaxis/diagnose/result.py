@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.effects.kind import Effect
+from trueaxis.runtime.errors import Determined
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
@@ -237,6 +238,21 @@ class NextRun:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ErrorNow:
+    """An error of the machine as these readings have it. given, now, change: of a component what is largest over the
+    travel; u: standard uncertainty of the change, NaN where combinations are open; determined: by what; mm or rad.
+    """
+
+    name: str
+    unit: str
+    given: float
+    now: float
+    change: float
+    u: float
+    determined: Determined
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class MeasuredWith:
     """What one device measured. device, serial: empty where setup.toml names none; sessions: named ones; motions: axes
     that move, of runs; time_s, temperature_c: from, to; None where the readings have none.
@@ -285,7 +301,8 @@ class Residuals:
 class Diagnosis:
     """Everything that was found. correlation: (g, g), R^2 between the candidates of `isolability`, base projected out;
     threshold: evidence that a candidate had to reach; absences: what the data lack and what that costs; report: what
-    setup.toml says of the measurement in free words.
+    setup.toml says of the measurement in free words; errors: all of the machine, as `identify` has them from these
+    readings beside the causes; none where its fit did not stand still.
     """
 
     machine: str
@@ -309,3 +326,4 @@ class Diagnosis:
     residuals: Residuals
     measured: tuple[MeasuredWith, ...]
     report: Mapping[str, str]
+    errors: tuple[ErrorNow, ...] = ()
