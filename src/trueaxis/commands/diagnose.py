@@ -52,7 +52,9 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "diagnose", help="name what the model lacks, and extend it", description=DESCRIPTION, epilog=EPILOG
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
-    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
+    parser.add_argument(
+        "--errors", type=Path, metavar="E.json", help="its error values (default: all zero, as of a machine as built)"
+    )
     parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be written")
     parser.add_argument(
@@ -158,7 +160,8 @@ def _read(args: argparse.Namespace) -> _Given:
 
 
 def _overwritten(args: argparse.Namespace, machine: Machine) -> list[Fault]:
-    inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--data": args.data}
+    inputs = {"MACHINE.toml": args.machine, "--data": args.data}
+    inputs |= {} if args.errors is None else {"--errors": args.errors}
     outputs = _outputs(args.out, machine.name)
     return overwritten(inputs, {f"{path.relative_to(args.out)} of --out": path for path in outputs}, args.kernels)
 
@@ -189,7 +192,7 @@ def _extension(
     kernels = numpy_kernels(files["kernels.py"], path)  # run too briefly to be worth compiling
     model = MachineModel(machine, kernels, ErrorValues(machine.name))
     kept = kept_readings(given.data, diagnosis, str(args.data))
-    values = reidentified(model, given.model.errors, kept, diagnosis.noise, start_values(diagnosis))
+    values = reidentified(model, given.model.errors, kept, start_values(diagnosis))
     errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
     generated: dict[Path, bytes | str] = {
         args.out / KERNELS / machine.name / name: content for name, content in files.items()

@@ -13,19 +13,19 @@ exact, at the cost of the run's rows alone.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
-from scipy.linalg import qr, svd
+from scipy.linalg import svd
 
 from trueaxis.diagnose.base import base_of
+from trueaxis.diagnose.by_run import of_basis
 from trueaxis.diagnose.menu import FurtherRun, menu
 from trueaxis.diagnose.projection import Projection, decomposed
 from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Readings, readings_of, signature_of
-from trueaxis.diagnose.whiten import RANK, RunNoise, Whitening, settling, whitening
+from trueaxis.diagnose.whiten import RANK, RunNoise, Whitening, whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.runs import MeasuredRun
@@ -86,27 +86,25 @@ def prospect_of(ground: Ground) -> Prospect:
     readings = ground.readings
     further = menu(readings.model, readings.rows)
     everything = _with_further(readings.rows, further)
-    size = readings.rows.size
     base = base_of(readings.model, everything)
-    known = {
-        readings.rows.runs[run].instrument: replace(one, scale=1.0)
-        for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True)
-    }
+    known: dict[str, list[RunNoise]] = {}
+    for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True):
+        known.setdefault(readings.rows.runs[run].instrument, []).append(one)
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
     ahead = [_noise(one, known) for one in base.runs[len(ground.whitening.runs) :]]
     whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.own)
-    white = whiten(base.columns)
-    scale = np.linalg.norm(white[:size], axis=0)
+    white = base.columns.whitened(whiten)
+    here = white.first(len(ground.whitening.runs))
+    scale = np.linalg.norm(here.weights, axis=0)
     unseen = scale == 0.0
-    scale[unseen] = np.maximum(np.linalg.norm(white[:, unseen], axis=0), 1e-300)
-    white /= scale
-    q, r = qr(white[:size], mode="economic", check_finite=False)
-    left, singular, right = decomposed(np.asarray(r))
+    scale[unseen] = np.maximum(np.linalg.norm(white.weights[:, unseen], axis=0), 1e-300)
+    q, r = np.linalg.qr(here.weights / scale)
+    left, singular, right = decomposed(r)
     rank = int(np.count_nonzero(singular > RANK * singular[0]))
     innovations = []
-    for part in parts:
-        turned = white[part] @ right.T
-        own = Projection(_spanned(turned[:, rank:]))
+    for part, (few, weights) in zip(parts, list(white.parts())[len(here.few) :], strict=True):
+        turned = few @ (weights / scale) @ right.T
+        own = Projection(of_basis(_spanned(turned[:, rank:])))
         held = own.rest(turned[:, :rank] / singular[:rank])
         roots = inverse_roots(held)
         innovations.append(Innovation(part, held, own, roots))
@@ -115,7 +113,7 @@ def prospect_of(ground: Ground) -> Prospect:
         further,
         readings_of(readings.model, everything),
         whiten,
-        Projection(q @ left[:, :rank]),
+        Projection(replace(here, weights=q @ left[:, :rank])),
         tuple(innovations),
     )
 
@@ -128,7 +126,7 @@ def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outloo
     white = prospect.whitening(columns)
     here = white[:size]
     by_noise = columns[:size] / prospect.ground.whitening.sigma[:, np.newaxis]
-    inside, left = prospect.basis.basis.T @ here, prospect.basis.rest(here)
+    inside, left = prospect.basis.basis.transposed(here), prospect.basis.rest(here)
     added = []
     for one in prospect.innovations:
         innovation = one.own.rest(white[one.rows]) - one.known @ inside
@@ -218,16 +216,13 @@ def _contexts(one: Context, other: Context) -> Context:
     )
 
 
-def _noise(run: MeasuredRun, known: Mapping[Any, RunNoise]) -> RunNoise:
+def _noise(run: MeasuredRun, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:
     """As that of other runs of the instrument, or as usual."""
-    usual = known.get(run.instrument)
-    return RunNoise(
-        noise=Noise(PROBE_MM if run.instrument == "probe" else USUAL_MM) if usual is None else usual.noise,
-        scale=1.0,
-        steps=run.rows.steps,
-        settles=0.0 if usual is None else usual.settles,
-        settling=settling(run.rows.passed),
-    )
+    of_instrument = sorted(known.get(run.instrument, []), key=lambda one: one.sigma)
+    if not of_instrument:
+        level = PROBE_MM if run.instrument == "probe" else USUAL_MM
+        return RunNoise(noise=Noise(level), steps=run.rows.steps, passed=run.rows.passed, wanders=0.0, settles=0.0)
+    return replace(of_instrument[len(of_instrument) // 2], steps=run.rows.steps, passed=run.rows.passed)
 
 
 def _spanned(columns: FloatArray) -> FloatArray:

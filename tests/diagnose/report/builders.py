@@ -16,6 +16,7 @@ from trueaxis.diagnose.result import (
     Evidence,
     Gain,
     Limit,
+    MeasuredWith,
     NextRun,
     NoiseOf,
     Outlier,
@@ -102,7 +103,6 @@ def residuals(targets: int = 41, repeats: int = 3, circle: int = 360, *, time: b
         refitted=refitted,
         extended=noise,
         whitened=noise / NOISE,
-        of_instruments=np.zeros_like(noise),
     )
 
 
@@ -225,4 +225,29 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
         absences=("no temperature channel in the circles: thermal effects show in the lines only",),
         warnings=("run X-2 has one outlier; it was left out",),
         residuals=data,
+        measured=(
+            MeasuredWith(
+                instrument="laser",
+                device="XL",
+                serial="<7>",
+                sessions=("Monday", "Tuesday"),
+                runs=4,
+                readings=320,
+                motions=("X", "Y"),
+                time_s=(0.0, 5400.0),
+                temperature_c=(20.1, 21.4),
+            ),
+            MeasuredWith(
+                instrument="ballbar",
+                device="",
+                serial="",
+                sessions=(),
+                runs=2,
+                readings=720,
+                motions=("XY",),
+                time_s=None,
+                temperature_c=None,
+            ),
+        ),
+        report={"operator": "one & all", "date": "2024-05-06"},
     )

@@ -46,6 +46,17 @@ def test_the_page_is_well_formed_and_its_ids_are_its_own(verdict: Verdict) -> No
             assert named in ids
 
 
+def test_the_page_begins_with_what_was_measured_by_whom_and_with_what() -> None:
+    text = html("explained")
+    section = text[text.index('<section id="measured"') : text.index('<section id="causes"')]
+    for said in ("one &amp; all", "2024-05-06", "XL &lt;7&gt;", "Monday, Tuesday", "320", "1.5", "20.1\N{EN DASH}21.4"):
+        assert said in section
+    without = replace(builders.diagnosis("explained"), report={}, measured=builders.diagnosis("explained").measured[1:])
+    section = report_html(without)
+    assert ">device<" not in section
+    assert ">hours<" not in section
+
+
 def test_the_template_is_given_what_it_uses(monkeypatch: pytest.MonkeyPatch) -> None:
     given: set[str] = set()
     render = jinja2.Template.render
@@ -178,8 +189,8 @@ def test_stale_values_are_a_table_and_said_at_the_head() -> None:
     (head,) = root.all("header")
     text = head.text.replace("\u00a0", " ")
     assert "Changed: EYY from 300 to 400 mm by 0.700 \u00b5m, u 0.10 \u00b5m; EC0X by" in text
-    first = next(one.attributes["id"] for one in root.all("section"))
-    assert first == "stale"
+    sections = [one.attributes["id"] for one in root.all("section")]
+    assert sections[:2] == ["measured", "stale"]
     assert 'id="stale"' not in html("explained")
 
 
