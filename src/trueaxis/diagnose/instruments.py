@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import t as student
+from scipy.special import stdtr
 
 from trueaxis.diagnose.null import Null, factored
 from trueaxis.diagnose.result import FloatArray
@@ -68,7 +68,7 @@ def _chance(one: _Setup, others: Sequence[_Setup], size: float) -> float:
     if not others:
         return 1.0
     spread = max(size, float(np.sqrt(np.mean([other.value**2 for other in others]))))
-    return float(2.0 * student.sf(abs(one.value) / np.hypot(spread, one.u), len(others)))
+    return float(2.0 * stdtr(len(others), -abs(one.value) / np.hypot(spread, one.u)))
 
 
 def _own(null: Null, left: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
