@@ -6,6 +6,7 @@ these is rounding. So time and memory of all that is done with them grow with th
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from scipy.linalg import block_diag, qr
@@ -34,24 +35,22 @@ class ByRun:
 
     def __matmul__(self, right: FloatArray) -> FloatArray:
         """(n, ...): times (p, ...)."""
-        inside = np.split(self.weights @ right, self.ends[1:-1])
-        return np.concatenate([few @ part for few, part in zip(self.few, inside, strict=True)])
+        inside = self.weights @ right
+        each = [few @ inside[first:last] for few, (first, last) in zip(self.few, pairwise(self.ends), strict=True)]
+        return np.concatenate([inside[:0], *each])
 
     def transposed(self, vectors: FloatArray, rows: IntArray | None = None) -> FloatArray:
         """(p, ...): products with vectors (n, ...), or (n_rows, ...), those of some whole runs and 0 elsewhere."""
-        found = np.zeros((self.weights.shape[1], *vectors.shape[1:]))
-        if rows is not None and rows.size == 0:
-            return found
-        ends, inside, chosen = self.ends, [], []
+        ends, inside, chosen = self.ends, [vectors[:0]], [np.zeros(0, dtype=np.int64)]
         for place, here in runs_among(self.starts, np.arange(self.starts[-1]) if rows is None else rows):
             inside.append(self.few[place].T @ vectors[here])
             chosen.append(np.arange(ends[place], ends[place + 1]))
-        return np.asarray(self.weights[np.concatenate(chosen)].T @ np.concatenate(inside)) if chosen else found
+        return np.asarray(self.weights[np.concatenate(chosen)].T @ np.concatenate(inside))
 
     def squares(self) -> FloatArray:
         """(n,): sum of the squares of each row."""
         each = ((few, few @ (weights @ weights.T)) for few, weights in self.parts())
-        return np.concatenate([np.einsum("ij,ij->i", few, turned) for few, turned in each])
+        return np.concatenate([np.zeros(0), *(np.einsum("ij,ij->i", few, turned) for few, turned in each)])
 
     def dense(self) -> FloatArray:
         """(n, p), all numbers."""
@@ -87,8 +86,6 @@ class ByRun:
 
     def whitened(self, whiten: Whitening) -> "ByRun":
         """Made independent; of what a run's own unknowns hold rounding alone would be left."""
-        if self.starts[-1] == 0:
-            return self
         parts = []
         for place, (few, weights) in enumerate(self.parts()):
             q, r = np.linalg.qr(whiten.of_run(place, few))
@@ -96,14 +93,13 @@ class ByRun:
             held = np.linalg.norm(white, axis=0) <= RANK * np.linalg.norm(weights, axis=0) / whiten.runs[place].sigma
             white[:, held] = 0.0
             parts.append((q, white))
-        return _joined(parts)
+        return _joined(parts) if parts else self
 
     def only(self, keep: BoolArray) -> "ByRun":
         """Of some rows, (n,): a run of which none is kept is none."""
-        if not keep.any():
-            return ByRun(np.zeros(2, dtype=np.int64), (np.zeros((0, 0)),), self.weights[:0])
         each = zip(self.parts(), np.split(keep, self.starts[1:-1]), strict=True)
-        return by_run([(few[kept], weights) for (few, weights), kept in each if kept.any()])
+        found = [(few[kept], weights) for (few, weights), kept in each if kept.any()]
+        return by_run(found) if found else self.first(0)
 
     def first(self, count: int) -> "ByRun":
         """Of the first runs."""
@@ -111,7 +107,7 @@ class ByRun:
 
     def parts(self) -> Iterator[tuple[FloatArray, FloatArray]]:
         """Few (m, r) and weights (r, p) of each run."""
-        return zip(self.few, np.split(self.weights, self.ends[1:-1]), strict=True)
+        return zip(self.few, (self.weights[first:last] for first, last in pairwise(self.ends)), strict=True)
 
 
 def by_run(parts: Iterable[tuple[FloatArray, FloatArray]]) -> ByRun:
