@@ -1,103 +1,183 @@
-"""How long `diagnose` takes and what memory it needs: python -m benchmarks.diagnose [--cores N]
+"""What `diagnose` costs: python -m benchmarks.diagnose [--cores N]
 
 The standard campaign of the tests' generator (three axes, twelve laser lines three times each, circles by ball bar, one
-effect hidden) with more and more targets and samples; realistic noise. Each size in a process of its own: memory is the
-largest size of that process less that before. Ratios of one run: time per reading, over that of the smallest size. Then
-the whole command, from the start of Python to the last file written: search, report, extended machine derived, its
-values found anew. All of it on so many cores, where the system lets a process choose them (Linux).
+effect hidden, the whole library) with more and more targets and samples. Each size in a process of its own, all stages
+in one thread: seconds of the processor, and the largest memory of the process, Python and libraries included. Then the
+whole command by the clock, on so many cores, where the system lets a process choose them (Linux).
 """
 
 import argparse
+import json
 import os
 import resource
 import subprocess
 import sys
 import tempfile
 import time
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable
+from contextlib import contextmanager
+from importlib import import_module
 from pathlib import Path
+
+import numpy as np
 
 from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
 from trueaxis.cli import ONE_THREAD
 from trueaxis.cli import main as trueaxis
-from trueaxis.commands.beside import cores
-from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose
-from trueaxis.diagnose.rows import rows_of
-from trueaxis.measure.data import read_data
-from trueaxis.runtime.model import load_model
 
-SIZES = (2_500, 10_000, 40_000)
+SIZES = (3_750, 15_000, 60_000)
 LINES, REPEATS, CIRCLES = 12, 3, 12
 SHARE = 0.6  # of the readings that are on lines
 ROOT = Path(__file__).parents[1]
+START, REST, WHOLE, CLOCK, MEMORY = "start", "rest", "all stages", "command, by the clock", "memory, MiB"
+STAGES = (  # functions, and the stage that their time counts for; of one within another, for the inner one
+    ("commands.diagnose", "_read", "reading"),
+    ("diagnose.null", "noise_of_runs", "noise"),
+    ("diagnose.procedure", "null_of", "null"),
+    ("diagnose.procedure", "again", "null"),
+    ("diagnose.procedure", "readings_of", "null"),
+    ("diagnose.procedure", "_searched", "search"),
+    ("diagnose.procedure", "likeliest", "search"),
+    ("diagnose.procedure", "with_rivals", "search"),
+    ("diagnose.procedure", "audit", "audit"),
+    ("diagnose.procedure", "amplitudes_of", "checks"),
+    ("diagnose.procedure", "run_checks", "checks"),
+    ("diagnose.procedure", "stale_values", "stale"),
+    ("diagnose.procedure", "instruments_off", "stale"),
+    ("diagnose.procedure", "fit", "gain"),
+    ("diagnose.procedure", "predicted", "gain"),
+    ("diagnose.procedure", "of_instruments", "gain"),
+    ("diagnose.write_up", "fit", "gain"),
+    ("diagnose.write_up", "predicted", "gain"),
+    ("diagnose.procedure", "prospect_of", "next runs"),
+    ("diagnose.write_up", "ahead_of", "next runs"),
+    ("diagnose.write_up", "next_runs", "next runs"),
+    ("commands.diagnose", "_extension", "extension"),
+    ("diagnose.report.html", "report_html", "writing"),
+    ("diagnose.report.json_file", "diagnosis_json", "writing"),
+)
 
 
-def case(readings: int) -> None:
-    """Diagnose once, and print what it took."""
+class Stages:
+    """Seconds of the processor, by stage."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {START: time.process_time()}
+        self._within = [REST]
+        self._since = time.process_time()
+
+    def change(self, within: list[str]) -> None:
+        """The time since the last change counts for the stage until now."""
+        now = time.process_time()
+        stage = self._within[-1]
+        self.seconds[stage] = self.seconds.get(stage, 0.0) + now - self._since
+        self._within, self._since = within, now
+
+    def watch(self, module: str, name: str, stage: str) -> None:
+        """The time of a function counts for a stage."""
+        home = import_module(f"trueaxis.{module}")
+        function: Callable[..., object] = getattr(home, name)
+
+        def timed(*args: object, **kwargs: object) -> object:
+            before = self._within
+            self.change([*before, stage])
+            try:
+                return function(*args, **kwargs)
+            finally:
+                self.change(before)
+
+        setattr(home, name, timed)
+
+
+class InTurn:
+    """Takes the place of a pool of threads: one thing after another."""
+
+    def __init__(self, _: int) -> None:
+        self.map = map
+
+    def __enter__(self) -> "InTurn":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        return None
+
+
+@contextmanager
+def _here(_: str):  # type: ignore[no-untyped-def]
+    """Takes the place of a second process: the call is made here."""
+    yield lambda function, *given: lambda: getattr(import_module("trueaxis.diagnose.report.html"), function)(*given)
+
+
+def made(folder: Path, readings: int) -> None:
+    """Files of a case, in a folder."""
     targets = round(SHARE * readings / (2 * LINES * REPEATS))
     samples = round((1.0 - SHARE) * readings / CIRCLES)
     design = Design(repeats=REPEATS, targets=targets, samples=samples)
+    generate(Case(seed=1, design=design, effects=(Hidden("backlash", "EXX", size=2e-3),))).write(folder)
+    trueaxis(["derive", str(folder / "machine.toml"), "--out", str(folder / "kernels")])
+
+
+def _words(folder: Path) -> list[str]:
+    words = ["diagnose", folder / "machine.toml", "--errors", folder / "errors.json", "--data", folder / "data"]
+    return [str(one) for one in [*words, "--kernels", folder / "kernels", "--out", folder / "found"]]
+
+
+def of_stages(folder: Path) -> None:
+    """Run the command in this process, and print what each stage took."""
+    stages = Stages()
+    for module, name, stage in STAGES:
+        stages.watch(module, name, stage)
+    command = import_module("trueaxis.commands.diagnose")
+    command.ThreadPoolExecutor, command.beside = InTurn, _here  # type: ignore[attr-defined]
+    stages.seconds[START] = time.process_time()
+    stages.change([REST])
+    trueaxis(_words(folder))
+    stages.change([REST])
+    found = {**stages.seconds, WHOLE: sum(stages.seconds.values())}
+    found[MEMORY] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    print(json.dumps(found), file=sys.stderr)
+
+
+def measured(readings: int) -> tuple[int, dict[str, float]]:
+    """Readings written, and what they cost, by a process of its own."""
+    environment = {**dict.fromkeys(ONE_THREAD, "1"), **os.environ}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        generate(Case(seed=1, design=design, effects=(Hidden("backlash", "EXX", size=2e-3),))).write(folder)
-        trueaxis(["derive", str(folder / "machine.toml"), "--out", str(folder / "kernels")])
-        model = load_model(folder / "machine.toml", folder / "errors.json", folder / "kernels")
-        data = read_data(folder / "data", model.machine)
-        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        made(folder, readings)
+        one = [sys.executable, "-m", "benchmarks.diagnose", "--case", name]
+        done = subprocess.run(
+            one, check=True, cwd=ROOT, env=environment, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
+        )
+        found = json.loads(done.stderr.decode().strip().splitlines()[-1])
         start = time.perf_counter()
-        with ThreadPoolExecutor(cores()) as pool:
-            found = diagnose(model, data, DiagnoseOptions(each=pool.map))
-        seconds = time.perf_counter() - start
-        memory = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
-        whole = _command(folder)
-    causes = ", ".join(one.effect.label for one in found.causes) or "none"
-    print(f"{rows_of(data).size} {seconds:.3f} {whole:.3f} {memory:.0f} {found.verdict}: {causes}", file=sys.stderr)
-
-
-def _command(folder: Path) -> float:
-    """Seconds of `trueaxis diagnose`."""
-    words = ["diagnose", folder / "machine.toml", "--errors", folder / "errors.json", "--data", folder / "data"]
-    words += ["--kernels", folder / "kernels", "--out", folder / "found"]
-    start = time.perf_counter()
-    done = subprocess.run([sys.executable, "-m", "trueaxis", *map(str, words)], check=False, stdout=subprocess.DEVNULL)
-    assert done.returncode in (0, 1), "0: named or noise, 1: several causes, or none that is known"
-    return time.perf_counter() - start
-
-
-def measured(readings: int) -> tuple[int, float, float, float, str]:
-    """Readings used, seconds of the search and of the command, MB and what was found, by a process of its own."""
-    threads = dict.fromkeys(ONE_THREAD, "1")  # as the command has it
-    command = [sys.executable, "-m", "benchmarks.diagnose", "--case", str(readings)]
-    done = subprocess.run(
-        command, check=True, cwd=ROOT, env={**threads, **os.environ}, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
-    )
-    used, seconds, whole, memory, found = done.stderr.decode().strip().splitlines()[-1].split(" ", 4)
-    return int(used), float(seconds), float(whole), float(memory), found
+        command = [sys.executable, "-m", "trueaxis", *_words(folder)]
+        done = subprocess.run(command, check=False, stdout=subprocess.DEVNULL)
+        assert done.returncode in (0, 1), "0: named or noise, 1: several causes, or none that is known"
+        found[CLOCK] = time.perf_counter() - start
+        used = len((folder / "data" / "readings.csv").read_text().splitlines()) - 1
+    return used, found
 
 
 def main() -> int:
-    """Every size in a process of its own."""
+    """Every size, and by which power of the readings each stage grows."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--cores", type=int, default=2, help="cores to be used (%(default)s)")
-    parser.add_argument("--case", type=int, help=argparse.SUPPRESS)
+    parser.add_argument("--case", type=Path, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.case:
-        case(options.case)
+        of_stages(options.case)
         return 0
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[: options.cores])
-        print(f"on {options.cores} of {os.cpu_count()} cores")
-    print("readings  seconds  us/reading  ratio  command       MB  found")
-    first = None
-    for size in SIZES:
-        used, seconds, whole, memory, found = measured(size)
-        each = 1e6 * seconds / used
-        first = first or each
-        print(
-            f"{used:8d} {seconds:8.2f} {each:11.0f} {each / first:6.2f} {whole:8.2f} {memory:8.0f}  {found}", flush=True
-        )
+    cases = [measured(size) for size in SIZES]
+    names = [*dict.fromkeys(stage for *_, stage in STAGES)]
+    print(f"{'seconds of the processor':24s}" + "".join(f"{used:9d}" for used, _ in cases) + "    power")
+    for name in (START, *names, REST, WHOLE, CLOCK, MEMORY):
+        costs = np.array([max(found.get(name, 0.0), 1e-3) for _, found in cases])
+        power = np.log(costs[-1] / costs[-2]) / np.log(cases[-1][0] / cases[-2][0])
+        print(f"{name:24s}" + "".join(f"{cost:9.2f}" for cost in costs) + f"{power:9.2f}")
     return 0
 
 

@@ -16,7 +16,7 @@ from tests.machines import machine_of
 from trueaxis.diagnose.base import Base, base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.freedom import Freedom, freedom_of
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.projection import Projection, spanned
 from trueaxis.diagnose.result import NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.search import Ground
@@ -84,7 +84,7 @@ class Field:
 
     @property
     def columns(self) -> FloatArray:
-        return self.null.columns
+        return self.null.columns.dense()
 
     def ground(self, values: FloatArray) -> Ground:
         """Of readings less what is expected, (n,), mm."""
@@ -123,7 +123,7 @@ def field_of(model: MachineModel, rows: Rows, noise: Noise = WHITE, settles: flo
     white = whitening(rows.run, runs, null.own)
     names = dict.fromkeys(run.instrument for run in null.runs)
     told = [NoiseOf(name, noise.white, noise.slow, 0.0, settles, MANY, "given") for name in names]
-    base = Projection(orthonormal(white(null.columns)))
+    base = Projection(spanned(null.columns.whitened(white)))
     return Field(readings_of(model, rows), null, white, base, freedom_of(rows, white.sigma, told))
 
 

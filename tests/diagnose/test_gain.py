@@ -7,7 +7,7 @@ import pytest
 
 from tests.diagnose.prepared import SIGMA, SMALL, FloatArray, field, prepared
 from tests.hidden_effects.case import Case
-from trueaxis.diagnose.gain import Fit, Prediction, fit, gain_of, held_out, of_instruments, predicted
+from trueaxis.diagnose.gain import Fit, Prediction, fit, gain_of, held_out, predicted
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import BoolArray
 from trueaxis.diagnose.signatures import parameter_signature
@@ -67,8 +67,8 @@ def test_the_fit_is_ridge_regression() -> None:
     values = noise(1) + cause().signal
     found = fit_of(values, (cause(),), ~HELD)
     own = WHERE.without_own()
-    columns = np.hstack([found.columns, own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)])[~HELD]
-    p = found.columns.shape[1]
+    columns = np.hstack([found.columns.dense(), own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)])[~HELD]
+    p = found.extended.size
     prior = np.concatenate([np.ones(p - 1), np.full(1, 1e-6), np.full(own.shape[1], 1e-9)])
     information = columns.T @ columns / SIGMA**2 + np.diag(prior)
     expected = np.linalg.solve(information, columns.T @ values[~HELD] / SIGMA**2)[:p]
@@ -138,10 +138,3 @@ def test_an_error_of_calibration_is_gained_by_refitting_not_by_a_cause() -> None
     gain = gain_of(of_all(values), of_held(values), SPLIT, SIGMA)
     assert gain.held_out.refitted < 0.5 * gain.held_out.given
     assert gain.held_out.extended == pytest.approx(gain.held_out.refitted, rel=1e-12)
-
-
-def test_what_instruments_account_for_is_theirs_alone() -> None:
-    """Their own unknowns come back whole; of errors of the machine nothing does."""
-    own = np.concatenate([columns @ np.full(columns.shape[1], 0.01) for columns in WHERE.null.own])
-    left = of_instruments(WHERE.null, WHERE.whitening, own, ()) - own
-    assert np.abs(left).max() < 1e-6

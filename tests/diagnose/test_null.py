@@ -115,7 +115,7 @@ def test_the_base_is_fitted_by_generalised_least_squares() -> None:
     """The whitened residual is orthogonal to every whitened column."""
     found = null(noise(7))
     coefficient = fitted(found.whitening, found.base.columns, found.values)
-    white = found.whitening(found.base.columns)
+    white = found.whitening(found.base.columns.dense())
     left = found.whitening(found.values) - white @ coefficient
     size = np.linalg.norm(white, axis=0)
     assert np.abs(white.T @ left)[size > 0.0] / size[size > 0.0] == pytest.approx(

@@ -5,7 +5,8 @@ import pytest
 from scipy.linalg import null_space, orth, subspace_angles
 
 from tests.diagnose.prepared import SMALL, WHITE, field
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.by_run import by_run, of_basis
+from trueaxis.diagnose.projection import Projection, orthonormal, spanned
 
 
 def dependent(seed: int = 0) -> np.ndarray:
@@ -13,6 +14,10 @@ def dependent(seed: int = 0) -> np.ndarray:
     source = np.random.default_rng(seed)
     columns = source.normal(size=(50, 6)) @ source.normal(size=(6, 9))
     return np.asarray(columns * np.logspace(-9, 9, 9))
+
+
+def projected(columns: np.ndarray) -> Projection:
+    return Projection(of_basis(orthonormal(columns)))
 
 
 def test_basis_is_orthonormal_and_spans_the_columns() -> None:
@@ -28,7 +33,7 @@ def test_what_is_left_is_the_part_in_the_null_space() -> None:
     columns = dependent()
     values = np.random.default_rng(1).normal(size=(50, 3))
     outside = null_space(columns.T / np.linalg.norm(columns, axis=0)[:, np.newaxis], rcond=1e-9)
-    found = Projection(orthonormal(columns)).rest(values)
+    found = projected(columns).rest(values)
     assert outside.shape[1] == 44
     assert found == pytest.approx(outside @ (outside.T @ values), abs=1e-9)
 
@@ -37,17 +42,17 @@ def test_columns_that_are_nothing_and_no_columns_at_all() -> None:
     assert orthonormal(np.zeros((5, 2))).shape == (5, 0)
     assert orthonormal(np.zeros((5, 0))).shape == (5, 0)
     values = np.arange(5.0)
-    assert Projection(np.zeros((5, 0))).rest(values) == pytest.approx(values)
+    assert projected(np.zeros((5, 0))).rest(values) == pytest.approx(values)
 
 
 def test_extended_by_what_is_new_alone() -> None:
     columns = dependent()
     source = np.random.default_rng(2)
-    projection = Projection(orthonormal(columns))
+    projection = projected(columns)
     new = source.normal(size=(50, 2))
     old = columns[:, :2]
     found = projection.extended(np.hstack([new, old, new @ np.ones((2, 1))]))
-    both = Projection(orthonormal(np.hstack([columns, new])))
+    both = projected(np.hstack([columns, new]))
     assert projection.extended(old) is projection
     assert found.rank == both.rank == 8
     values = source.normal(size=50)
@@ -94,7 +99,7 @@ class TestSoft:
     def test_squares_are_those_of_generalised_least_squares(self) -> None:
         """The covariance 1 + C C' written out, the base free."""
         base, chance, values = self.parts()
-        found = Projection(orthonormal(base)).softened(chance)
+        found = projected(base).softened(chance)
         inverse = np.linalg.inv(np.eye(50) + chance @ chance.T)
         free = orth(base / np.linalg.norm(base, axis=0), rcond=1e-9)
         left = inverse - inverse @ free @ np.linalg.solve(free.T @ inverse @ free, free.T @ inverse)
@@ -103,7 +108,7 @@ class TestSoft:
 
     def test_the_rest_of_such_readings_is_white(self) -> None:
         base, chance, _ = self.parts()
-        found = Projection(orthonormal(base)).softened(chance)
+        found = projected(base).softened(chance)
         through = found.rest(np.eye(50))
         covariance = through @ (np.eye(50) + chance @ chance.T) @ through.T
         spread = np.linalg.eigvalsh(covariance)
@@ -113,26 +118,26 @@ class TestSoft:
         base, chance, values = self.parts()
         cause = np.random.default_rng(4).normal(size=(50, 2))
         for found in (
-            Projection(orthonormal(base)),
-            Projection(orthonormal(base)).softened(chance),
-            Projection(orthonormal(base)).softened(chance).extended(cause),
+            projected(base),
+            projected(base).softened(chance),
+            projected(base).softened(chance).extended(cause),
         ):
             rest = found.rest(values)
-            held = found.inner.T @ values
+            held = found.inner(values, np.arange(50))
             assert rest.T @ rest == pytest.approx(values.T @ values - held.T @ held, rel=1e-9)
             assert values.T @ found.rest_transposed(rest[:, 0]) == pytest.approx(rest.T @ rest[:, 0], rel=1e-9)
 
     def test_a_cause_leaves_nothing_of_itself_and_counts_as_free(self) -> None:
         base, chance, _ = self.parts()
         cause = np.random.default_rng(4).normal(size=(50, 2))
-        soft = Projection(orthonormal(base)).softened(chance)
+        soft = projected(base).softened(chance)
         found = soft.extended(cause)
         assert found.rest(cause) == pytest.approx(0.0, abs=1e-9)
         assert (soft.rank, found.rank) == (6, 8)
 
     def test_next_to_no_chance_changes_nothing(self) -> None:
         base, chance, values = self.parts()
-        hard = Projection(orthonormal(base))
+        hard = projected(base)
         assert hard.softened(1e-7 * chance).rest(values) == pytest.approx(hard.rest(values), abs=1e-12)
 
 
@@ -149,9 +154,10 @@ def test_what_divide_and_conquer_gives_up_on_is_decomposed_otherwise(monkeypatch
 
 def test_what_columns_explain_is_what_an_orthonormal_basis_of_them_does() -> None:
     source = np.random.default_rng(4)
-    projection = Projection(orthonormal(dependent())).softened(source.normal(size=(50, 2)))
+    runs = by_run((part, np.eye(9)) for part in np.split(dependent(), (3, 11, 20, 45)))
+    projection = Projection(spanned(runs)).softened(source.normal(size=(50, 2)))
     projection = projection.extended(source.normal(size=(50, 1)))
-    held = projection.basis[:, :1]
+    held = projection.basis.dense()[:, :1]
     columns = source.normal(size=(50, 4))
     columns = np.hstack([columns, columns[:, :1] + columns[:, 1:2], held])  # one twice, one that the base has
     residual = projection.rest(source.normal(size=50))

@@ -61,7 +61,7 @@ def test_statistic_is_the_difference_of_two_sums_of_squares(
     whole = signature.over_all()
     covariance = block_diag(*map(dense_covariance, where.whitening.runs))
     # of the base what the projection has taken for its span: the rank is tested elsewhere
-    turned = np.linalg.lstsq(where.whitening(where.columns), where.base.basis, rcond=1e-12)[0]
+    turned = np.linalg.lstsq(where.whitening(where.columns), where.base.basis.dense(), rcond=1e-12)[0]
     base = np.hstack([where.columns @ turned, where.without_own()])
     base = base[:, np.linalg.norm(base, axis=0) > 0.0]
     base = base / np.linalg.norm(base, axis=0)
@@ -184,6 +184,6 @@ def test_a_grid_in_pieces_is_the_grid(effect: Effect, entries: int, monkeypatch:
     whole = prepared(signature, where.whitening, where.base)
     monkeypatch.setattr(scan, "ENTRIES", entries)
     pieces = prepared(signature, where.whitening, where.base)
-    assert pieces.total == pytest.approx(whole.total, rel=1e-12)
-    assert pieces.gram == pytest.approx(whole.gram, rel=1e-9, abs=1e-12 * whole.total.max())
+    assert pieces.whole == pytest.approx(whole.whole, rel=1e-12)
+    assert pieces.gram == pytest.approx(whole.gram, rel=1e-9, abs=1e-12 * whole.whole.max())
     assert pieces.length == pytest.approx(whole.length, rel=1e-6)

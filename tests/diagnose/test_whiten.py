@@ -91,16 +91,6 @@ def test_back_is_the_transpose() -> None:
         assert white.back(b).T @ a == pytest.approx(b.T @ white(a), rel=1e-8)
 
 
-def test_long_runs_are_as_short_ones() -> None:
-    """The same run by the recursions and by a matrix."""
-    white = whitening_of(450, 20, 30, 460)
-    columns = np.random.default_rng(6).normal(size=(960, 2))
-    found = white(columns)
-    for place in (0, 3):
-        here = slice(int(white.starts[place]), int(white.starts[place + 1]))
-        assert white._operator(place) @ columns[here] == pytest.approx(found[here], rel=1e-7, abs=1e-9)
-
-
 def test_of_some_rows_it_is_that_of_their_covariance() -> None:
     white = whitening_of(20, 33, 20)
     keep = np.random.default_rng(2).random(73) < 0.6

@@ -19,10 +19,12 @@ class Freedom:
     def of(self, rows: IntArray, columns: FloatArray) -> float:
         """For a test of columns (n_rows, k), mm, zero but in those rows: by Satterthwaite's approximation."""
         here = as_slice(rows)
-        weight = np.sum((columns / self.sigma[here, np.newaxis]) ** 2, axis=1)
-        own, which = np.unique(self.of_rows[here], return_inverse=True)
-        share = np.bincount(which.reshape(-1), weights=weight) / max(float(weight.sum()), 1e-300)
-        return float(1.0 / max(np.sum(share**2 / own), 1e-300))
+        of_rows = self.of_rows[here]
+        weight = np.einsum("ij,ij->i", columns, columns) / self.sigma[here] ** 2
+        whole, inverse = max(float(weight.sum()), 1e-300), 0.0
+        for own in np.unique(of_rows):
+            inverse += (float(weight[of_rows == own].sum()) / whole) ** 2 / own
+        return float(1.0 / max(inverse, 1e-300))
 
 
 def freedom_of(rows: Rows, sigma: FloatArray, noise: Sequence[NoiseOf]) -> Freedom:

@@ -12,6 +12,7 @@ import numpy as np
 from scipy.linalg import solve_triangular
 
 from trueaxis.diagnose.base import Base
+from trueaxis.diagnose.by_run import ByRun
 from trueaxis.diagnose.null import less_own
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import BoolArray, FloatArray, Gain, IntArray, Stage
@@ -98,7 +99,7 @@ class Fit:
     causes do besides.
     """
 
-    columns: FloatArray
+    columns: ByRun
     refitted: FloatArray
     extended: FloatArray
     root: FloatArray
@@ -114,9 +115,10 @@ def fit(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[F
     apart = [k for k, one in enumerate(signals) if not one[rows].any()]
     known = sum((causes[k].signal for k in apart), np.zeros(values.size))
     signals = [one for k, one in enumerate(signals) if k not in apart]
-    columns = np.hstack([base.columns * base.expected, base.by_chance, *signals])
-    p, q = columns.shape[1] - len(signals), columns.shape[1]
-    white = whitening.only(rows)(np.column_stack([columns, values])[rows])
+    columns = base.columns.times(np.diag(base.expected)).beside(np.hstack([base.by_chance, *signals]))
+    q = columns.weights.shape[1]
+    p = q - len(signals)
+    white = columns.beside(values[:, np.newaxis]).only(rows).whitened(whitening.only(rows)).weights
     prior = np.diag(np.concatenate([np.ones(p), np.full(q - p, 1.0 / VAGUE)]))
     r = np.asarray(np.linalg.qr(np.vstack([white, np.column_stack([prior, np.zeros(q)])]), mode="r"))
     refitted = np.concatenate([solve_triangular(r[:p, :p], r[:p, q]), np.zeros(q - p)])
@@ -127,23 +129,13 @@ def fit(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[F
 def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArray) -> Prediction:
     """What is left of some rows, (n,)."""
     own = whitening.only(rows)
-    columns, mine = fit.columns[rows], values[rows]
+    columns, mine = fit.columns.only(rows), values[rows]
     rest = [mine, mine - columns @ fit.refitted, mine - columns @ fit.extended - fit.known[rows]]
     left = [less_own(own, one) for one in rest]
     freedom = float(rows.sum() - own.own_count.sum())
     white = own(rest[-1])
-    variance = freedom + float(np.sum((own(columns) @ fit.root) ** 2))
+    variance = freedom + float(np.sum((columns.whitened(own).weights @ fit.root) ** 2))
     return Prediction(Left(*left), freedom, float(np.sqrt(white @ white / variance)) if freedom > 0 else np.nan)
-
-
-def of_instruments(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted]) -> FloatArray:
-    """(n,), mm: what is unknown of instruments and set-ups accounts for, beside this base and the causes."""
-    every = np.ones(values.size, dtype=bool)
-    fitted = fit(base, whitening, values, causes, every)
-    of_machine = fitted.extended.copy()
-    of_machine[base.of_machine : base.columns.shape[1] + base.by_chance.shape[1]] = 0.0
-    without = values - fitted.columns @ of_machine - fitted.known
-    return np.asarray(without - less_own(whitening, values - fitted.columns @ fitted.extended - fitted.known))
 
 
 def gain_of(everything: Prediction, held: Prediction, split: str, floor: float) -> Gain:

@@ -65,7 +65,7 @@ def blocks_of(rows: Rows, base: Base, values: FloatArray) -> Iterator[Block]:
     place = np.empty(rows.size, dtype=np.int64)
     for number, run in enumerate(base.runs):
         place[run.rows.at] = number
-    most = ENOUGH + base.columns.shape[1]
+    most = ENOUGH + base.columns.weights.shape[1]
     together: list[IntArray] = []
     for at in _in_turn(_groups(rows, place), place):
         if together and sum(one.size for one in together) + at.size > most:
@@ -119,7 +119,7 @@ def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: 
         parts.append(_part(rows, base, place, at, start))
         start += at.size
     every = np.concatenate(groups)
-    free = np.hstack([base.columns, base.by_chance])[every]
+    free = np.hstack([base.columns.at(every), base.by_chance[every]])
     size = np.linalg.norm(free, axis=0)
     for one in parts:
         free[one.rows] -= one.own @ (one.own.T @ free[one.rows])

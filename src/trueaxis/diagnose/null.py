@@ -3,9 +3,9 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.linalg import qr
 
 from trueaxis.diagnose.base import Base, base_of
+from trueaxis.diagnose.by_run import ByRun
 from trueaxis.diagnose.noise import noise_of_runs
 from trueaxis.diagnose.noise_fit import Found
 from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray, NoiseOf, Outlier
@@ -85,19 +85,19 @@ def _with_noise(
     return Null(rows=rows, values=values, base=base, whitening=white, noise=noise, outliers=(), found=found)
 
 
-def fitted(whiten: Whitening, columns: FloatArray, values: FloatArray) -> FloatArray:
+def fitted(whiten: Whitening, columns: ByRun, values: FloatArray) -> FloatArray:
     """(p,): coefficients of columns (n, p) by weighted least squares, of least norm in units of their lengths."""
     q, r, size = factored(whiten, columns)
-    return np.asarray(np.linalg.lstsq(r, q.T @ whiten(values), rcond=RANK)[0] / size)
+    return np.asarray(np.linalg.lstsq(r, q.transposed(whiten(values)), rcond=RANK)[0] / size)
 
 
-def factored(whiten: Whitening, columns: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+def factored(whiten: Whitening, columns: ByRun) -> tuple[ByRun, FloatArray, FloatArray]:
     """Q (n, p) and R (p, p) of columns (n, p), mm, whitened and divided by their lengths, and these, (p,)."""
-    white = whiten(columns)
-    size = np.linalg.norm(white, axis=0)
+    white = columns.whitened(whiten)
+    size = np.linalg.norm(white.weights, axis=0)
     size[size == 0.0] = 1.0
-    q, r = qr(white / size, mode="economic", overwrite_a=True, check_finite=False)
-    return np.asarray(q), np.asarray(r), size
+    q, r = np.linalg.qr(white.weights / size)
+    return replace(white, weights=q), r, size
 
 
 def less_own(whiten: Whitening, values: FloatArray) -> FloatArray:

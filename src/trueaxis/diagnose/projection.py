@@ -1,11 +1,12 @@
 """The whitened base as an orthonormal basis, and what it leaves of readings and signatures."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 from scipy.linalg import qr, svd
 
+from trueaxis.diagnose.by_run import ByRun
 from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import as_slice
 from trueaxis.diagnose.whiten import RANK
@@ -24,68 +25,57 @@ class Projection:
     noise has the covariance 1 + soft d^2 soft' there. causes: (n, j), orthonormal after both.
     """
 
-    basis: FloatArray
+    basis: ByRun
     soft: FloatArray = field(default_factory=_nothing)
     shrink: FloatArray = field(default_factory=lambda: np.zeros(0))
     causes: FloatArray = field(default_factory=_nothing)
-    _parts: dict[bytes, FloatArray] = field(default_factory=dict, repr=False)
 
     @property
     def rank(self) -> int:
         """Number of combinations that are free."""
-        return int(self.basis.shape[1]) + int(self.causes.shape[1] if self.causes.size else 0)
+        return int(self.basis.weights.shape[1]) + int(self.causes.shape[1] if self.causes.size else 0)
 
     @property
     def left(self) -> FloatArray:
         """(n,): share of each reading's variance that is free neither by the base nor by causes."""
-        found = 1.0 - np.sum(self.basis**2, axis=1)
+        found = 1.0 - self.basis.squares()
         return np.asarray(found - np.sum(self.causes**2, axis=1) if self.causes.size else found)
 
     def rest(self, columns: FloatArray) -> FloatArray:
         """What is left of columns (n,) or (n, k), independent and of variance 1 where it is noise alone."""
-        left = self._rooted(columns - self.basis @ (self.basis.T @ columns))
+        left = self._rooted(columns - self.basis @ self.basis.transposed(columns))
         return np.asarray(left - self.causes @ (self.causes.T @ left)) if self.causes.size else left
 
-    @cached_property
-    def inner(self) -> FloatArray:
-        """(n, rank + k): B such that rest(a)' rest(b) = a'b - (B'a)'(B'b) for any columns a and b."""
-        parts = [self.basis]
+    def inner(self, columns: FloatArray, rows: IntArray) -> FloatArray:
+        """(rank + k, m): B'a such that rest(a)' rest(b) = a'b - (B'a)'(B'b) for any columns a and b.
+
+        columns: (n_rows, m), zero but in those rows, ascending, of whole runs.
+        """
+        parts, here = [self.basis.transposed(columns, rows)], as_slice(rows)
         if self.soft.size:
-            parts.append(self.soft * np.sqrt(1.0 - (1.0 - self.shrink) ** 2))
-        return np.hstack([*parts, self.inner_causes])
+            inside = self.soft[here].T @ columns
+            parts.append(np.sqrt(1.0 - (1.0 - self.shrink) ** 2)[:, np.newaxis] * inside)
+        return np.vstack([*parts, self.inner_causes[here].T @ columns])
 
     @cached_property
     def inner_causes(self) -> FloatArray:
-        """(n, j): the columns of `inner` that are due to causes."""
-        return self._rooted(self.causes) if self.causes.size else np.zeros((self.basis.shape[0], 0))
-
-    def of(self, rows: IntArray) -> FloatArray:
-        """(n_rows, rank + k): those rows of `inner`, ascending; kept, as many candidates reach the same readings."""
-        here = as_slice(rows)
-        if isinstance(here, slice):
-            return self.inner[here]
-        part = self._parts.get(key := rows.tobytes())  # by several threads at once: nothing here may rely on the next
-        if part is None:
-            part = np.take(self.inner, rows, axis=0)
-            if part.nbytes + sum(one.nbytes for one in list(self._parts.values())) > KEPT:
-                self._parts.clear()
-            self._parts[key] = part
-        return part
+        """(n, j): what of B is due to causes."""
+        return self._rooted(self.causes) if self.causes.size else np.zeros((int(self.basis.starts[-1]), 0))
 
     def rest_transposed(self, columns: FloatArray) -> FloatArray:
         """(n, k): their products with any columns are those of `columns` with what is left of them."""
         if self.causes.size:
             columns = columns - self.causes @ (self.causes.T @ columns)
         rooted = self._rooted(columns)
-        return np.asarray(rooted - self.basis @ (self.basis.T @ rooted))
+        return np.asarray(rooted - self.basis @ self.basis.transposed(rooted))
 
     def explaining(self, rows: IntArray, columns: FloatArray, residual: FloatArray) -> tuple[FloatArray, int]:
         """(n,), the combination of columns of which most is left, `rest`, of what is left of the readings, (n,).
 
-        And of how many it is the best. columns: (n_rows, k), zero but in those rows, ascending. From products of the
-        columns, for a quarter of what an orthonormal basis costs.
+        And of how many it is the best. columns: (n_rows, k), zero but in those rows, of whole runs. From products of
+        the columns, for a quarter of what an orthonormal basis costs.
         """
-        held = self.of(rows).T @ columns
+        held = self.inner(columns, rows)
         whole = np.sum(columns**2, axis=0)
         gram = columns.T @ columns - held.T @ held
         kept = np.diag(gram) > LEAST**2 * whole
@@ -106,7 +96,7 @@ class Projection:
         kept = more[:, left > RANK * size]
         if kept.shape[1] == 0:
             return self
-        kept -= self.basis @ (self.basis.T @ kept)  # of what is left of a column hardly any, rounding is a part
+        kept -= self.basis @ self.basis.transposed(kept)  # of what is left of a column hardly any, rounding is a part
         fresh = orthonormal(kept / np.linalg.norm(kept, axis=0))
         causes = np.hstack([self.causes, fresh]) if self.causes.size else fresh
         return Projection(self.basis, self.soft, self.shrink, causes)
@@ -115,7 +105,7 @@ class Projection:
         """With further chance in the readings: columns (n, k), whitened, each times its standard deviation."""
         if columns.shape[1] == 0:
             return self
-        left = columns - self.basis @ (self.basis.T @ columns)
+        left = columns - self.basis @ self.basis.transposed(columns)
         q, r = np.linalg.qr(left)
         turned, deviation, _ = decomposed(r)
         kept = deviation > SLIGHT
@@ -130,7 +120,6 @@ class Projection:
         return np.asarray(columns - self.soft @ scaled)
 
 
-KEPT = 1 << 26  # bytes
 LEAST = 1e-4  # share of a column's length that must be left of it, for it to explain anything
 TOLD = 1e-6  # of the largest eigenvalue of products of columns, below which rounding is all there is
 SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
@@ -143,6 +132,11 @@ def decomposed(matrix: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     except np.linalg.LinAlgError:
         left, singular, right = svd(matrix, lapack_driver="gesvd")
     return left, singular, right
+
+
+def spanned(columns: ByRun) -> ByRun:
+    """(n, rank): an orthonormal basis of columns (n, p), whitened."""
+    return replace(columns, weights=orthonormal(columns.weights))
 
 
 def orthonormal(columns: FloatArray) -> FloatArray:

@@ -15,9 +15,10 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from scipy.linalg import qr, svd
+from scipy.linalg import svd
 
 from trueaxis.diagnose.base import base_of
+from trueaxis.diagnose.by_run import of_basis
 from trueaxis.diagnose.menu import FurtherRun, menu
 from trueaxis.diagnose.projection import Projection, decomposed
 from trueaxis.diagnose.result import FloatArray, IntArray
@@ -85,7 +86,6 @@ def prospect_of(ground: Ground) -> Prospect:
     readings = ground.readings
     further = menu(readings.model, readings.rows)
     everything = _with_further(readings.rows, further)
-    size = readings.rows.size
     base = base_of(readings.model, everything)
     known: dict[str, list[RunNoise]] = {}
     for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True):
@@ -93,18 +93,18 @@ def prospect_of(ground: Ground) -> Prospect:
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
     ahead = [_noise(one, known) for one in base.runs[len(ground.whitening.runs) :]]
     whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.own)
-    white = whiten(base.columns)
-    scale = np.linalg.norm(white[:size], axis=0)
+    white = base.columns.whitened(whiten)
+    here = white.first(len(ground.whitening.runs))
+    scale = np.linalg.norm(here.weights, axis=0)
     unseen = scale == 0.0
-    scale[unseen] = np.maximum(np.linalg.norm(white[:, unseen], axis=0), 1e-300)
-    white /= scale
-    q, r = qr(white[:size], mode="economic", check_finite=False)
-    left, singular, right = decomposed(np.asarray(r))
+    scale[unseen] = np.maximum(np.linalg.norm(white.weights[:, unseen], axis=0), 1e-300)
+    q, r = np.linalg.qr(here.weights / scale)
+    left, singular, right = decomposed(r)
     rank = int(np.count_nonzero(singular > RANK * singular[0]))
     innovations = []
-    for part in parts:
-        turned = white[part] @ right.T
-        own = Projection(_spanned(turned[:, rank:]))
+    for part, (few, weights) in zip(parts, list(white.parts())[len(here.few) :], strict=True):
+        turned = few @ (weights / scale) @ right.T
+        own = Projection(of_basis(_spanned(turned[:, rank:])))
         held = own.rest(turned[:, :rank] / singular[:rank])
         roots = inverse_roots(held)
         innovations.append(Innovation(part, held, own, roots))
@@ -113,7 +113,7 @@ def prospect_of(ground: Ground) -> Prospect:
         further,
         readings_of(readings.model, everything),
         whiten,
-        Projection(q @ left[:, :rank]),
+        Projection(replace(here, weights=q @ left[:, :rank])),
         tuple(innovations),
     )
 
@@ -126,7 +126,7 @@ def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outloo
     white = prospect.whitening(columns)
     here = white[:size]
     by_noise = columns[:size] / prospect.ground.whitening.sigma[:, np.newaxis]
-    inside, left = prospect.basis.basis.T @ here, prospect.basis.rest(here)
+    inside, left = prospect.basis.basis.transposed(here), prospect.basis.rest(here)
     added = []
     for one in prospect.innovations:
         innovation = one.own.rest(white[one.rows]) - one.known @ inside

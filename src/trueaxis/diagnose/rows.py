@@ -1,6 +1,6 @@
 """The readings that a diagnosis works on: sorted by run and order, each run one stretch of rows."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -149,6 +149,13 @@ def _with_passes(rows: Rows) -> Rows:
     passing[order] = np.arange(pair.size) - np.repeat(first, count)
     found = {one.name: getattr(rows, one.name) for one in fields(rows)}
     return Rows(**{**found, "passing": passing})
+
+
+def runs_among(starts: IntArray, rows: IntArray) -> Iterator[tuple[int, slice]]:
+    """Places of the runs that begin at starts, (n_runs + 1,), and their rows among some, ascending, of whole runs."""
+    begins = np.searchsorted(rows, starts)
+    for place in np.flatnonzero(np.diff(begins)).tolist():
+        yield place, slice(int(begins[place]), int(begins[place + 1]))
 
 
 def as_slice(rows: IntArray) -> IntArray | slice:

@@ -15,7 +15,7 @@ from trueaxis.diagnose.whiten import Whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE, explained
 
-ENTRIES = 1 << 20  # of a signature's columns at a time
+ENTRIES = 1 << 18  # of a signature's columns at a time: 2 MB, which stay in the processor's cache
 FAR = 100.0  # a statistic from which the number of tries does not matter
 NOTHING = 1e-200  # squares, in units of the noise, whose inverse would leave the range of numbers
 LN10 = float(np.log(10.0))
@@ -25,11 +25,11 @@ LN10 = float(np.log(10.0))
 class Prepared:
     """What of a candidate stays the same whatever the readings are and whichever causes are found.
 
-    total, gram: (points, k, k), the signature times itself, in standard deviations of the readings, and after whitening
-    with base and unknowns of all runs taken away; length: of the curve along the grid.
+    whole: (points,), sum of squares of the signature in standard deviations of the readings; gram: (points, k, k), the
+    signature times itself, whitened, base and unknowns of all runs taken away; length: of the curve along the grid.
     """
 
-    total: FloatArray
+    whole: FloatArray
     gram: FloatArray
     length: float
 
@@ -84,26 +84,26 @@ def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Pr
         _prepared(signature, whitening, base, slice(start, min(start + step + 1, points)))
         for start in range(0, points, step)
     ]
-    total, gram = (np.concatenate([part[of][:step] for part in parts]) for of in (0, 1))
+    whole, gram = (np.concatenate([part[of][:step] for part in parts]) for of in (0, 1))
     # what the base and the runs hold is rounding, and what dies away before the first reading is nothing
-    held = np.trace(gram, axis1=1, axis2=2) <= np.maximum(UNOBSERVABLE * np.trace(total, axis1=1, axis2=2), NOTHING)
+    held = np.trace(gram, axis1=1, axis2=2) <= np.maximum(UNOBSERVABLE * whole, NOTHING)
     gram = np.where(held[:, np.newaxis, np.newaxis], 0.0, gram)
     cross = np.concatenate([part[2] for part in parts])[: points - 1]
-    return Prepared(total, gram, _length(gram, cross))
+    return Prepared(whole, gram, _length(gram, cross))
 
 
 def _prepared(
     signature: Signature, whitening: Whitening, base: Projection, points: slice
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """(points, k, k), total and gram, and (points - 1, k, k), the gram of each point with the next."""
+    """(points,) and (points, k, k), whole and gram, and (points - 1, k, k), the gram of each point with the next."""
     columns = signature.columns(points)
     size, count, k = columns.shape
     white = whitening.part(signature.support, columns.reshape(size, count * k))
-    held = (base.of(signature.support).T @ white).reshape(-1, count, k)
+    held = base.inner(white, signature.support).reshape(-1, count, k)
     full = white.reshape(size, count, k)
-    by_noise = columns / whitening.sigma[as_slice(signature.support), np.newaxis, np.newaxis]
+    whole = np.square(columns).reshape(size, count * k).T @ whitening.sigma[as_slice(signature.support)] ** -2.0
     cross = _gram(full[:, :-1], full[:, 1:]) - _gram(held[:, :-1], held[:, 1:])
-    return _gram(by_noise, by_noise), _gram(full, full) - _gram(held, held), cross
+    return whole.reshape(count, k).sum(axis=1), _gram(full, full) - _gram(held, held), cross
 
 
 def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:
@@ -117,8 +117,7 @@ def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanne
     k = signature.terms.shape[2]
     inside = signature.products(residual.back)
     gram = known.gram - _gram(inside[1:], inside[1:])
-    whole = np.trace(known.total, axis1=1, axis2=2)
-    statistic, amplitudes = explained(gram, inside[0], whole, one_sided=_one_sided(signature))
+    statistic, amplitudes = explained(gram, inside[0], known.whole, one_sided=_one_sided(signature))
     best = int(np.argmax(statistic))
     most = float(statistic[best])
     # Hotelling's tube to first order: a largest statistic u is so many times as likely as one at a given place

@@ -4,29 +4,28 @@ Nothing here is written for an instrument by hand: sensitivities come from the d
 `effect_...`.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from threading import Lock
 
 import numpy as np
 
 from trueaxis.diagnose.grids import grid_of
-from trueaxis.diagnose.result import FloatArray, IntArray
+from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows, as_slice
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import concerns
 from trueaxis.error_name import DISPLACEMENTS
 from trueaxis.estimation.first_order import sensed
+from trueaxis.estimation.jacobian import places_of
 from trueaxis.measure.reading_context import reading_context_of
 from trueaxis.measure.reading_model import measuring_frame, sensed_directions
 from trueaxis.measure.setup import PointOn, Run
 from trueaxis.runtime.context import Context, ReadingContext
-from trueaxis.runtime.effect_terms import component_term, reading_term
+from trueaxis.runtime.effect_terms import component_term, component_variables, reading_term, reading_variables, term_of
 from trueaxis.runtime.model import MachineModel
 from trueaxis.spec.machine import LINEAR
 from trueaxis.view import view_of
-
-AT_ONCE = 16  # points of a grid whose terms are made together
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,14 +33,15 @@ class Signature:
     """Signature of a candidate at all points of its grid: its term times the lever by which readings sense it.
 
     support: (n_support,), ascending, rows of the runs where it may differ from 0; terms: (t, n_points, k), per unit of
-    the k linear amplitudes, over all rows, then shared with other candidates, or over those of the support; lever:
-    (t,), mm per unit; size: the number of all rows; points: values of the searched parameters; missing: what the data
-    lack for it, empty where nothing.
+    the k linear amplitudes, shared with other candidates; place: (n_support,), which of the terms each row has, all of
+    them in order where it is a slice; lever: (n_support,), mm per unit; size: the number of all rows; points: values of
+    the searched parameters; missing: what the data lack for it, empty where nothing.
     """
 
     effect: Effect
     kind: Kind
     terms: FloatArray
+    place: IntArray | slice
     lever: FloatArray
     support: IntArray
     size: int
@@ -50,21 +50,32 @@ class Signature:
 
     def columns(self, points: slice) -> FloatArray:
         """(n_support, n_points, k), mm: those at some of the points."""
-        here = slice(None) if self.terms.shape[0] == self.support.size else as_slice(self.support)
-        return np.asarray(self.terms[here, points] * self.lever[here, np.newaxis, np.newaxis])
+        by_point = self.terms[:, points].transpose(1, 2, 0)
+        of_rows = by_point if isinstance(self.place, slice) else np.take(by_point, self.place, axis=2)
+        return np.asarray((of_rows * self.lever).transpose(2, 0, 1))
 
     def products(self, vectors: FloatArray) -> FloatArray:
         """(j, n_points, k): those with vectors (size, j)."""
-        mine = vectors if self.terms.shape[0] == self.size else vectors[self.support]
-        _, points, k = self.terms.shape
-        found = (mine * self.lever[:, np.newaxis]).T @ self.terms.reshape(-1, points * k)
-        return np.asarray(found.reshape(-1, points, k))
+        count, points, k = self.terms.shape
+        mine = vectors[as_slice(self.support)].T * self.lever
+        if not isinstance(self.place, slice):
+            mine = np.stack([np.bincount(self.place, one, count) for one in mine])
+        return np.asarray((mine @ self.terms.reshape(-1, points * k)).reshape(-1, points, k))
 
     def over_all(self, point: int = 0) -> FloatArray:
         """(size, k): the columns of one point over all rows."""
         found = np.zeros((self.size, self.terms.shape[2]))
         found[self.support] = self.columns(slice(point, point + 1))[:, 0]
         return found
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Terms:
+    """values: (t, points, k), each once, 0 where unknown; place: (n,), which of them each row has; known: (t,)."""
+
+    values: FloatArray
+    place: IntArray
+    known: BoolArray
 
 
 class Memory:
@@ -80,7 +91,7 @@ class Memory:
         self._one_writes = Lock()
         self.signatures: dict[Effect, Signature] = {}
         self._left = self.ROOM
-        self._terms: dict[object, tuple[FloatArray, bool]] = {}
+        self._terms: dict[object, Terms] = {}
 
     def keep(self, signature: Signature) -> None:
         """Keep the signature of a candidate on its whole grid, unless it would take too much of the room."""
@@ -90,14 +101,14 @@ class Memory:
                 self.signatures[signature.effect] = signature
                 self._left -= size
 
-    def terms(self, effect: Effect, points: object) -> tuple[FloatArray, bool] | None:
-        """(n, points, amplitudes) and whether all are known, or None."""
+    def terms(self, effect: Effect, points: object) -> "Terms | None":
+        """Those of a candidate at some points, or None."""
         return self._terms.get(_term_key(effect, points))
 
-    def keep_terms(self, effect: Effect, points: object, found: tuple[FloatArray, bool]) -> None:
+    def keep_terms(self, effect: Effect, points: object, found: "Terms") -> None:
         """Keep these, too, or instead of those before."""
         with self._one_writes:
-            if found[0].nbytes + sum(terms.nbytes for terms, _ in self._terms.values()) > self.ROOM:
+            if found.values.nbytes + sum(one.values.nbytes for one in self._terms.values()) > self.ROOM:
                 self._terms.clear()
             self._terms[_term_key(effect, points)] = found
 
@@ -146,25 +157,23 @@ def _kind(readings: Readings, effect: Effect) -> Kind:
 
 
 def _signature(readings: Readings, effect: Effect, points: tuple[Mapping[str, float], ...]) -> Signature:
-    kind = _kind(readings, effect)
+    kind, size = _kind(readings, effect), readings.rows.size
     support = _support(readings, effect, kind)
-    lever, known = np.ones(support.size), False
     if kind.place == "component":
         assert effect.component is not None
-        lever = np.asarray(readings.sensitivity[readings.model.components.index(effect.component)])
-        terms, known = _of_component(readings, effect, kind, points)
-        if not known:  # what the component does not reach is not spoilt by what is unknown there
-            terms = np.where(lever[:, np.newaxis, np.newaxis] == 0.0, 0.0, terms)
-    elif kind.place == "reading":
+        lever = readings.sensitivity[readings.model.components.index(effect.component)][support]
+        found = _of_component(readings, effect, kind, points)
+        place = found.place[support]
+        # what the component does not reach is not spoilt by what is unknown there
+        missing = "" if found.known[place[lever != 0.0]].all() else _missing(readings)
+        return Signature(effect, kind, found.values, place, lever, support, size, points, missing)
+    if kind.place == "reading":
         terms = _of_reading(readings, effect, kind, points, support)
-    elif kind.place == "point":
-        terms = _of_point(readings, effect, support)
     else:
-        terms = _of_location(readings, effect)
-    missing = "" if known or np.isfinite(terms).all() else _missing(readings)
-    return Signature(
-        effect, kind, np.nan_to_num(terms) if missing else terms, lever, support, readings.rows.size, points, missing
-    )
+        terms = (_of_point if kind.place == "point" else _of_location)(readings, effect)[support]
+    missing = "" if np.isfinite(terms).all() else _missing(readings)
+    terms = np.nan_to_num(terms) if missing else terms
+    return Signature(effect, kind, terms, slice(None), np.ones(support.size), support, size, points, missing)
 
 
 def parameter_signature(readings: Readings, effect: Effect, values: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -182,11 +191,7 @@ def parameter_signature(readings: Readings, effect: Effect, values: FloatArray) 
         term = reading_term(model.kernels, model.machine, effect, values, readings.reading)
         found = np.where(mine, term, 0.0)
         return found[0], found[1:].T
-    columns = np.zeros((rows.size, values.size))
-    support = _support(readings, effect, kind)
-    columns[support] = (
-        _of_point(readings, effect, support) if kind.place == "point" else _of_location(readings, effect)
-    )[:, 0]
+    columns = (_of_point if kind.place == "point" else _of_location)(readings, effect)[:, 0]
     return columns @ values, columns
 
 
@@ -226,37 +231,30 @@ def _vectors(kind: Kind, points: tuple[Mapping[str, float], ...]) -> list[FloatA
     ]
 
 
-def _columns(
-    kind: Kind, points: tuple[Mapping[str, float], ...], size: int, term: Callable[[FloatArray], FloatArray]
-) -> FloatArray:
-    """(size, points, amplitudes): the terms of all basis amplitudes at all points.
-
-    A few at a time: what a kernel gives besides is freed before it takes up memory, and columns side by side are
-    written together.
+def _columns(readings: Readings, kind: Kind, points: tuple[Mapping[str, float], ...], given: FloatArray) -> FloatArray:
+    """(n, points, amplitudes): the terms of all basis amplitudes at all points, column by column in memory, as they are
+    whitened. given: (v, n), what they depend on.
     """
     rows = [0, *(1 + place for place, one in enumerate(kind.parameters) if one.role == "phase")]
     vectors = _vectors(kind, points)
-    found = np.empty((size, len(vectors), len(rows)))
-    for start in range(0, len(vectors), AT_ONCE):
-        part = slice(start, start + AT_ONCE)
-        found[:, part] = np.stack([term(vector)[rows] for vector in vectors[part]]).transpose(2, 0, 1)
-    return found.reshape(size, len(points), len(vectors) // len(points) * len(rows))
+    found = np.empty((len(vectors), len(rows), given.shape[1]))
+    for place, vector in enumerate(vectors):
+        found[place] = term_of(readings.model.kernels, kind, vector, given)[rows]
+    return found.reshape(len(points), -1, given.shape[1]).transpose(2, 0, 1)
 
 
-def _of_component(
-    readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...]
-) -> tuple[FloatArray, bool]:
-    """(n, points, k): the terms over all rows, and whether all are known."""
-    model, rows, context = readings.model, readings.rows, readings.context
+def _of_component(readings: Readings, effect: Effect, kind: Kind, points: tuple[Mapping[str, float], ...]) -> Terms:
+    """Over all rows, those that are alike once."""
+    model, rows = readings.model, readings.rows
     found = readings.memory.terms(effect, points)
     if found is None:
-        terms = _columns(
-            kind,
-            points,
-            rows.size,
-            lambda vector: component_term(model.kernels, model.machine, effect, vector, rows.positions, context),
-        )
-        found = terms, bool(np.isfinite(terms).all())
+        given = component_variables(model.kernels, model.machine, effect, rows.positions, readings.context)
+        place = places_of(given)
+        alike = np.zeros(int(place.max()) + 1, dtype=np.int64)
+        alike[place] = np.arange(place.size)
+        terms = _columns(readings, kind, points, given[:, alike])
+        known = np.asarray(np.isfinite(terms).all(axis=(1, 2)))
+        found = Terms(terms if known.all() else np.nan_to_num(terms), place, known)
         readings.memory.keep_terms(effect, points, found)
     return found
 
@@ -266,14 +264,11 @@ def _of_reading(
 ) -> FloatArray:
     model, rows = readings.model, readings.rows
     mine = np.array([concerns(kind, effect, run) for run in rows.runs])[rows.run[support]]
-    context = readings.reading.of(support)
-    terms = _columns(
-        kind, points, mine.size, lambda vector: reading_term(model.kernels, model.machine, effect, vector, context)
-    )
-    return np.where(mine[:, np.newaxis, np.newaxis], terms, 0.0)
+    given = reading_variables(model.kernels, model.machine, effect, readings.reading.of(support))
+    return np.where(mine[:, np.newaxis, np.newaxis], _columns(readings, kind, points, given), 0.0)
 
 
-def _of_point(readings: Readings, effect: Effect, support: IntArray) -> FloatArray:
+def _of_point(readings: Readings, effect: Effect) -> FloatArray:
     """What the point's coordinates change: the body that carries it is turned by its motion and by its errors."""
     model, rows = readings.model, readings.rows
     errors = model.in_context(readings.context).component_errors(rows.positions)
@@ -290,7 +285,7 @@ def _of_point(readings: Readings, effect: Effect, support: IntArray) -> FloatArr
         sensed_part = sign * np.einsum("in,ikn->nk", sensed_directions(model, run, positions), moved)
         # the zero of a laser takes a constant away: the offset of the run does the same
         columns[mine, 0] = sensed_part if run.instrument == "ballbar" else sensed_part - sensed_part[0]
-    return columns[support]
+    return columns
 
 
 def _carried(model: MachineModel, run: Run, point: PointOn, positions: FloatArray, errors: FloatArray) -> FloatArray:

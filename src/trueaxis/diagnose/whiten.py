@@ -5,16 +5,16 @@ in time, the slope of a straightness line, the place of a ball) are free: what i
 chance it also settles after the start of the run, with a standard deviation that is the same for runs of an instrument.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
+from trueaxis.diagnose.rows import runs_among
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.noise import Whitening as OfOneRun
 
-SHORT = 400  # readings of a run, up to which one matrix is quicker than the recursion
 SETTLED = 0.2  # of the duration of a run: its time constant of settling
 MODES = 12  # of a random walk: the further ones are a hundredth of its variance, and much like white noise
 SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
@@ -52,22 +52,30 @@ class RunNoise:
 
     def whitened(self, columns: FloatArray) -> FloatArray:
         """(n, k) columns by the white and the slow noise alone."""
-        return OfOneRun(self.noise, self.steps)(columns)
+        return self.alone()(columns)
+
+    def alone(self) -> OfOneRun:
+        """The white and the slow noise alone."""
+        return OfOneRun(self.noise, self.steps)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Aside:
-    """What is taken away after whitening: own: (n, k), orthonormal; turned: (n, j), orthonormal directions in which
-    the run varies by chance, and of each 1 - 1/sqrt(1 + d^2) of its standard deviation d.
+class _OfRun:
+    """alone: by white and slow noise; aside: (n, k), orthonormal, what is taken away after that, and its share: all of
+    the run's own unknowns, so many; of directions in which it varies by chance 1 - 1/sqrt(1 + d^2) of its standard
+    deviation d.
     """
 
-    own: FloatArray
-    turned: FloatArray
-    shrink: FloatArray
+    alone: OfOneRun
+    own: int
+    aside: FloatArray
+    share: FloatArray
+    sigma: float
 
-    def __call__(self, columns: FloatArray) -> FloatArray:
-        left = columns - self.own @ (self.own.T @ columns)
-        return left - self.turned @ (self.shrink[:, np.newaxis] * (self.turned.T @ left))
+    def less_aside(self, columns: FloatArray) -> FloatArray:
+        """In place: columns (n, k) are overwritten."""
+        columns -= self.aside @ (self.share[:, np.newaxis] * (self.aside.T @ columns))
+        return columns
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -79,8 +87,7 @@ class Whitening:
     starts: IntArray
     runs: tuple[RunNoise, ...]
     own: tuple[FloatArray, ...]
-    _asides: dict[int, _Aside] = field(default_factory=dict, repr=False)
-    _operators: dict[int, FloatArray] = field(default_factory=dict, repr=False)
+    _each: dict[int, _OfRun] = field(default_factory=dict, repr=False)
 
     @property
     def sigma(self) -> FloatArray:
@@ -90,7 +97,7 @@ class Whitening:
     @property
     def own_count(self) -> IntArray:
         """(n_runs,): how many unknowns of its own each run has."""
-        return np.array([self._aside(place).own.shape[1] for place in range(len(self.runs))], dtype=np.int64)
+        return np.array([self._of(place).own for place in range(len(self.runs))], dtype=np.int64)
 
     def __call__(self, columns: FloatArray) -> FloatArray:
         """(n, k) whitened; columns: (n, k) or (n,)."""
@@ -99,16 +106,17 @@ class Whitening:
     def part(self, rows: IntArray, columns: FloatArray) -> FloatArray:
         """Columns (n_rows, k) or (n_rows,) of some rows whitened; rows: ascending, those of whole runs, or none."""
         flat = columns if columns.ndim == 2 else columns[:, np.newaxis]
-        found = np.empty_like(flat, dtype=np.float64)
-        for place, here in self._members(rows):
-            found[here] = self._whitened(place, flat[here])
+        found = np.empty(flat.shape, order="F")
+        for place, here in runs_among(self.starts, rows):
+            found[here] = self.of_run(place, flat[here])
         return found.reshape(columns.shape)
 
     def back(self, columns: FloatArray) -> FloatArray:
         """(n, k) times the transpose: b such that b'a is the product of columns and a whitened, for any a."""
-        found = np.empty_like(columns, dtype=np.float64)
-        for place, here in self._members(np.arange(int(self.starts[-1]))):
-            found[here] = self._back(place, columns[here])
+        found = np.empty(columns.shape, order="F")
+        for place, here in runs_among(self.starts, np.arange(int(self.starts[-1]))):
+            run = self._of(place)
+            found[here] = run.alone.transposed(run.less_aside(columns[here].copy()))
         return found
 
     def only(self, keep: BoolArray) -> "Whitening":
@@ -122,49 +130,35 @@ class Whitening:
                 starts.append(starts[-1] + int(mine.sum()))
         return Whitening(np.array(starts, dtype=np.int64), tuple(runs), tuple(own))
 
-    def _members(self, rows: IntArray) -> Iterator[tuple[int, slice]]:
-        begins = np.searchsorted(rows, self.starts)
-        for place in np.flatnonzero(np.diff(begins)).tolist():
-            yield place, slice(int(begins[place]), int(begins[place + 1]))
-
-    def _whitened(self, place: int, columns: FloatArray) -> FloatArray:
-        run = self.runs[place]
-        if columns.shape[0] <= SHORT:
-            found = np.asarray(self._operator(place) @ columns)
-        else:
-            found = self._aside(place)(run.whitened(columns))
+    def of_run(self, place: int, columns: FloatArray) -> FloatArray:
+        """(m, k): columns of one run whitened."""
+        run = self._of(place)
+        found = run.less_aside(run.alone.every(columns))
         # rounding of what the run's own unknowns hold is no direction of its own
-        found[:, np.linalg.norm(found, axis=0) <= RANK * np.linalg.norm(columns, axis=0) / run.sigma] = 0.0
+        squares, left = np.einsum("ij,ij->j", columns, columns), np.einsum("ij,ij->j", found, found)
+        held = left <= (RANK / run.sigma) ** 2 * squares
+        if held.any():
+            found[:, held] = 0.0
         return found
 
-    def _back(self, place: int, columns: FloatArray) -> FloatArray:
-        if columns.shape[0] <= SHORT:
-            return np.asarray(self._operator(place).T @ columns)
-        run = self.runs[place]
-        return OfOneRun(run.noise, run.steps).transposed(self._aside(place)(columns))
-
-    def _operator(self, place: int) -> FloatArray:
-        """(n_r, n_r): the matrix that whitens a run; kept."""
-        if place not in self._operators:
-            size = int(self.starts[place + 1] - self.starts[place])
-            self._operators[place] = self._aside(place)(self.runs[place].whitened(np.eye(size)))
-        return self._operators[place]
-
-    def _aside(self, place: int) -> _Aside:
-        if place not in self._asides:
-            self._asides[place] = _aside(self.runs[place], self.own[place])
-        return self._asides[place]
+    def _of(self, place: int) -> _OfRun:
+        if place not in self._each:
+            self._each[place] = _of_run(self.runs[place], self.own[place])
+        return self._each[place]
 
 
-def _aside(run: RunNoise, own: FloatArray) -> _Aside:
-    white = run.whitened(own / np.maximum(np.linalg.norm(own, axis=0), 1e-300))
+def _of_run(run: RunNoise, own: FloatArray) -> _OfRun:
+    alone = run.alone()
+    white = alone.every(own / np.maximum(np.linalg.norm(own, axis=0), 1e-300))
     left, singular, _ = np.linalg.svd(white, full_matrices=False)
     basis = left[:, singular > RANK * singular.max(initial=0.0)]
-    chance = run.whitened(run.chance)
+    own_count = basis.shape[1]
+    chance = alone.every(run.chance)
     chance -= basis @ (basis.T @ chance)
     turned, deviation, _ = np.linalg.svd(chance, full_matrices=False)
     told = deviation > SLIGHT
-    return _Aside(basis, turned[:, told], 1.0 - 1.0 / np.hypot(1.0, deviation[told]))
+    share = np.concatenate([np.ones(own_count), 1.0 - 1.0 / np.hypot(1.0, deviation[told])])
+    return _OfRun(alone, own_count, np.hstack([basis, turned[:, told]]), share, run.sigma)
 
 
 def settling(passed: FloatArray) -> FloatArray:

@@ -77,7 +77,7 @@ def derivatives(layout: Layout, rows: RunRows) -> Iterator[Derivative]:
         own = own_columns(layout.model, rows.run, straight, positions, rows.passed[part])
         own[:, list(layout.silent.get(rows.index, ()))] = 0.0
         # effects depend on more than on where the axes are
-        place = np.arange(positions.shape[1]) if layout.effects.count else _places(positions)
+        place = np.arange(positions.shape[1]) if layout.effects.count else places_of(positions)
         first = np.zeros(int(place.max()) + 1, dtype=np.int64)
         first[place[::-1]] = np.arange(place.size)[::-1]
         positions = np.ascontiguousarray(positions[:, first])
@@ -103,7 +103,7 @@ def pieces(layout: Layout, rows: RunRows) -> Iterator[tuple[slice, FloatArray, F
         start = part.stop
 
 
-def _places(positions: FloatArray) -> IntArray:
+def places_of(positions: FloatArray) -> IntArray:
     """(m,): the same number for the same positions (n_axes, m); in the order of the positions."""
     order = np.lexsort(positions)
     new = (np.diff(positions[:, order]) != 0.0).any(axis=0)

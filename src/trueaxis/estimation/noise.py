@@ -68,6 +68,14 @@ class Whitening:
         self._solved = solved[-1].copy()
         return solved
 
+    def every(self, columns: FloatArray) -> FloatArray:
+        """All rows (n, k), whitened, column by column in memory; may be asked again."""
+        if columns.size == 0 or not self._kept.any():
+            return np.asarray(columns / self._factor[0, :, np.newaxis], order="F")
+        found = np.array(columns, order="F")
+        found[1:] -= self._kept[1:, np.newaxis] * columns[:-1]
+        return np.asarray(dtbtrs(self._factor, found, uplo="L", trans="N", overwrite_b=1)[0])
+
     def weighed(self, column: FloatArray) -> FloatArray:
         """(n,): the inverse of the covariance times a column of all rows."""
         return self.transposed(self(column[:, np.newaxis]))[:, 0]

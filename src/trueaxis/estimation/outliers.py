@@ -1,7 +1,7 @@
 """Readings that no noise explains: single ones, or two neighbours, that their repeats do not share."""
 
 import numpy as np
-from scipy.stats import norm
+from scipy.special import ndtri
 
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise import Noise, Whitening
@@ -28,7 +28,7 @@ def spoilt(
     """(n,): outliers of one run. residual: (n,), mm; repeats: (n,), the same number where the same place was read;
     readings: of the whole data set; rounds: after which the search ends, else when nothing is left.
     """
-    limit = float(norm.isf(0.5 * EXPECTED / max(readings, 1)))
+    limit = float(-ndtri(0.5 * EXPECTED / max(readings, 1)))
     found = np.zeros(residual.size, dtype=bool)
     most = max(MOST * residual.size, NEIGHBOURS)
     for _ in range(rounds or int(most) + 1):

@@ -1,6 +1,5 @@
 """Terms of effects and their derivatives by the effects' parameters, from the generated kernels."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -30,6 +29,14 @@ def component_term(
     parameters: (m,), in the order of the kind; positions: (n_axes, n), mm or deg. Terms are in mm or rad, NaN where the
     context lacks what the effect depends on.
     """
+    given = component_variables(kernels, machine, effect, positions, context)
+    return term_of(kernels, machine.kinds[effect.kind], parameters, given)
+
+
+def component_variables(
+    kernels: Kernels, machine: Machine, effect: Effect, positions: FloatArray, context: Context
+) -> FloatArray:
+    """(v, n): all that the term of an effect on a component error depends on, besides its parameters."""
     _check_place(machine, effect, "component")
     own = effect.own_axis
 
@@ -43,7 +50,7 @@ def component_term(
             raise ValueError(f"{effect.label} has no other axis")
         return _of_axis(name.removesuffix("_b"), machine, axis, positions, context)
 
-    return _term(kernels, machine.kinds[effect.kind], parameters, row)
+    return np.array([row(name) for name in context_variables(kernels, effect.kind)])
 
 
 def reading_term(
@@ -53,6 +60,12 @@ def reading_term(
 
     parameters: (m,), in the order of the kind. NaN where the context lacks what the effect depends on.
     """
+    given = reading_variables(kernels, machine, effect, context)
+    return term_of(kernels, machine.kinds[effect.kind], parameters, given)
+
+
+def reading_variables(kernels: Kernels, machine: Machine, effect: Effect, context: ReadingContext) -> FloatArray:
+    """(v, n): all that the term of an effect on readings depends on, besides its parameters."""
     _check_place(machine, effect, "reading")
     rows = {
         "along": context.along,
@@ -61,7 +74,7 @@ def reading_term(
         "t": context.time,
         "T": context.temperature - REFERENCE_TEMPERATURE,
     }
-    return _term(kernels, machine.kinds[effect.kind], parameters, rows.__getitem__)
+    return np.array([rows[name] for name in context_variables(kernels, effect.kind)])
 
 
 def _check_place(machine: Machine, effect: Effect, place: Place) -> None:
@@ -80,9 +93,9 @@ def _of_axis(name: str, machine: Machine, axis: str, positions: FloatArray, cont
     return np.asarray({"q": positions, "direction": context.directions, "v": context.velocity}[name][row])
 
 
-def _term(kernels: Kernels, kind: Kind, parameters: FloatArray, row: Callable[[str], FloatArray]) -> FloatArray:
+def term_of(kernels: Kernels, kind: Kind, parameters: FloatArray, given: FloatArray) -> FloatArray:
+    """(1 + m, n): the term and its derivatives. given: (v, n), the variables of the kind at n readings."""
     taken, used = context_variables(kernels, kind.name), used_variables(kind)
-    given = np.array([row(name) for name in taken])
     name = f"effect_{kind.name}"
     # The machine's kernels have the effects of its spec; a search tries those of the whole library.
     kernel = kernels[name] if name in kernels else getattr(_LIBRARY, name)

@@ -20,7 +20,7 @@ from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.null import null_of
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.projection import Projection, spanned
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.search import MOST_CAUSES, Ground, scan_all, whitened_columns, zoomed
 from trueaxis.diagnose.signatures import readings_of
@@ -75,7 +75,7 @@ def _ground(case: Case) -> Ground:
     values = rows.reading - expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
     null = null_of(model, rows, values, None)
     white = null.whitening
-    plain = Projection(orthonormal(white(null.base.columns)))
+    plain = Projection(spanned(null.base.columns.whitened(white)))
     base = plain.softened(white(null.base.by_chance))
     return Ground(
         readings=readings_of(model, null.rows),

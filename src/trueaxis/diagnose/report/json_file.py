@@ -28,6 +28,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "verdict": diagnosis.verdict,
         "report": dict(diagnosis.report),
         "measured": [asdict(one) for one in diagnosis.measured],
+        "errors": [asdict(one) for one in diagnosis.errors],
         "noise_um": _um(noise(diagnosis)),
         "causes": [_cause(one) for one in diagnosis.causes],
         "gain": {
@@ -111,6 +112,8 @@ def _stale(one: Stale) -> dict[str, Any]:
         "u": one.u,
         "unit": one.unit,
         "p_value": one.p_value,
+        "from_straight_line": one.bent,
+        "cannot_be_told_from": [*({"component": other} for other in one.alike), *map(_effect, one.effects)],
     }
 
 
