@@ -25,9 +25,9 @@ FloatArray = npt.NDArray[np.float64]
 WIDTH, SIGMA = 0.006, 0.0003
 
 
-def diagnose(out: Path, data: Path, *options: str, machine: Path = DMU60P, errors: Path = ERRORS) -> int:
-    words = ["diagnose", str(machine), "--errors", str(errors), "--data", str(data), "--out", str(out)]
-    return main([*words, "--kernels", str(KERNELS), *options])
+def diagnose(out: Path, data: Path, *options: str, machine: Path = DMU60P, errors: Path | None = ERRORS) -> int:
+    words = ["diagnose", str(machine), "--data", str(data), "--out", str(out), "--kernels", str(KERNELS), *options]
+    return main(words if errors is None else [*words, "--errors", str(errors)])
 
 
 def no_effect(run: Run, positions: FloatArray, directions: FloatArray) -> FloatArray:
@@ -243,6 +243,14 @@ class TestRun:
         assert text[:added] == given.replace('"dmu60p_runs"', f'"{runs}"')
         assert (out / runs).resolve() == ROOT / "machines" / "dmu60p_runs"
         assert tomllib.loads(text)["effect"] == [{"kind": "backlash", "component": "EXX"}]
+
+    def test_without_error_values_all_are_zero(self, out: Path, tmp_path: Path) -> None:
+        (tmp_path / "zero.json").write_text('{"schema": 1, "machine": "dmu60p"}')
+        given = [("none", None), ("zero", tmp_path / "zero.json")]
+        codes = {diagnose(tmp_path / name, out.parent / "data", errors=errors) for name, errors in given}
+        assert codes == {0}
+        none, zero = ((tmp_path / name / "diagnosis.json").read_bytes() for name, _ in given)
+        assert none == zero
 
     def test_its_kernels_are_what_it_derives_to(self, out: Path) -> None:
         words = ["derive", str(out / "dmu60p.toml"), "--out", str(out / "generated"), "--check"]

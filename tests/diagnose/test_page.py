@@ -5,15 +5,15 @@ import io
 import json
 import math
 import re
+import shutil
 from pathlib import Path
 
 import pytest
-from scipy.stats import chi2
 
 from tests.hidden_effects import write_case
 from tests.machines import ROOT
 from trueaxis.cli import main
-from trueaxis.diagnose import checks_of_runs, gain, imperfection, noise_fit, search, stale, verdict
+from trueaxis.diagnose import checks_of_runs, gain, imperfection, search, stale, verdict
 from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnose.base import DEGREE
 from trueaxis.diagnose.report.structures import check_name
@@ -84,13 +84,16 @@ def test_the_example_prints_what_the_page_says(example: tuple[Path, list[str]]) 
 
 
 @pytest.mark.slow
-def test_the_readme_shows_the_same_run(example: tuple[Path, list[str]]) -> None:
+def test_the_readme_shows_what_its_commands_print(tmp_path: Path) -> None:
     place = next(k for k, lines in enumerate(blocks(README)) if lines[-1].startswith("trueaxis diagnose"))
     commands, result = blocks(README)[place : place + 2]
-    assert commands == blocks(PAGE)[0]
+    for folder in ("machines", "examples", "generated"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    with contextlib.chdir(tmp_path):
+        printed = [run(line) for line in commands][-1].splitlines()
     assert len(result) > 3
     for told in result:
-        assert any(alike(told, line) for line in example[1]), told
+        assert any(alike(told, line) for line in printed), told
 
 
 @pytest.mark.slow
@@ -168,7 +171,6 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
         f"({1e6 * CLASSES['laser cosine'].size:g} um/m)",
         f"in one of {1 / stale.FALSE_ALARMS:.0f} data sets".replace("100000", "100 000"),
         "the change exceeds twice its standard uncertainty" if stale.CHANGED == 2.0 else "?",
-        f"within {100 * chi2.cdf(2.0 * noise_fit.ALLOWED, 1):.0f} % confidence",
         f"polynomial of degree {DEGREE},",
         f"sqrt({DETECTION:g} / lambda)",
         f"sqrt({ISOLATION:g} / (lambda (1 - R^2)))",

@@ -5,12 +5,15 @@ import pytest
 
 from tests.diagnose.prepared import SIGMA, SMALL, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.null import null_of
 from trueaxis.diagnose.result import Stale
 from trueaxis.diagnose.signatures import parameter_signature, readings_of
 from trueaxis.diagnose.stale import clearest, stale_values
 from trueaxis.effects.kind import Effect
+
+STRAIGHT = Design(lines=1, repeats=2, targets=21, straightness=True, ball_bar=False)
 
 
 def given() -> Prepared:
@@ -30,7 +33,8 @@ def curve(component: str, change: FloatArray) -> FloatArray:
 def found(values: FloatArray, causes: tuple[FloatArray, ...] = ()) -> tuple[tuple[Stale, ...], float]:
     null = null_of(given().model, given().rows, values, 1e3 * SIGMA)
     assert null.rows.size == given().rows.size
-    return stale_values(null, causes, (), freedom_of(null.rows, null.whitening.sigma, null.noise))
+    changes = stale_values(null, causes, (), freedom_of(null.rows, null.whitening.sigma, null.noise))
+    return changes.stale, changes.p_value
 
 
 def bump(middle: float, half: float) -> FloatArray:
@@ -90,3 +94,25 @@ def test_where_no_place_is_certain_it_is_the_one_known_best() -> None:
     """The test of the whole curve may be sure where no single place is."""
     assert clearest(np.array([8.0, 0.3, 0.0]), np.array([21.0, 0.2, 0.1])) == 1
     assert clearest(np.zeros(2), np.zeros(2)) == 0
+
+
+def test_one_component_that_changed_is_one_entry() -> None:
+    """A bend across its axis can be had from many components together: the likeliest alone is told."""
+    stale, _ = found(noise(4) + curve("EXY", 8e-3 * bump(420.0, 300.0)))
+    assert [one.component for one in stale] == ["EXY"]
+    assert abs(stale[0].value) > 2.0 * stale[0].u
+
+
+def test_a_change_whose_slope_is_not_told_is_that_from_a_straight_line() -> None:
+    """Straightness lines have slopes of their own: their curve tells of its bend alone."""
+    case = prepared(Case(seed=2, design=STRAIGHT, noise="none", given="exact"))
+    readings = readings_of(case.model, case.rows)
+    at = case.rows.positions[1]
+    wave = 1.5e-3 * np.cos(2.0 * np.pi * at / np.ptp(at)) + 0.03 * at / np.ptp(at)
+    values = readings.sensitivity[readings.model.components.index("EXY")] * wave
+    values = values + SIGMA * np.random.default_rng(6).standard_normal(case.rows.size)
+    null = null_of(case.model, case.rows, values, 1e3 * SIGMA)
+    freedom = freedom_of(null.rows, null.whitening.sigma, null.noise)
+    (one,) = stale_values(null, (), (), freedom).stale
+    assert (one.component, one.bent) == ("EXY", True)
+    assert abs(one.value) > 2.0 * one.u

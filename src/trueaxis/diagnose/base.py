@@ -17,7 +17,7 @@ from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
-from trueaxis.estimation.instruments import own_kinds
+from trueaxis.estimation.instruments import SharedUnknown, own_kinds
 from trueaxis.estimation.jacobian import Derivative, derivatives
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
@@ -38,7 +38,8 @@ class Base:
     runs share; of_machine: how many are the machine's; components: the component error or location error of each of
     these; units: `mm` or `rad` of each component and location error; expected: (p,), standard deviation of each before
     anything is measured; sizes: (p,), mm or rad, the units; bases: of the curves; by_chance: (n, k), one standard
-    deviation each; own: (n_r, k) of every run with readings; own_kinds: the class of each of these; runs: these runs.
+    deviation each; shared: the unknowns of the columns of set-ups, then of these; own: (n_r, k) of every run with
+    readings; own_kinds: the class of each of these; runs: these runs.
     """
 
     columns: ByRun
@@ -49,6 +50,7 @@ class Base:
     sizes: FloatArray
     bases: Mapping[str, LegendreBasis]
     by_chance: FloatArray
+    shared: tuple[SharedUnknown, ...]
     own: tuple[FloatArray, ...]
     own_kinds: tuple[tuple[str, ...], ...]
     runs: tuple[MeasuredRun, ...]
@@ -121,6 +123,7 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
         sizes=layout.sizes[~chance],
         bases=dict(zip(layout.components, layout.bases, strict=True)),
         by_chance=everything.take(chance).dense(),
+        shared=tuple(layout.shared[k] for k in np.argsort(chance[layout.of_machine :], kind="stable")),
         own=tuple(np.vstack([each.own for each in one]) for one in parts),
         own_kinds=tuple(own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs),
         runs=tuple(runs),

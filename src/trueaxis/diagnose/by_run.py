@@ -56,6 +56,16 @@ class ByRun:
         """(n, p), all numbers."""
         return self @ np.eye(self.weights.shape[1])
 
+    def at(self, rows: IntArray) -> FloatArray:
+        """(n_rows, p): of some rows, in any order."""
+        found = np.empty((rows.size, self.weights.shape[1]))
+        run = np.searchsorted(self.starts, rows, side="right") - 1
+        for place, (few, weights) in enumerate(self.parts()):
+            mine = run == place
+            if mine.any():
+                found[mine] = few[rows[mine] - self.starts[place]] @ weights
+        return found
+
     def take(self, columns: IntArray | BoolArray | slice) -> "ByRun":
         """Some of the columns."""
         return replace(self, weights=self.weights[:, columns])

@@ -1,28 +1,38 @@
 """The diagnosis from readings to verdict: null model, audit, search, refit, checks, stale values, gain."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.diagnose.amplitudes import amplitudes_of
 from trueaxis.diagnose.audit import audit
-from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
+from trueaxis.diagnose.contest import contest
 from trueaxis.diagnose.freedom import freedom_of
-from trueaxis.diagnose.gain import fit, gain_of, held_out, of_instruments, predicted
+from trueaxis.diagnose.gain import fit, gain_of, held_out, predicted
 from trueaxis.diagnose.imperfection import imperfection, imperfections
-from trueaxis.diagnose.instruments import instruments_off
+from trueaxis.diagnose.instruments import Off, instruments_off
 from trueaxis.diagnose.null import Null, again, null_of
 from trueaxis.diagnose.projection import Projection, spanned
 from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted, refit
 from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
-from trueaxis.diagnose.search import Each, Found, Ground, Search, likeliest, search, with_rivals, without
+from trueaxis.diagnose.search import (
+    Each,
+    Found,
+    Ground,
+    Search,
+    likeliest,
+    search,
+    whitened_columns,
+    with_rivals,
+    without,
+)
 from trueaxis.diagnose.signatures import Readings, readings_of
-from trueaxis.diagnose.stale import stale_values
+from trueaxis.diagnose.stale import Changes, stale_values
 from trueaxis.diagnose.standing import refitted_columns, standing_effects
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.diagnose.verdict import HOMOGENEOUS, explained_share, names_stand, verdict_of
@@ -65,28 +75,11 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     # neither looks at the readings: where there are threads they are worked out beside what follows
     audits, prospects = options.each(audit, [ground]), options.each(prospect_of, [ground])
     options.progress("checks")
-    groups = _amplitudes(ground, causes)
-    while len(causes) > 1 and min(p for _, p in groups) < HOMOGENEOUS:
-        # a further cause that is not one everywhere is none, and says nothing against the others
-        found = without(ground, found, max(k for k, (_, p) in enumerate(groups) if p < HOMOGENEOUS))
-        causes = refit(ground, found.causes)
-        groups = _amplitudes(ground, causes)
-    checks = _checks(ground, found.projection, found.residual)
-    hard = _plain(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
-    homogeneous_p = [p for _, p in groups]
-    share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
-    stand = names_stand(share, (*standing, *causes), checks, homogeneous_p)
-    if stand:
-        options.progress("rivals")
-        found = with_rivals(ground, found)
-    elif causes:
-        causes, groups = (), ()
-        checks = _checks(ground, ground.base, ground.base.rest(ground.values))
+    judged = _judged(ground, null, found, causes, standing)
+    options.progress("values given")
+    judged, changes, off = _values_judged(ground, null, judged, standing)
+    causes = judged.causes
     options.progress("gain")
-    signals = [one.signal for one in (*standing, *causes)]
-    besides = [column for one in (*standing, *causes) for column in imperfections(readings, one)]
-    stale, stale_p = stale_values(null, signals, besides, ground.freedom)
-    off = instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
     held, split = held_out(null.rows)
     every = np.ones_like(held)
     of_all = predicted(fit(null.base, null.whitening, values, causes, every), null.whitening, values, every)
@@ -97,25 +90,80 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
         Outcome(
             ground=ground,
             null=null,
-            search=found,
+            search=judged.search,
             causes=causes,
-            groups=groups,
-            verdict=verdict_of(found, stand, checks, stale, off),
+            groups=judged.groups,
+            verdict=verdict_of(judged.search, judged.stand, judged.checks, changes.stale, off),
             off=off,
             audit=audited,
             prospect=prospect,
-            checks=checks,
+            checks=judged.checks,
             held=held,
             left=of_all.left,
             gain=gain,
-            # the base as fine as the curves of the extended machine
-            of_instruments=of_instruments(
-                base_of(model, null.rows, model.machine.curve_degree), null.whitening, values, causes
-            ),
-            stale=stale,
-            stale_p=stale_p,
+            stale=changes.stale,
+            stale_p=changes.p_value,
+            report=data.setup.report,
         )
     )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Judged:
+    """search: with the rivals of causes that are named; causes, groups: those, with their amplitudes; stand: whether
+    what was found may be named.
+    """
+
+    search: Search
+    causes: tuple[Fitted, ...]
+    groups: tuple[tuple[tuple[AmplitudeOf, ...], float], ...]
+    checks: tuple[Check, ...]
+    stand: bool
+
+
+def _judged(
+    ground: Ground, null: Null, found: Search, causes: tuple[Fitted, ...], standing: Sequence[Fitted]
+) -> _Judged:
+    """Whether causes found may be named, by what all of them together leave."""
+    groups = _amplitudes(ground, causes)
+    while len(causes) > 1 and min(p for _, p in groups) < HOMOGENEOUS:
+        # a further cause that is not one everywhere is none, and says nothing against the others
+        found = without(ground, found, max(k for k, (_, p) in enumerate(groups) if p < HOMOGENEOUS))
+        causes = refit(ground, found.causes)
+        groups = _amplitudes(ground, causes)
+    checks = _checks(ground, found.projection, found.residual)
+    hard = _plain(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
+    homogeneous_p = [p for _, p in groups]
+    share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
+    if names_stand(share, (*standing, *causes), checks, homogeneous_p):
+        return _Judged(with_rivals(ground, found), causes, groups, checks, stand=True)
+    if causes:
+        checks = _checks(ground, ground.base, ground.base.rest(ground.values))
+    return _Judged(found, (), (), checks, stand=False)
+
+
+def _values_judged(
+    ground: Ground, null: Null, judged: _Judged, standing: Sequence[Fitted]
+) -> tuple[_Judged, Changes, tuple[Off, ...]]:
+    """Instruments that are off, and values given that are stale: or the effect that takes their place."""
+    known = (*standing, *judged.causes)
+    signals = [one.signal for one in known]
+    besides = [column for one in known for column in imperfections(ground.readings, one)]
+    off = instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
+    signals += [one.signal for one in off]
+    changes = stale_values(null, signals, besides, ground.freedom)
+    if not changes.stale or judged.search.causes or any(one.fired for one in judged.checks):
+        return judged, changes, off
+    named, left = contest(ground, null, changes, signals)
+    if named is None:
+        return judged, left, off
+    projection = ground.base.extended(whitened_columns(ground, named.found.signature))
+    residual = projection.rest(ground.values)
+    checks = _checks(ground, projection, residual)
+    if any(one.fired for one in checks):
+        return judged, changes, off
+    search = replace(judged.search, causes=(named.found,), projection=projection, residual=residual)
+    return _Judged(search, (named.cause,), (((), 1.0),), checks, stand=True), left, off
 
 
 def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tuple[Check, ...]:
@@ -190,5 +238,9 @@ def _plain(null: Null, free: FloatArray) -> Projection:
 
 def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf]) -> bool:
     pairs = [(one.sigma, other.sigma) for one, other in zip(before, after, strict=True)]
-    pairs += [(one.sigma + one.settles, other.sigma + other.settles) for one, other in zip(before, after, strict=True)]
+    pairs += [(_whole(one), _whole(other)) for one, other in zip(before, after, strict=True)]
     return any(abs(one - other) > AGAIN * max(one, other) for one, other in pairs)
+
+
+def _whole(one: NoiseOf) -> float:
+    return one.sigma + one.settles + one.wanders

@@ -108,7 +108,7 @@ def search(ground: Ground, start: Sequence[Found] = ()) -> Search:
         taken = {one.scan.effect for one in causes}
         scans = scan_all(ground, residual, [one for one in ground.effects if one not in taken])
         first = first or scans
-        best = _best(ground, residual, scans)
+        best = best_of(ground, residual, scans)
         if best is None or best.scan.evidence < ground.threshold + FURTHER * bool(causes):
             break
         causes = _settled(ground, [*causes, best])
@@ -205,7 +205,8 @@ def whitened_columns(ground: Ground, signature: Signature) -> FloatArray:
     return ground.whitening(signature.over_all())
 
 
-def _best(ground: Ground, residual: Residual, scans: Sequence[Scanned]) -> Found | None:
+def best_of(ground: Ground, residual: Residual, scans: Sequence[Scanned]) -> Found | None:
+    """The candidate that explains most, closely looked at; None where none explains anything."""
     most = max((one.preference for one in scans), default=0.0)
     if most <= 0.0:
         return None

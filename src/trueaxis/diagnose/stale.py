@@ -1,10 +1,12 @@
 """Which of the values given are no longer true: where the readings ask for others, beside all causes.
 
-Errors of the machine are taken one component after another, the one that explains most first, until none explains more
-than noise may.
+Errors of the machine are taken one component after another, the likeliest first: by the marginal likelihood of its
+change, of which less than [prior] expects is expected. A component is stale where the readings ask for its change
+beside those of all others that are, by the F test: no name leans on what is expected.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,7 +14,7 @@ from trueaxis.diagnose.base import Base
 from trueaxis.diagnose.by_run import of_basis
 from trueaxis.diagnose.freedom import Freedom
 from trueaxis.diagnose.null import Null
-from trueaxis.diagnose.projection import Projection, orthonormal
+from trueaxis.diagnose.projection import Projection, orthonormal, spanned
 from trueaxis.diagnose.result import FloatArray, IntArray, Stale
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.tails import log_f_tail
@@ -20,24 +22,81 @@ from trueaxis.diagnose.whiten import RANK
 
 FALSE_ALARMS = 1e-5  # share of data with true values in which one component or other is taken for stale
 CHANGED = 2.0  # standard uncertainties: from where to where a curve has changed
+SIZES = (1 / 16, 1 / 4, 1.0, 4.0)  # of a change, in what [prior] expects of the values themselves
+ALIKE = 2.0  # decades of likelihood within which another component may be the one that changed
+MOST_ALIKE = 4  # of these that are told
 
 
-def stale_values(
-    null: Null, causes: Sequence[FloatArray], besides: Sequence[FloatArray], freedom: Freedom
-) -> tuple[tuple[Stale, ...], float]:
-    """What is stale, most evident first, and the p value of all values given being true.
+@dataclass(frozen=True, slots=True)
+class Changes:
+    """stale: most evident first; p_value: of all values given being right; evidence: decades by which the changes are
+    likelier than none, the number of components that were tried taken off.
+    """
+
+    stale: tuple[Stale, ...]
+    p_value: float
+    evidence: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Asked:
+    """What readings ask for. r: (m, p + 1), triangular factor of the machine's columns, in units of what is expected,
+    and of the readings; at: which columns are those of each component; freedom: of the noise for each.
+    """
+
+    r: FloatArray
+    at: Mapping[str, IntArray]
+    freedom: Mapping[str, float]
+
+    def gram(self, sizes: Mapping[str, float]) -> FloatArray:
+        """(p + 1, p + 1): products of columns and readings, with changes of these sizes part of the noise."""
+        found = self.r.T @ self.r
+        for name, size in sizes.items():
+            at = self.at[name]
+            inner = found[np.ix_(at, at)] + np.eye(at.size) / size**2
+            found = found - found[:, at] @ np.linalg.solve(inner, found[at])
+        return np.asarray(found)
+
+    def log_p(self, name: str, others: Sequence[str]) -> float:
+        """Logarithm of the p value of its values being right, beside any change of the others."""
+        held = orthonormal(self.r[:, np.concatenate([np.zeros(0, np.int64), *(self.at[one] for one in others)])])
+        columns = self.r[:, self.at[name]]
+        rest = columns - held @ (held.T @ columns)
+        kept = np.linalg.norm(rest, axis=0) > RANK * np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+        basis = orthonormal(rest[:, kept])
+        k, inside = basis.shape[1], basis.T @ self.r[:, -1]
+        return log_f_tail(float(inside @ inside) / k, k, self.freedom[name]) if k else 0.0
+
+
+def free_besides(null: Null, causes: Sequence[FloatArray], besides: Sequence[FloatArray]) -> Projection:
+    """All that is no news but for the values given: unknowns of instruments, and causes.
 
     causes: (n,) each, mm, signals of causes, free in size; besides: (n,) each, mm, what they may do besides, one
     standard deviation.
     """
-    rows, base, whitening = null.rows, null.base, null.whitening
+    base, white = null.base, null.whitening
+    columns = base.columns.take(slice(base.of_machine, None))
+    columns = columns.beside(np.column_stack(causes)) if causes else columns
+    return Projection(spanned(columns.whitened(white))).softened(white(np.column_stack([base.by_chance, *besides])))
+
+
+def stale_values(null: Null, causes: Sequence[FloatArray], besides: Sequence[FloatArray], freedom: Freedom) -> Changes:
+    """What is stale. causes, besides: see `free_besides`."""
+    rows, base = null.rows, null.base
     further = np.column_stack([*causes, base.by_chance, *besides, null.values])
-    white = base.columns.times(np.diag(base.expected)).beside(further).whitened(whitening).weights
+    white = base.columns.times(np.diag(base.expected)).beside(further).whitened(null.whitening).weights
     free = base.expected.size + len(causes)
     aside, chance = white[:, base.of_machine : free], white[:, free:-1]
     nuisance = Projection(of_basis(orthonormal(aside))).softened(chance)
     r = np.asarray(np.linalg.qr(nuisance.rest(white[:, [*range(base.of_machine), -1]]), mode="r"))
-    return _chosen(rows, base, r, freedom), _all_p(r, freedom)
+    names, every = np.array(base.components), tuple(dict.fromkeys(base.components))
+    at = {name: np.flatnonzero(names == name) for name in every}
+    of_noise = {name: freedom.of(np.arange(rows.size), base.machine.take(at[name]).dense()) for name in every}
+    asked = _Asked(r, at, of_noise)
+    sizes, evidence = _chosen(asked)
+    found = [_change(rows, base, asked, sizes, name) for name in sizes]
+    found.sort(key=lambda one: one.p_value)
+    return Changes(tuple(found), _all_p(r, freedom), evidence)
 
 
 def _all_p(r: FloatArray, freedom: Freedom) -> float:
@@ -49,57 +108,65 @@ def _all_p(r: FloatArray, freedom: Freedom) -> float:
     return float(np.exp(log_f_tail(float(inside @ inside) / basis.shape[1], basis.shape[1], least)))
 
 
-def _chosen(rows: Rows, base: Base, r: FloatArray, freedom: Freedom) -> tuple[Stale, ...]:
-    names = np.array(base.components)
-    every = list(dict.fromkeys(base.components))
-    limit = float(np.log(FALSE_ALARMS / max(len(every), 1)))
-    of_noise = {name: _freedom(rows, base, name, freedom) for name in every}
-    taken: list[str] = []
-    found: list[tuple[str, float]] = []
-    left = r[:, -1]
-    while len(taken) < len(every):
-        held = orthonormal(r[:, :-1][:, np.isin(names, taken)])
-        tried = []
-        for name in every:
-            if name in taken:
-                continue
-            columns = r[:, :-1][:, names == name]
-            rest = columns - held @ (held.T @ columns)
-            kept = np.linalg.norm(rest, axis=0) > RANK * np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
-            basis = orthonormal(rest[:, kept])
-            k = basis.shape[1]
-            inside = basis.T @ left
-            tried.append((log_f_tail(float(inside @ inside) / k, k, of_noise[name]) if k else 0.0, name))
-        log_p, best = min(tried)
-        if log_p > limit:
+def _chosen(asked: _Asked) -> tuple[dict[str, float], float]:
+    """Components that have changed with the sizes of their changes, and the evidence for all of them."""
+    limit = float(np.log(FALSE_ALARMS / max(len(asked.at), 1)))
+    tries = float(np.log10(max(len(asked.at), 1)))
+    sizes: dict[str, float] = {}
+    while len(sizes) < len(asked.at):
+        evident = _evident(asked, asked.gram(sizes), [name for name in asked.at if name not in sizes])
+        best = max(evident, key=lambda name: evident[name][0])
+        if asked.log_p(best, tuple(sizes)) > limit:
             break
-        taken.append(best)
-        found.append((best, log_p))
-    return tuple(_change(rows, base, r, names, taken, name, log_p) for name, log_p in found)
+        sizes[best] = evident[best][1]
+    while len(sizes) > 1:
+        log_p = {name: asked.log_p(name, [one for one in sizes if one != name]) for name in sizes}
+        least = max(log_p, key=lambda name: log_p[name])
+        if log_p[least] <= limit:
+            break
+        del sizes[least]
+    evidence, known = 0.0, dict[str, float]()
+    for name, size in sizes.items():
+        evidence += _evident(asked, asked.gram(known), [name])[name][0] - tries
+        known[name] = size
+    return sizes, evidence
 
 
-def _freedom(rows: Rows, base: Base, name: str, freedom: Freedom) -> float:
-    at: IntArray = np.arange(rows.size)
-    return freedom.of(at, base.machine.take(np.array(base.components) == name).dense())
+def _evident(asked: _Asked, gram: FloatArray, names: Sequence[str]) -> dict[str, tuple[float, float]]:
+    """Decades by which a change of each component is likelier than none, and its likeliest size."""
+    found = {}
+    for name in names:
+        at = asked.at[name]
+        strength, turned = np.linalg.eigh(gram[np.ix_(at, at)])
+        gain = np.square(SIZES)[:, np.newaxis] * np.maximum(strength, 0.0)
+        squares = np.square(SIZES)[:, np.newaxis] * (turned.T @ gram[at, -1]) ** 2
+        decades = 0.5 * np.sum(squares / (1.0 + gain) - np.log1p(gain), axis=1) / np.log(10.0)
+        best = int(np.argmax(decades))
+        found[name] = float(decades[best]), SIZES[best]
+    return found
 
 
-def _change(
-    rows: Rows, base: Base, r: FloatArray, names: FloatArray, taken: Sequence[str], name: str, log_p: float
-) -> Stale:
-    """By how much values have changed where it is clearest, and from where to where by more than they are uncertain."""
-    chosen = np.isin(names, taken)
-    columns = r[:, :-1][:, chosen]
-    triangle = np.vstack([columns, np.eye(columns.shape[1])])  # about what is expected
-    inverse = np.linalg.pinv(triangle)
-    coefficient = inverse[:, : r.shape[0]] @ r[:, -1]
-    root = inverse
-    mine = names[chosen] == name
+def _change(rows: Rows, base: Base, asked: _Asked, sizes: Mapping[str, float], name: str) -> Stale:
+    """By how much values have changed where it is clearest, and from where to where by more than they are uncertain.
+
+    Where no place is certain, by how much the curve has bent: its slope is then not told from those of other runs.
+    """
+    chosen = np.concatenate([asked.at[one] for one in sizes])
+    expected = np.concatenate([np.full(asked.at[one].size, size) for one, size in sizes.items()])
+    inverse = np.linalg.pinv(np.vstack([asked.r[:, chosen], np.diag(1.0 / expected)]))
+    coefficient = inverse[:, : asked.r.shape[0]] @ asked.r[:, -1]
+    mine = np.isin(chosen, asked.at[name])
     at, curve = base.curve(name, rows)
-    value = curve @ coefficient[mine]
-    u = np.linalg.norm(curve @ root[mine], axis=1)
+    value, u = curve @ coefficient[mine], np.linalg.norm(curve @ inverse[mine], axis=1)
+    bent = at.size > 2 and not (np.abs(value) > CHANGED * u).any()
+    if bent:
+        share = ((at - at[0]) / (at[-1] - at[0]))[:, np.newaxis]
+        curve = curve - (1.0 - share) * curve[0] - share * curve[-1]
+        value, u = curve @ coefficient[mine], np.linalg.norm(curve @ inverse[mine], axis=1)
     peak = clearest(value, u)
     far = np.flatnonzero(np.abs(value) > CHANGED * u)
     first, last = (far[0], far[-1]) if far.size else (peak, peak)
+    others = {one: size for one, size in sizes.items() if one != name}
     return Stale(
         component=name,
         first=float(at[first]) if at.size > 1 else None,
@@ -107,8 +174,18 @@ def _change(
         value=float(value[peak]),
         u=float(u[peak]),
         unit=base.units[name],
-        p_value=float(np.exp(max(log_p, -700.0))),
+        p_value=float(np.exp(max(asked.log_p(name, tuple(others)), -700.0))),
+        bent=bent,
+        alike=_alike(asked, others, name),
     )
+
+
+def _alike(asked: _Asked, others: Mapping[str, float], name: str) -> tuple[str, ...]:
+    """Components whose change explains the readings about as well, in place of this one."""
+    evident = _evident(asked, asked.gram(others), [one for one in asked.at if one not in others])
+    own = evident.pop(name)[0]
+    near = sorted((one for one in evident if evident[one][0] > own - ALIKE), key=lambda one: -evident[one][0])
+    return tuple(near[:MOST_ALIKE])
 
 
 def clearest(value: FloatArray, u: FloatArray) -> int:

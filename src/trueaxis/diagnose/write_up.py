@@ -1,6 +1,6 @@
 """From what was computed to the record that report and diagnosis.json are made of; the verdict is reached here."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,7 @@ from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fit, predicted
 from trueaxis.diagnose.instruments import Off
 from trueaxis.diagnose.linearisation import linearisation_note
+from trueaxis.diagnose.measured import measured_with
 from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
 from trueaxis.diagnose.noise import REPEATS, STATED
 from trueaxis.diagnose.null import Null
@@ -28,7 +29,6 @@ from trueaxis.diagnose.result import (
     Diagnosis,
     Estimate,
     Evidence,
-    FloatArray,
     Gain,
     Residuals,
     Stale,
@@ -42,8 +42,7 @@ from trueaxis.estimation.effects.unknowns import unit_in
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
     """All that the procedure has computed. causes, groups: those that
-    are named, with their amplitudes by group and the p value of their being one; held: (n,), rows held back;
-    of_instruments: (n,) mm, see Residuals.
+    are named, with their amplitudes by group and the p value of their being one; held: (n,), rows held back.
     """
 
     ground: Ground
@@ -59,9 +58,9 @@ class Outcome:
     held: BoolArray
     left: Left
     gain: Gain
-    of_instruments: FloatArray
     stale: tuple[Stale, ...]
     stale_p: float
+    report: Mapping[str, str]
 
 
 def diagnosis_of(outcome: Outcome) -> Diagnosis:
@@ -92,6 +91,8 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         absences=(*absences(ground.readings, outcome.audit, outcome.null.noise), linearisation_note(ground)),
         warnings=_warnings(outcome, causes),
         residuals=_residuals(outcome),
+        measured=measured_with(ground.readings.rows),
+        report=outcome.report,
     )
 
 
@@ -131,7 +132,10 @@ def _of_instrument(ground: Ground, off: Off) -> Cause:
     kind = machine.kinds[off.effect.kind]
     return Cause(
         effect=off.effect,
-        parameters=(Estimate(kind.parameters[0].name, off.value, off.u, unit_in(kind.parameters[0].unit, off.effect)),),
+        parameters=tuple(
+            Estimate(one.name, float(value), float(u), unit_in(one.unit, off.effect))
+            for one, value, u in zip(kind.parameters, off.values, off.u, strict=True)
+        ),
         sentence=kind.sentence,
         formula=formula_of(machine, off.effect),
         p_value=off.p_value,
@@ -202,5 +206,4 @@ def _residuals(outcome: Outcome) -> Residuals:
         refitted=left.refitted,
         extended=left.extended,
         whitened=ground_left,
-        of_instruments=outcome.of_instruments,
     )

@@ -37,7 +37,9 @@ from trueaxis.measure.setup import Run
 
 # By what the size of a class may be larger or smaller, one standard deviation. Set-ups differ by orders of magnitude,
 # and many runs tell; a laser is calibrated and aligned as its makers say, and one value tells nothing of a size; what a
-# device's table states is in no need of correction.
+# device's table states is in no need of correction. The length of a bar is one value, too: a size that was estimated
+# from it made the bar a standard of length, which the scale of the laser then had to follow (of ten worlds from 4001 on
+# one was 1.5 times as far off, and covered 78 % in place of 97 %; the others hardly changed).
 SET_UP_FACTOR, CALIBRATED_FACTOR, STATED_FACTOR = 10.0, 2.0, 1.1
 
 Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
@@ -73,7 +75,7 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="ballbar centre of a run", unit="mm", size=2e-3, of_point=True),
         # of several runs
         UnknownClass(name="ballbar centre", unit="mm", size=50e-3, of_point=True),
-        UnknownClass(name="ballbar length", unit="mm", size=20e-3),
+        UnknownClass(name="ballbar length", unit="mm", size=20e-3, factor=CALIBRATED_FACTOR),
         UnknownClass(name="laser scale", unit="1", size=1e-6, factor=CALIBRATED_FACTOR),
         UnknownClass(name="laser cosine", unit="1", size=0.5e-6, factor=CALIBRATED_FACTOR),
         UnknownClass(name="probe sphere", unit="mm", size=50e-3, of_point=True),

@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,9 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "schema": SCHEMA,
         "machine": diagnosis.machine,
         "verdict": diagnosis.verdict,
+        "report": dict(diagnosis.report),
+        "measured": [asdict(one) for one in diagnosis.measured],
+        "errors": [asdict(one) for one in diagnosis.errors],
         "noise_um": _um(noise(diagnosis)),
         "causes": [_cause(one) for one in diagnosis.causes],
         "gain": {
@@ -48,6 +52,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
                 "correlated_um": _um(one.correlated),
                 "correlation": one.correlation,
                 "settles_um": _um(one.settles),
+                "wanders_um": _um(one.wanders),
                 "freedom": one.freedom if one.origin in ESTIMATED else None,
                 "origin": one.origin,
             }
@@ -107,6 +112,8 @@ def _stale(one: Stale) -> dict[str, Any]:
         "u": one.u,
         "unit": one.unit,
         "p_value": one.p_value,
+        "from_straight_line": one.bent,
+        "cannot_be_told_from": [*({"component": other} for other in one.alike), *map(_effect, one.effects)],
     }
 
 

@@ -29,6 +29,48 @@ class Table:
         return len(self.rows) > MOST_IN_SIGHT
 
 
+def measured(diagnosis: Diagnosis) -> Table:
+    """With what, how much and when. Only columns in which something is known."""
+    head = ("with", "device", "sessions", "runs", "readings", "motions", "hours", "temperature, degC")
+    rows = [
+        (
+            one.instrument,
+            " ".join(filter(None, (one.device, one.serial))),
+            ", ".join(one.sessions),
+            str(one.runs),
+            str(one.readings),
+            ", ".join(one.motions),
+            "" if one.time_s is None else f"{(one.time_s[1] - one.time_s[0]) / 3600.0:.1f}",
+            "" if one.temperature_c is None else DASH.join(f"{end:.1f}" for end in dict.fromkeys(one.temperature_c)),
+        )
+        for one in diagnosis.measured
+    ]
+    kept = [place for place in range(len(head)) if any(row[place] for row in rows)]
+    numbers = frozenset(kept.index(place) for place in (3, 4, 6) if place in kept)
+    return Table(
+        "Instruments and readings that count",
+        tuple(head[place] for place in kept),
+        tuple(tuple(row[place] for place in kept) for row in rows),
+        numbers,
+    )
+
+
+def errors(diagnosis: Diagnosis) -> Table:
+    """All errors of the machine: as given, as these readings have them, and by what they have changed."""
+    said = {"data": "readings", "partly": "readings, partly", "prior": "nothing: as given"}
+    rows = tuple(
+        (
+            one.name,
+            *(quantity(value, one.unit) for value in (one.given, one.now, one.change)),
+            quantity(one.u, one.unit) if math.isfinite(one.u) else DASH,
+            said[one.determined],
+        )
+        for one in diagnosis.errors
+    )
+    head = ("error", "given", "now", "change", "u", "change told by")
+    return Table("Largest over the travel; u: standard uncertainty of the change", head, rows, frozenset(range(1, 5)))
+
+
 def rivals(cause: Cause) -> Table:
     """What explains the readings about as well as the cause."""
     rows = tuple(
@@ -132,13 +174,24 @@ def noise(diagnosis: Diagnosis) -> Table:
             micrometres(one.correlated),
             _short(one.correlation) if one.correlated else DASH,
             micrometres(one.settles),
+            micrometres(one.wanders),
             f"{one.freedom:.0f}" if one.origin in ESTIMATED else DASH,
             noise_origin(one.origin),
         )
         for one in diagnosis.noise
     )
-    head = ("instrument", "in all", "white", "slow", "correlation", "runs settle by", "d.o.f.", "known from")
-    return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 7)))
+    head = (
+        "instrument",
+        "in all",
+        "white",
+        "slow",
+        "correlation",
+        "runs settle by",
+        "runs wander by",
+        "d.o.f.",
+        "known from",
+    )
+    return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 8)))
 
 
 def scan(diagnosis: Diagnosis) -> Table:

@@ -137,10 +137,14 @@ def _detail(diagnosis: Diagnosis) -> str:
 
 
 def stale_change(one: Stale) -> str:
-    """`EYY from 300 to 400 mm by 0.7 um, u 0.1 um`; a location error has no range."""
+    """`EYY from 300 to 400 mm by 0.7 um, u 0.1 um (or EYZ instead)`; a location error has no range."""
     size = f"by{NBSP}{quantity(one.value, one.unit)}, u{NBSP}{quantity(one.u, one.unit, 2)}"
     start, end = stale_range(one)
-    return f"{one.component} from {start} to {end} {size}" if start else f"{one.component} {size}"
+    where = f"{one.component} from {start} to {end}" if start else one.component
+    form = " from the straight line between its ends" if one.bent else ""
+    others = [*one.alike, *(each.label for each in one.effects)]
+    instead = f" (or {enumerated(others, 'or')} instead)" if others else ""
+    return f"{where} {size}{form}{instead}"
 
 
 def stale_range(one: Stale) -> tuple[str, str]:
@@ -200,7 +204,7 @@ def noise_origin(origin: str) -> str:
     """Where the noise of an instrument comes from, in words."""
     return {
         "repeats": "repeats",
-        "courses": "nothing is repeated, from the course of each run",
+        "courses": "nothing is repeated, from what the null model leaves",
         "given": "given",
         "unknown": "unknown: too few readings",
     }[origin]
