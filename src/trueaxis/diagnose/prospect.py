@@ -48,13 +48,13 @@ class Placed:
 @dataclass(frozen=True, slots=True, eq=False)
 class Innovation:
     """One run of the menu. rows: its rows among all; known: (m, rank), C; own: what projects
-    the run's own unknowns out; roots: (m, m), inverse Cholesky factors of 1 + t C C', for each t of TIMES.
+    the run's own unknowns out; roots: inverse roots of 1 + t C C', for each t of TIMES.
     """
 
     rows: slice
     known: FloatArray
     own: Projection
-    roots: tuple[FloatArray, ...]
+    roots: "tuple[InverseRoot, ...]"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -130,7 +130,7 @@ def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outloo
     added = []
     for one in prospect.innovations:
         innovation = one.own.rest(white[one.rows]) - one.known @ inside
-        added.append([np.sqrt(times) * (root @ innovation) for times, root in zip(TIMES, one.roots, strict=True)])
+        added.append([np.sqrt(times) * root(innovation) for times, root in zip(TIMES, one.roots, strict=True)])
     ends = np.cumsum([0, *(one.shape[1] for one in each)])
     return [
         Outlook(
@@ -233,11 +233,22 @@ def _spanned(columns: FloatArray) -> FloatArray:
     return np.asarray(left[:, : np.count_nonzero(singular > RANK * max(float(singular.max(initial=0.0)), 1.0))])
 
 
-def inverse_roots(known: FloatArray) -> tuple[FloatArray, ...]:
-    """For each of TIMES a W with W' W = (I + times known known')^-1. known: (m, rank). The product itself is never
-    formed: where a run leads far from the readings at hand it is so large that rounding takes the I away.
+@dataclass(frozen=True, slots=True, eq=False)
+class InverseRoot:
+    """A W with W' W = (I + t C C')^-1. left: (m, r), orthonormal; least: (r,), what it leaves of each direction."""
+
+    left: FloatArray
+    least: FloatArray
+
+    def __call__(self, columns: FloatArray) -> FloatArray:
+        """(r + m, k): W times columns (m, k)."""
+        inside = self.left.T @ columns
+        return np.vstack([self.least[:, np.newaxis] * inside, columns - self.left @ inside])
+
+
+def inverse_roots(known: FloatArray) -> tuple[InverseRoot, ...]:
+    """For each of TIMES. known: C, (m, rank). Its product with itself is never formed: where a run leads far from the
+    readings at hand it is so large that rounding takes the I away.
     """
-    left, singular, _ = svd(known, full_matrices=True, check_finite=False)
-    size = np.zeros(len(left))
-    size[: len(singular)] = singular
-    return tuple(left.T / np.sqrt(1.0 + times * size**2)[:, None] for times in TIMES)
+    left, singular, _ = svd(known, full_matrices=False, check_finite=False)
+    return tuple(InverseRoot(left, 1.0 / np.sqrt(1.0 + times * singular**2)) for times in TIMES)
