@@ -21,7 +21,7 @@ from trueaxis.diagnose.result import NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Readings, readings_of
-from trueaxis.diagnose.whiten import SETTLED, RunNoise, Whitening, whitening
+from trueaxis.diagnose.whiten import MODES, SETTLED, RunNoise, Whitening, whitening
 from trueaxis.estimation.noise import Noise
 from trueaxis.measure.data import MeasuredData, read_data
 from trueaxis.runtime.errors import read_errors
@@ -128,18 +128,21 @@ def field_of(model: MachineModel, rows: Rows, noise: Noise = WHITE, settles: flo
 
 
 def run_noise(
-    noise: Noise, steps: FloatArray, passed: FloatArray, settles: float = 0.0, scale: float = 1.0
+    noise: Noise, steps: FloatArray, passed: FloatArray, settles: float = 0.0, wanders: float = 0.0
 ) -> RunNoise:
-    return RunNoise(noise=noise, scale=scale, steps=steps, settles=settles, settling=np.exp(-passed / SETTLED))
+    return RunNoise(noise=noise, steps=steps, passed=passed, wanders=wanders, settles=settles)
 
 
 def dense_covariance(run: RunNoise) -> FloatArray:
-    """(n, n), mm^2: white, slow and settling noise of a run, written out entry by entry."""
+    """(n, n), mm^2: white, slow, wandering and settling noise of a run, written out entry by entry."""
     at = np.cumsum(np.concatenate([[0.0], run.steps[1:]]))
     lag = np.abs(np.subtract.outer(at, at))
     noise = run.noise
     stationary = noise.white**2 * np.eye(at.size) + noise.slow**2 * np.exp(-lag / noise.lasts)
-    return np.asarray(run.scale**2 * stationary + run.settles**2 * np.outer(run.settling, run.settling))
+    course = np.exp(-run.passed / SETTLED)
+    modes = np.pi * np.arange(1, MODES + 1)
+    walk = np.sqrt(2.0) * np.sin(np.outer(run.passed, modes)) / modes
+    return np.asarray(stationary + run.wanders**2 * walk @ walk.T + run.settles**2 * np.outer(course, course))
 
 
 def drawn_noise(source: np.random.Generator, run: RunNoise, count: int = 1) -> FloatArray:

@@ -51,4 +51,4 @@ def test_one_direction_one_feed_and_no_repeats() -> None:
     assert sum("at one feed only" in text for text in said(replace(SMALL, feeds=(1000.0,)))) == 3
     unsure = replace(NOISE, origin="courses")
     (repeats,) = [text for text in said(SMALL, noise=unsure) if text.startswith("no repeats by the laser")]
-    assert repeats.endswith("(nothing is repeated, from the course of each run)")
+    assert repeats.endswith("(nothing is repeated, from what the null model leaves)")

@@ -63,5 +63,8 @@ def test_further_columns_some_rows_and_the_first_runs() -> None:
     both = np.hstack([everything, more])
     assert columns().beside(more).dense() == pytest.approx(both, abs=1e-12)
     assert columns().beside(more).only(keep).dense() == pytest.approx(both[keep], abs=1e-12)
+    nothing = columns().only(np.zeros(keep.size, dtype=bool))
+    assert nothing.dense().shape == nothing.whitened(where().whitening).dense().shape == (0, everything.shape[1])
+    assert not columns().transposed(more[:0], np.zeros(0, dtype=np.int64)).any()
     assert columns().first(3).dense() == pytest.approx(everything[: columns().starts[3]], abs=1e-12)
     assert columns().take(slice(5)).times(np.eye(5)[:, ::-1]).dense() == pytest.approx(everything[:, 4::-1], abs=1e-12)

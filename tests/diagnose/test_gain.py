@@ -7,7 +7,7 @@ import pytest
 
 from tests.diagnose.prepared import SIGMA, SMALL, FloatArray, field, prepared
 from tests.hidden_effects.case import Case
-from trueaxis.diagnose.gain import Fit, Prediction, fit, gain_of, held_out, of_instruments, predicted
+from trueaxis.diagnose.gain import Fit, Prediction, fit, gain_of, held_out, predicted
 from trueaxis.diagnose.refit import Fitted
 from trueaxis.diagnose.result import BoolArray
 from trueaxis.diagnose.signatures import parameter_signature
@@ -138,10 +138,3 @@ def test_an_error_of_calibration_is_gained_by_refitting_not_by_a_cause() -> None
     gain = gain_of(of_all(values), of_held(values), SPLIT, SIGMA)
     assert gain.held_out.refitted < 0.5 * gain.held_out.given
     assert gain.held_out.extended == pytest.approx(gain.held_out.refitted, rel=1e-12)
-
-
-def test_what_instruments_account_for_is_theirs_alone() -> None:
-    """Their own unknowns come back whole; of errors of the machine nothing does."""
-    own = np.concatenate([columns @ np.full(columns.shape[1], 0.01) for columns in WHERE.null.own])
-    left = of_instruments(WHERE.null, WHERE.whitening, own, ()) - own
-    assert np.abs(left).max() < 1e-6

@@ -9,13 +9,14 @@ from hypothesis import strategies as st
 from statsmodels.regression.mixed_linear_model import MixedLM
 from statsmodels.tsa.arima_process import arma_generate_sample
 
-from tests.diagnose.prepared import SIGMA, FloatArray, prepared
+from tests.diagnose.prepared import SIGMA, FloatArray, dense_covariance, prepared, run_noise
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnose.base import Base, base_of
 from trueaxis.diagnose.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
 from trueaxis.diagnose.result import NoiseOf
 from trueaxis.diagnose.rows import Rows
+from trueaxis.estimation.noise import Noise
 
 DRAWS = 6
 CORRELATION = 0.8
@@ -44,7 +45,7 @@ def drawn(rows: Rows, seed: int, slow: float = 0.0) -> FloatArray:
 
 
 def noise_of(values: FloatArray, rows: Rows, base: Base, instrument: str = "laser") -> NoiseOf:
-    _, noise = noise_of_runs(rows, base, values, None)
+    _, noise, _ = noise_of_runs(rows, base, values, None)
     return next(one for one in noise if one.instrument == instrument)
 
 
@@ -61,17 +62,26 @@ def test_noise_is_found_whatever_the_model_gets_wrong(slow: float) -> None:
     assert white.mean() == pytest.approx(np.sqrt(1.0 - slow) * SIGMA, rel=0.12)
 
 
-def test_of_noise_that_repeats_allow_the_slowest_is_taken() -> None:
+def test_low_frequencies_are_as_strong_as_they_are() -> None:
+    """Slow noise and a walk may stand for each other: the variance of the mean of a run's first third says both."""
     rows, base = measured()
+    run = base.runs[0].rows
+    first = (run.passed < 1.0 / 3.0) / np.count_nonzero(run.passed < 1.0 / 3.0)
+
+    def strength(noise: Noise, wanders: float, settles: float) -> float:
+        known = run_noise(noise, run.steps, run.passed, settles, wanders)
+        own = np.stack([np.ones(run.passed.size), run.passed], axis=1)
+        beside = first - own @ np.linalg.lstsq(own, first, rcond=None)[0]
+        return float(beside @ dense_covariance(known) @ beside)
+
+    truth = strength(Noise(np.sqrt(0.7) * SIGMA, np.sqrt(0.3) * SIGMA, -1.0 / np.log(CORRELATION)), 0.0, 0.0)
     found = [noise_of(drawn(rows, seed, 0.3), rows, base) for seed in range(DRAWS)]
-
-    def slowness(white: float, slow: float, correlation: float) -> float:
-        """Spectral density at frequency 0."""
-        return white**2 + slow**2 * (1.0 + correlation) / (1.0 - correlation)
-
-    truth = slowness(np.sqrt(0.7) * SIGMA, np.sqrt(0.3) * SIGMA, CORRELATION)
-    enough = [slowness(one.white, one.correlated, one.correlation) > 0.8 * truth for one in found]
-    assert np.mean(enough) >= 0.8, [(one.white, one.correlated, one.correlation) for one in found]
+    ratio = [
+        strength(Noise(one.white, one.correlated, -1.0 / np.log(one.correlation)), one.wanders, one.settles) / truth
+        for one in found
+    ]
+    assert np.exp(np.mean(np.log(ratio))) == pytest.approx(1.0, abs=0.3), ratio
+    assert min(ratio) > 0.4, ratio
 
 
 @pytest.mark.parametrize("order", ["cycles", "passes", "poses"])
@@ -123,8 +133,9 @@ def test_a_run_with_more_noise_is_told_from_the_others() -> None:
     values = drawn(rows, 8)
     noisy = base.runs[3].rows.at
     values[noisy] += 3.0 * SIGMA * np.random.default_rng(9).standard_normal(noisy.size)
-    runs, _ = noise_of_runs(rows, base, values, None)
-    scales = np.array([one.scale for one in runs])
+    runs, _, _ = noise_of_runs(rows, base, values, None)
+    of_lasers = [one.noise.white for one, run in zip(runs, base.runs, strict=True) if run.instrument == "laser"]
+    scales = np.array(of_lasers) / np.median(of_lasers)
     assert scales.argmax() == 3
     assert scales[3] > 1.6  # of sqrt(10), as far as its readings tell
     assert np.delete(scales, 3) == pytest.approx(1.0, abs=0.35)
@@ -140,7 +151,7 @@ def test_without_repeats_the_course_of_each_run_tells() -> None:
 
 def test_noise_that_is_given_is_taken() -> None:
     rows, base = measured()
-    runs, noise = noise_of_runs(rows, base, drawn(rows, 0), 0.7)
+    runs, noise, _ = noise_of_runs(rows, base, drawn(rows, 0), 0.7)
     assert {(one.white, one.correlated, one.origin) for one in noise} == {(0.7e-3, 0.0, STATED)}
     assert {one.sigma for one in runs} == {0.7e-3}
 

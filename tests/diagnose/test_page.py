@@ -9,12 +9,11 @@ import shutil
 from pathlib import Path
 
 import pytest
-from scipy.stats import chi2
 
 from tests.hidden_effects import write_case
 from tests.machines import ROOT
 from trueaxis.cli import main
-from trueaxis.diagnose import checks_of_runs, gain, imperfection, noise_fit, search, stale, verdict
+from trueaxis.diagnose import checks_of_runs, gain, imperfection, search, stale, verdict
 from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
 from trueaxis.diagnose.base import DEGREE
 from trueaxis.diagnose.report.structures import check_name
@@ -172,7 +171,6 @@ def test_there_is_a_case_for_each_other_verdict() -> None:
         f"({1e6 * CLASSES['laser cosine'].size:g} um/m)",
         f"in one of {1 / stale.FALSE_ALARMS:.0f} data sets".replace("100000", "100 000"),
         "the change exceeds twice its standard uncertainty" if stale.CHANGED == 2.0 else "?",
-        f"within {100 * chi2.cdf(2.0 * noise_fit.ALLOWED, 1):.0f} % confidence",
         f"polynomial of degree {DEGREE},",
         f"sqrt({DETECTION:g} / lambda)",
         f"sqrt({ISOLATION:g} / (lambda (1 - R^2)))",

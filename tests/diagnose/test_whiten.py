@@ -6,22 +6,22 @@ import statsmodels.api as sm
 from scipy.linalg import block_diag
 
 from tests.diagnose.prepared import FloatArray, dense_covariance, drawn_noise, run_noise
-from trueaxis.diagnose.whiten import RunNoise, Whitening, whitening
+from trueaxis.diagnose.whiten import RunNoise, Whitening, wandering, whitening
 from trueaxis.estimation.noise import Noise
 
 NOISES = {
-    "white": (Noise(3e-4), 0.0, 1.0),
-    "slow": (Noise(3e-4, 2e-4, 4.5), 0.0, 1.0),
-    "settling": (Noise(3e-4), 5e-4, 1.0),
-    "everything, noisier": (Noise(3e-4, 2e-4, 4.5), 5e-4, 2.5),
+    "white": (Noise(3e-4), 0.0, 0.0),
+    "slow": (Noise(3e-4, 2e-4, 4.5), 0.0, 0.0),
+    "settling": (Noise(3e-4), 5e-4, 0.0),
+    "everything": (Noise(3e-4, 2e-4, 4.5), 5e-4, 7e-4),
 }
 
 
 def run_of(name: str, size: int, seed: int = 0) -> RunNoise:
     """At uneven times."""
-    noise, settles, scale = NOISES[name]
+    noise, settles, wanders = NOISES[name]
     steps = np.random.default_rng(seed).uniform(0.5, 1.5, size)
-    return run_noise(noise, steps, np.linspace(0.0, 1.0, size), settles, scale)
+    return run_noise(noise, steps, np.linspace(0.0, 1.0, size), settles, wanders)
 
 
 def own_of(size: int, seed: int = 0) -> FloatArray:
@@ -57,7 +57,7 @@ def test_inner_products_are_those_of_generalised_least_squares(name: str, size: 
 
 def test_noise_becomes_white_beside_the_unknowns_of_the_run() -> None:
     """Its covariance is the projection that takes these away."""
-    run, own = run_of("everything, noisier", 40), own_of(40)
+    run, own = run_of("everything", 40), own_of(40)
     white = whitening(np.zeros(40, dtype=np.int64), [run], [own])
     root = np.linalg.cholesky(dense_covariance(run))
     found = white(np.asarray(root))
@@ -107,7 +107,7 @@ def test_of_some_rows_it_is_that_of_their_covariance() -> None:
 
 def test_least_squares_on_whitened_readings_are_generalised_least_squares() -> None:
     """By statsmodels, with the unknowns of the run as columns."""
-    run, own = run_of("everything, noisier", 60), own_of(60)
+    run, own = run_of("everything", 60), own_of(60)
     source = np.random.default_rng(8)
     design = np.vander(np.linspace(-1.0, 1.0, 60), 6)[:, :4]
     values = design @ source.normal(size=4) * 1e-3 + drawn_noise(source, run)[:, 0]
@@ -118,3 +118,11 @@ def test_least_squares_on_whitened_readings_are_generalised_least_squares() -> N
     left = white(design)
     assert np.linalg.inv(left.T @ left) == pytest.approx(expected.normalized_cov_params[:4, :4], rel=1e-6)
     assert rss[0] == pytest.approx(expected.ssr, rel=1e-8)
+
+
+def test_a_walk_less_its_zero_and_its_drift_is_a_brownian_bridge() -> None:
+    """Its covariance is min(s, t) - s t (Revuz and Yor, Continuous Martingales, 1999), but for its fine part."""
+    passed = np.linspace(0.0, 1.0, 41)
+    walk = wandering(passed)
+    expected = np.minimum.outer(passed, passed) - np.outer(passed, passed)
+    assert walk @ walk.T == pytest.approx(expected, abs=0.012)

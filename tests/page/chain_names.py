@@ -101,6 +101,7 @@ class ChainNames:
             ideal, first = self.chain.pair(number, self.values)
             twist = first @ np.linalg.inv(ideal)
             names |= {f"[SB{number}]_0": ideal} | elements(f"[SB{number}]_0", ideal) | _twist(str(number), twist)
+            names |= {rf"\Theta_{number}": _rotation(twist), f"D_{number}": twist[:3, 3]}
             if number == self.chain.ends["tool"]:
                 names |= {"[SBk]": ideal + first, "[SBk]_0": ideal} | _twist("k", twist)
         return names
@@ -117,6 +118,9 @@ class ChainNames:
         ideal, deviation = chain.seen(values, self.point)
         exact = np.linalg.solve(names["[SBW]"], names["[SBT]"] @ self.point)
         names |= {"P_T": self.point, "P_T^W": exact, "M": relative} | elements("M_", relative)
+        names |= {"[SBW]_0": work, "[SBT]_0": tool, "P": tool @ self.point}
+        names |= {r"\Theta": _rotation(twist), "D": twist[:3, 3]}
+        names |= {name: vector for name, vector in self.steps.items() if re.fullmatch(r"(\\Theta|D)_\d+", name)}
         names |= _vector("P_", tool @ self.point) | _twist("", twist)
         names |= _vector("d_", deviation) | _vector("P^W_T", ideal + deviation)
         return names
@@ -126,7 +130,8 @@ class ChainNames:
         vector = seen - self.ball
         length = float(np.linalg.norm(vector[:3]))
         error = length - 0.7
-        names = {"P_T^W": seen, "P_W": self.ball, "P_E": vector, "l_1": 0.7, "E": error}
+        names = {"P_T^W": seen, "P_W": self.ball, "P_E": vector, "l_1": 0.7, "E": error, "E_v": error * vector / length}
+        names |= {f"{a}_w": float(self.ball[i, 0]) for i, a in enumerate(AXES)}
         return names | _vector("P_E", vector) | _vector("E_", error * vector / length)
 
     def _motion(self, title: str) -> Names:
@@ -158,8 +163,12 @@ def _vector(head: str, vector: Matrix) -> Names:
     return {f"{head}{a}": float(np.ravel(vector)[i]) for i, a in enumerate(AXES)}
 
 
+def _rotation(twist: Matrix) -> Matrix:
+    return np.array([twist[2, 1], twist[0, 2], twist[1, 0]])
+
+
 def _twist(label: str, twist: Matrix) -> Names:
     label = f"_{label}"
-    theta = (twist[2, 1], twist[0, 2], twist[1, 0])
+    theta = _rotation(twist)
     names = {rf"\Theta{label}{a}": theta[i] for i, a in enumerate(AXES)}
     return names | {f"D{label}{a}": twist[i, 3] for i, a in enumerate(AXES)}

@@ -37,7 +37,8 @@ def problem(text: str, names: Names) -> str:
     if len(values) < 2:
         return "no equality"
     for left, right in pairwise(values):
-        if np.shape(left) != np.shape(right):
+        zero = isinstance(right, float) and right == 0  # stands for the vector 0, too
+        if np.shape(left) != np.shape(right) and not zero:
             return f"shapes {np.shape(left)} and {np.shape(right)}"
         difference = np.abs(np.asarray(left) - np.asarray(right)).max()
         if not difference <= TOLERANCE * (1 + np.abs(np.asarray(left)).max()):

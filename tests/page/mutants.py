@@ -1,4 +1,4 @@
-"""Slips of the pen put into a formula: a sign, a term, a factor, a letter, an order, a transposition, an inversion."""
+"""Slips of the pen put into a formula: sign, term, factor, letter, index, function, order, transposition, inversion."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -12,6 +12,7 @@ _SYMBOL = re.compile(
 _FACTOR = re.compile(r"\[S\w+\](?:_\{?\w+\}?)?")
 _MATRIX = re.compile(r"\\begin\{bmatrix\}(.*?)\\end\{bmatrix\}", re.DOTALL)
 _NEXT = str.maketrans("xyz", "yzx")
+_OTHER_INDEX = str.maketrans("12kl", "21lk")
 _COMMANDS = ("begin", "end", "bmatrix")
 
 
@@ -23,6 +24,8 @@ def mutants(text: str) -> Iterator[tuple[str, str]]:
         ("omission of a term", _terms(text, start)),
         ("omission of a factor", _factors(text, start)),
         ("letter", _letters(text, start)),
+        ("index", _indices(text, start)),
+        ("function", _functions(text, start)),
         ("order", _orders(text)),
         ("transposition", _matrices(text, _transposed)),
         ("order of rows", _matrices(text, _rows_swapped)),
@@ -83,6 +86,23 @@ def _letters(text: str, start: int) -> Iterator[str]:
             name = text[found.start() : at]
             if text[at] in "xyz" and not re.search(r"\\[a-zA-Z]*$", name):
                 yield text[:at] + text[at].translate(_NEXT) + text[at + 1 :]
+
+
+def _indices(text: str, start: int) -> Iterator[str]:
+    """A number of an index replaced by another, a point of the tool by one of the worktable."""
+    for found in _symbols(text, start):
+        for at in (
+            found.start() + each.start() for each in re.finditer(r"(?<=[{kluvxyz])[12kl](?=[}0-9uvxyzh])", found[0])
+        ):
+            yield text[:at] + text[at].translate(_OTHER_INDEX) + text[at + 1 :]
+
+
+def _functions(text: str, start: int) -> Iterator[str]:
+    """Displacement for angle, cosine for sine, and the other way round."""
+    for pair in ((r"\delta", r"\varepsilon"), (r"\cos", r"\sin")):
+        for one, other in (pair, pair[::-1]):
+            for found in re.finditer(re.escape(one) + r"(?![a-z])", text[start:]):
+                yield text[: start + found.start()] + other + text[start + found.end() :]
 
 
 def _orders(text: str) -> Iterator[str]:

@@ -1,9 +1,8 @@
-"""A machine in numbers from the [[body]] tables of its spec: 4x4 matrices, first order by a complex step.
+"""A machine in numbers from the [[body]] tables of a spec: 4x4 matrices, first order by a complex step.
 
 Nothing of the package is used. With errors times 1e-30 i the imaginary part of any product is its first order.
 """
 
-import tomllib
 from collections.abc import Mapping
 from typing import Any
 
@@ -36,8 +35,7 @@ def _motion(axis: str, at: float) -> Matrix:
 class NumericChain:
     """values: axis positions (x .. c), dimensions, errors by their names, all real."""
 
-    def __init__(self, text: str) -> None:
-        tree = tomllib.loads(text)
+    def __init__(self, tree: Mapping[str, Any]) -> None:
         self.bodies = {body["number"]: body for body in tree["body"]}
         self.ends = {"bed": 1} | tree["ends"]
         self.axes = sorted({b["moves"] for b in self.bodies.values() if "moves" in b}, key="XYZABC".index)

@@ -1,6 +1,8 @@
 """The pages under test and the names of their formulas, made once."""
 
+import tomllib
 from functools import cache
+from typing import Any
 
 from tests.machines import ROOT
 from tests.page.chain_names import ChainNames
@@ -11,6 +13,7 @@ from trueaxis.commands.derive import identification_runs
 from trueaxis.derive.model import DerivedModel, derive_model
 from trueaxis.emit.equations import equations_page
 from trueaxis.spec import read_machine
+from trueaxis.spec.machine import Machine
 
 
 @cache
@@ -32,5 +35,17 @@ def rows(name: str) -> tuple[Row, ...]:
 
 @cache
 def names(name: str) -> ChainNames:
-    chain = NumericChain((ROOT / "machines" / f"{name}.toml").read_text(encoding="utf-8"))
+    tree = tomllib.loads((ROOT / "machines" / f"{name}.toml").read_text(encoding="utf-8"))
+    chain = NumericChain(tree if "body" in tree else body_tables(derived(name).machine))
     return PaperNames(chain) if name == "dmu60p" else ChainNames(chain)
+
+
+def body_tables(machine: Machine) -> dict[str, Any]:
+    """What a spec that gives a structure code would say with tables of bodies."""
+    tables = [
+        {"number": body.number, "lower": body.lower, "sense": body.sense, "position": list(body.position)}
+        | ({"moves": body.moves} if body.moves else {})
+        | {"position_errors": dict(body.position_errors)}
+        for body in machine.bodies
+    ]
+    return {"body": tables, "ends": {"workpiece": machine.workpiece, "tool": machine.tool}}

@@ -35,7 +35,7 @@ class PaperNames(ChainNames):
 
     def of(self, row: Row) -> Names:
         if row.section.startswith("General motion"):
-            return self._general()
+            return self._carriages() if row.title.startswith("Table 3") or row.text[0] in "r[" else self._general()
         if row.section.startswith("Sect. 3."):
             number = int(re.findall(r"\((\d+)\)", row.title)[0])
             if number in LINES:
@@ -56,7 +56,23 @@ class PaperNames(ChainNames):
                         at = at @ names[f"[{joint}]_{part}"]
                 names[f"P_{point}{pose}"] = at @ names[f"r_{point}"]
         moved = {p: names[f"P_{p}h"] - names[f"P_{p}0"] for p in "lk"}
-        return names | {r"\DeltaP": moved["l"] - moved["k"]}
+        return names | {r"\DeltaP": moved["l"] - moved["k"], "h": 0.0}
+
+    def _carriages(self) -> Names:
+        """Sect. 3.1: L, J and K are the carriages that move Y, X and Z; points of WCS and TCS stand on them."""
+        by_axis = {body.get("moves"): number for number, body in self.chain.bodies.items()}
+        joints = {"SIL": by_axis["Y"], "SIJ": by_axis["X"], "SJK": by_axis["Z"]}
+        names = dict(self.base)
+        for name, number in joints.items():
+            factors = self.chain.factors(number, self.values, 1)
+            lower = self.chain.bodies[number]["lower"]
+            names |= {f"[{name}]_{part}": matrix.real for part, matrix in factors.items()}
+            names[f"[{name}]"] = names[f"[S{lower}{number}]"] = self.factors[f"[S{lower}{number}]_s"]
+        for end, q, letter, point in (("workpiece", "w", "l", self.work_point), ("tool", "T", "k", self.point)):
+            home = self.chain.factors(self.chain.ends[end], self.values, 1)["p"].real
+            names |= {f"r_{q.upper()}": point[:3, 0], f"r_{letter}": (home @ point)[:3, 0]}
+            names[f"q_{q}"] = np.array([self.values[f"q_{q}{a}"] for a in AXES])
+        return names
 
     @cache  # noqa: B019  one object per test session
     def _run(self, run: str, number: int) -> Names:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 _HEADING = re.compile(r"^(#{2,3}) (.*)$|^\*\*(Body .*)\*\*$")
+_INLINE = re.compile(r"\$([^$]*)\$")
 
 
 @dataclass(frozen=True)
@@ -17,7 +18,7 @@ class Row:
 
 
 def rows_of(page: str) -> list[Row]:
-    """Every formula of the blocks of maths of a page."""
+    """Every formula of the blocks of maths of a page, and every equality within its sentences."""
     section = title = ""
     found: list[Row] = []
     lines = iter(page.splitlines())
@@ -32,11 +33,14 @@ def rows_of(page: str) -> list[Row]:
             while (line := next(lines)) != "```":
                 block.append(line)
             found += [Row(section, title, text) for text in _split("\n".join(block))]
+        elif not line.startswith("|"):
+            found += [Row(section, title, text) for text in _INLINE.findall(line) if "=" in text]
     return found
 
 
 def _split(block: str) -> Iterator[str]:
-    text = re.sub(r"\\(?:begin|end)\{aligned\}", "", block)
+    # As TeX reads it: a bracket behind \begin{aligned} is its option (where to align) and is not printed; {} keeps it.
+    text = re.sub(r"\\begin\{aligned\}(?:\s*\[[^\]]*\]|\s*\{\})?|\\end\{aligned\}", "", block)
     text = text.replace("\\\\\n&\\quad", " ").replace("_{i=1}", "_{i:1}")
     text = re.sub(r"\\begin\{bmatrix\}.*?\\end\{bmatrix\}", lambda m: m[0].replace("&", ";"), text, flags=re.DOTALL)
     for line in text.split("\\\\\n"):

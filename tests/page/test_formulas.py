@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from tests.machines import ROOT
 from tests.page.chain_names import AXES
 from tests.page.checking import problem
 from tests.page.latex_value import NotMathsError, value_of
@@ -15,12 +16,15 @@ from tests.paper import reference
 from tests.paper.entries import follows
 from tests.paper.errata import ERRATA
 from tests.paper.notation import DIRECTIONS, MOTION_ERRORS, SQUARENESS, delta, eps, place
+from tests.paper.printed.tables import POINTS_LINKAGE, POINTS_SINGLE
 from trueaxis.emit.paper_layout import ERRATA as BESIDE
 
 PAGES = ("dmu60p", "dmu60p_5axis")
+SIX = ("EX", "EY", "EZ", "EA", "EB", "EC")
+CHECKED_IN = tuple(sorted(folder.name for folder in (ROOT / "generated").iterdir()))
 
 
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", CHECKED_IN)
 def test_every_formula_holds(name: str) -> None:
     found = {f"{row.title}: {row.text}": problem(row.text, names(name).of(row)) for row in rows(name)}
     assert {text: why for text, why in found.items() if why} == {}
@@ -103,6 +107,37 @@ def test_table_3_is_that_of_the_motions() -> None:
         for moving, cell in zip(header[1:], cells, strict=True):
             expected = f"$({', '.join(str(part) for part in columns[moving])})^T$"
             assert cell == expected
+
+
+def test_tables_4_and_5_have_the_printed_coordinates() -> None:
+    _, *table = cells_of(page("dmu60p"), "### Tables 4 and 5")
+    found = {re.sub(r"[{}$]|P", "", name): tuple(map(float, at.strip("()").split(", "))) for name, at, _, _ in table}
+    printed = {f"_{label}": at for label, at in POINTS_SINGLE.items()}
+    printed |= {f"^{run}_{label}": at for run, points in POINTS_LINKAGE.items() for label, at in points.items()}
+    assert found == printed
+    assert {name: frame for name, _, frame, _ in table} == {
+        name: "TCS" if "{k" in name else "WCS" for name, *_ in table
+    }
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_tables_of_bodies_are_those_of_the_spec(name: str) -> None:
+    bodies = names(name).chain.bodies
+    _, *table = cells_of(page(name), "## Topology")
+    assert len(table) == len(bodies)
+    for number, _, lower, moves, errors, located in table:
+        body = bodies[int(number)]
+        assert (int(lower), moves) == (body["lower"], body.get("moves", "-"))
+        assert body.get("motion_errors", "all") == "all"
+        assert re.findall(r"#(\w+)", errors) == [f"{d}{moves}" for d in SIX if moves != "-"]
+        assert dict(re.findall(r"(\w\w) = \[`(\w+)`", located)) == body.get("position_errors", {})
+    head, *orders = cells_of(page(name), "The lower-body array")
+    below = {1: 0, 0: 0} | {number: body["lower"] for number, body in bodies.items()}
+    expected = [int(cell.split()[1]) for cell in head[1:]]
+    for _, *cells in orders:
+        assert [int(cell) for cell in cells] == expected
+        expected = [below[number] for number in expected]
+    assert not any(map(int, orders[-1][1:]))
 
 
 def test_squareness_of_the_axes_is_that_of_their_lines() -> None:

@@ -25,6 +25,8 @@ KINDS = {
     "omission of a term",
     "omission of a factor",
     "letter",
+    "index",
+    "function",
     "order",
     "transposition",
     "order of rows",
@@ -52,11 +54,35 @@ def test_no_slip_in_the_text_of_the_paper_s_machine_survives() -> None:
     assert counts.total() > 3000
 
 
-def test_no_slip_in_a_sample_of_a_five_axis_machine_survives() -> None:
+THREE_AXES = ("bridge_cmm", "cframe_mill", "gantry_mill")
+FIVE_AXES = ("dmu60p_5axis", "headhead_mill", "trunnion_mill")
+
+
+def _check_page(name: str, step: int, least: int) -> None:
+    own = names(name)
+    alive, counts = survivors([(row.text, own.of(row)) for row in rows(name)[::step]])
+    still = not any("moves" in own.chain.bodies[body] for body in own.chain.branch(own.chain.ends["workpiece"]))
+    # Where the workpiece stands on the bed [SBW] is the unit matrix, Theta and D of it are 0: these slips are no slips.
+    harmless = {text.split("=")[0].strip() for _, text, _ in alive}
+    assert harmless <= ({"[SB2]_0", "P_T^W", "M", r"\Theta", "D"} if still else set()), alive
+    assert counts.total() > least
+
+
+@pytest.mark.parametrize("name", THREE_AXES)
+def test_no_slip_in_a_page_of_three_axes_survives(name: str) -> None:
+    _check_page(name, 1, 1800)
+
+
+@pytest.mark.parametrize("name", FIVE_AXES)
+def test_no_slip_in_a_sample_of_a_page_of_five_axes_survives(name: str) -> None:
     """Every eighth formula, for the time: cosines and sines, products too wide for a matrix."""
-    alive, counts = survivors([(row.text, names("dmu60p_5axis").of(row)) for row in rows("dmu60p_5axis")[::8]])
-    assert alive == []
-    assert counts.total() > 500
+    _check_page(name, 8, 400)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", FIVE_AXES)
+def test_no_slip_in_a_page_of_five_axes_survives(name: str) -> None:
+    _check_page(name, 1, 6000)
 
 
 def test_no_slip_in_the_sensitivities_survives() -> None:
@@ -111,7 +137,7 @@ EMITTER_SLIPS: dict[str, tuple[Any, str, Callable[[Any], Any]]] = {
     "first sign of a row": (latex, "joined", lambda f: lambda terms: _sign_lost(f(terms))),
     "factors transposed": (chain_section, "matrix", _transpose),
     "factors in the opposite order": (chain_section, "_PARTS", lambda parts: parts[::-1]),
-    "inverse forgotten": (chain_section, "_rigid_inverse", lambda _: lambda pose: pose),
+    "place of the point negated": (chain_section, "_pose", lambda f: lambda ideal: f(tuple(-part for part in ideal))),
     "inverse not turned": (chain_section, "_turned", lambda f: lambda back, *rest: f(back.T + sp.eye(3), *rest)),
     "lever of a rotation negated": (branch_steps, "cross", _negated),
     "lever of a rotation exchanged": (branch_steps, "cross", _swapped),

@@ -3,7 +3,7 @@
 import argparse
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -29,7 +29,7 @@ from trueaxis.spec.read import parse_machine
 
 if TYPE_CHECKING:
     from trueaxis.derive.systems import RunPattern
-    from trueaxis.diagnose.result import Diagnosis
+    from trueaxis.diagnose.result import Diagnosis, ErrorNow
 
 DESCRIPTION = """\
 Name what a machine's model lacks: of the causes that the effect library knows (backlash, cyclic errors, thermal growth,
@@ -93,13 +93,14 @@ def run(args: argparse.Namespace) -> int:
         with ThreadPoolExecutor(cores()) as pool:
             options = DiagnoseOptions(noise_um=args.noise_um, progress=show, each=pool.map)
             diagnosis = diagnose(given.model, given.data, options)
-        report = start("report_html", diagnosis)
         try:
-            extension = _extension(args, given, diagnosis, show)
+            extension, errors = _extension(args, given, diagnosis, show)
         except NotConvergedError as failure:
             show("")
             print(f"trueaxis: values of the extended machine: {failure}; nothing was written", file=sys.stderr)
             return 1
+        diagnosis = replace(diagnosis, errors=errors)
+        report = start("report_html", diagnosis)
         show("report")
         machine_file = f"{given.model.name}.toml" if extension else None
         contents: dict[Path, bytes | str] = {
@@ -174,27 +175,30 @@ def _outputs(out: Path, name: str) -> list[Path]:
 
 def _extension(
     args: argparse.Namespace, given: _Given, diagnosis: "Diagnosis", show: Progress
-) -> dict[Path, bytes | str]:
-    """The files of the extended machine; none where no cause was named."""
+) -> "tuple[dict[Path, bytes | str], tuple[ErrorNow, ...]]":
+    """The files of the extended machine, none where no cause was named; all errors as these readings have them."""
     from trueaxis.derive.model import derive_model  # noqa: PLC0415
     from trueaxis.diagnose.extend import kept_readings, named_effects, reidentified, start_values  # noqa: PLC0415
     from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
     from trueaxis.emit.render import render  # noqa: PLC0415
 
     effects = named_effects(diagnosis)
-    if not effects:
-        return {}
+    kept = kept_readings(given.data, diagnosis, str(args.data))
     show("extending")
+    if not effects:
+        try:
+            return {}, reidentified(given.model, given.model.errors, kept)[1]
+        except (NotConvergedError, InputError):
+            return {}, ()  # the diagnosis stands without it
     path = args.out / f"{given.model.name}.toml"
     text = extended_spec(given.spec, effects)
     machine = parse_machine(text, Faults(str(path)))
     files = render(derive_model(machine, given.runs), path.name)
     kernels = numpy_kernels(files["kernels.py"], path)  # run too briefly to be worth compiling
     model = MachineModel(machine, kernels, ErrorValues(machine.name))
-    kept = kept_readings(given.data, diagnosis, str(args.data))
-    values = reidentified(model, given.model.errors, kept, diagnosis.noise, start_values(diagnosis))
+    values, table = reidentified(model, given.model.errors, kept, start_values(diagnosis))
     errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
     generated: dict[Path, bytes | str] = {
         args.out / KERNELS / machine.name / name: content for name, content in files.items()
     }
-    return {path: text, args.out / ERRORS: errors, **generated}
+    return {path: text, args.out / ERRORS: errors, **generated}, table

@@ -6,6 +6,7 @@ these is rounding. So time and memory of all that is done with them grow with th
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from scipy.linalg import block_diag, qr
@@ -34,12 +35,13 @@ class ByRun:
 
     def __matmul__(self, right: FloatArray) -> FloatArray:
         """(n, ...): times (p, ...)."""
-        inside = np.split(self.weights @ right, self.ends[1:-1])
-        return np.concatenate([few @ part for few, part in zip(self.few, inside, strict=True)])
+        inside = self.weights @ right
+        each = [few @ inside[first:last] for few, (first, last) in zip(self.few, pairwise(self.ends), strict=True)]
+        return np.concatenate([inside[:0], *each])
 
     def transposed(self, vectors: FloatArray, rows: IntArray | None = None) -> FloatArray:
         """(p, ...): products with vectors (n, ...), or (n_rows, ...), those of some whole runs and 0 elsewhere."""
-        ends, inside, chosen = self.ends, [], []
+        ends, inside, chosen = self.ends, [vectors[:0]], [np.zeros(0, dtype=np.int64)]
         for place, here in runs_among(self.starts, np.arange(self.starts[-1]) if rows is None else rows):
             inside.append(self.few[place].T @ vectors[here])
             chosen.append(np.arange(ends[place], ends[place + 1]))
@@ -48,11 +50,21 @@ class ByRun:
     def squares(self) -> FloatArray:
         """(n,): sum of the squares of each row."""
         each = ((few, few @ (weights @ weights.T)) for few, weights in self.parts())
-        return np.concatenate([np.einsum("ij,ij->i", few, turned) for few, turned in each])
+        return np.concatenate([np.zeros(0), *(np.einsum("ij,ij->i", few, turned) for few, turned in each)])
 
     def dense(self) -> FloatArray:
         """(n, p), all numbers."""
         return self @ np.eye(self.weights.shape[1])
+
+    def at(self, rows: IntArray) -> FloatArray:
+        """(n_rows, p): of some rows, in any order."""
+        found = np.empty((rows.size, self.weights.shape[1]))
+        run = np.searchsorted(self.starts, rows, side="right") - 1
+        for place, (few, weights) in enumerate(self.parts()):
+            mine = run == place
+            if mine.any():
+                found[mine] = few[rows[mine] - self.starts[place]] @ weights
+        return found
 
     def take(self, columns: IntArray | BoolArray | slice) -> "ByRun":
         """Some of the columns."""
@@ -81,12 +93,13 @@ class ByRun:
             held = np.linalg.norm(white, axis=0) <= RANK * np.linalg.norm(weights, axis=0) / whiten.runs[place].sigma
             white[:, held] = 0.0
             parts.append((q, white))
-        return _joined(parts)
+        return _joined(parts) if parts else self
 
     def only(self, keep: BoolArray) -> "ByRun":
         """Of some rows, (n,): a run of which none is kept is none."""
         each = zip(self.parts(), np.split(keep, self.starts[1:-1]), strict=True)
-        return by_run([(few[kept], weights) for (few, weights), kept in each if kept.any()])
+        found = [(few[kept], weights) for (few, weights), kept in each if kept.any()]
+        return by_run(found) if found else self.first(0)
 
     def first(self, count: int) -> "ByRun":
         """Of the first runs."""
@@ -94,7 +107,7 @@ class ByRun:
 
     def parts(self) -> Iterator[tuple[FloatArray, FloatArray]]:
         """Few (m, r) and weights (r, p) of each run."""
-        return zip(self.few, np.split(self.weights, self.ends[1:-1]), strict=True)
+        return zip(self.few, (self.weights[first:last] for first, last in pairwise(self.ends)), strict=True)
 
 
 def by_run(parts: Iterable[tuple[FloatArray, FloatArray]]) -> ByRun:

@@ -11,12 +11,13 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from trueaxis.diagnose.instruments import NOT_OF_THE_MACHINE
-from trueaxis.diagnose.result import Diagnosis, FloatArray, NoiseOf
+from trueaxis.diagnose.result import Diagnosis, ErrorNow, FloatArray
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.judgement import SAMPLES
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.identify.estimated import EstimateOptions, identify_estimated
-from trueaxis.identify.weighting import NoiseModel
+from trueaxis.identify.report import Identification
 from trueaxis.identify.words import enumerated
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
@@ -48,42 +49,62 @@ def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
 
 
 def kept_readings(data: MeasuredData, diagnosis: Diagnosis, source: str) -> Observations:
-    """The readings that the diagnosis worked on, less what it found the instruments to add; source: named in faults."""
+    """The readings that the diagnosis worked on; source: named in faults."""
     taken = np.flatnonzero(~data.readings.planned)
     everything = observations(source, data.setup.runs, smoothed(data).readings)
-    added = np.zeros(data.readings.reading.size)
-    added[diagnosis.residuals.row] = diagnosis.residuals.of_instruments
-    freed = replace(everything, reading=everything.reading - added[taken])
-    return freed.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
+    return everything.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
 
 
 def reidentified(
-    model: MachineModel,
-    given: ErrorValues,
-    observed: Observations,
-    noise: Sequence[NoiseOf],
-    start: Sequence[EffectValues] = (),
-) -> ErrorValues:
-    """Error values of the extended machine: curves, location errors and effects, fitted together.
+    model: MachineModel, given: ErrorValues, observed: Observations, start: Sequence[EffectValues] = ()
+) -> tuple[ErrorValues, tuple[ErrorNow, ...]]:
+    """Error values of the extended machine: what `identify` makes of the readings, as a change of those given; a table.
 
-    model: of the extended machine; given: values of the machine before; start: of its effects, to start from.
-    Curves change by polynomials up to the degree of the spec's curves; dimensions stay, and the instruments add nothing
-    more. Raises InputError where the readings hold no unknown, NotConvergedError where the estimate does
-    not stand still.
+    model: of the extended machine; given: values of the machine before; start: of its effects, to start from. Sizes of
+    the changes are estimated, and unknowns of the instruments with them: where nothing has changed, nothing is changed.
+    Dimensions stay. Raises InputError where the readings hold no unknown, NotConvergedError where the estimate does not
+    stand still.
     """
     dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
     bare = ErrorValues(model.name, dimensions)
     before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
-    options = EstimateOptions(
-        known=bare,
-        noise=NoiseModel(by_group=_by_group(observed, noise)),
-        start=tuple(start),
-        prior=False,
-        ideal=True,
-        degree=model.machine.curve_degree,
-    )
-    change = identify_estimated(model, replace(observed, reading=observed.reading - before), options).values
-    return changed(given, change, model.location_errors)
+    options = EstimateOptions(known=bare, start=tuple(start))
+    found = identify_estimated(model, replace(observed, reading=observed.reading - before), options)
+    values = changed(given, found.values, model.location_errors)
+    return values, _table(model, given, values, found)
+
+
+def _table(model: MachineModel, given: ErrorValues, now: ErrorValues, found: Identification) -> tuple[ErrorNow, ...]:
+    u_of: dict[str, float | None] = {one.name: one.u for one in found.report.components}
+    u_of |= {one.name: one.u for one in found.report.locations}
+
+    def row(name: str, unit: str, before: FloatArray, after: FloatArray) -> ErrorNow:
+        u = u_of[name]
+        return ErrorNow(
+            name=name,
+            unit=unit,
+            given=_largest(before),
+            now=_largest(after),
+            change=_largest(after - before),
+            u=np.nan if u is None else u,
+            determined=found.values.determined[name],
+        )
+
+    known = found.values.determined.keys()
+    rows = []
+    for name in (one for one in model.components if one in known):
+        at = np.linspace(*model.travel[name.axis], SAMPLES)
+        before = given.motion_errors[name](at) if name in given.motion_errors else np.zeros(SAMPLES)
+        rows.append(row(name, name.unit, before, now.motion_errors[name](at)))
+    for location in (one for one in model.location_errors if one in known):
+        before, after = (np.array([one.parameters.get(location, 0.0)]) for one in (given, now))
+        rows.append(row(location, model.machine.parameter_unit(location), before, after))
+    return tuple(rows)
+
+
+def _largest(values: FloatArray) -> float:
+    """The value that is farthest from zero."""
+    return float(values[np.argmax(np.abs(values))])
 
 
 def changed(given: ErrorValues, change: ErrorValues, locations: Sequence[str]) -> ErrorValues:
@@ -112,13 +133,6 @@ def changed(given: ErrorValues, change: ErrorValues, locations: Sequence[str]) -
 def _expected(model: MachineModel, values: ErrorValues, observed: Observations) -> FloatArray:
     model = model.with_values(values)
     return expected_readings(model, observed.runs, observed.run, observed.positions, observed.context)
-
-
-def _by_group(observed: Observations, noise: Sequence[NoiseOf]) -> dict[str, float]:
-    """Noise by instrument, um; none where that of one is unknown: then the residuals tell."""
-    known = {one.instrument: one.sigma * 1e3 for one in noise if one.sigma > 0.0}
-    present = {observed.runs[index].instrument for index in np.unique(observed.run)}
-    return known if present <= known.keys() else {}
 
 
 def _sum(given: Curve, change: Curve) -> Curve:

@@ -138,16 +138,6 @@ def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArra
     return Prediction(Left(*left), freedom, float(np.sqrt(white @ white / variance)) if freedom > 0 else np.nan)
 
 
-def of_instruments(base: Base, whitening: Whitening, values: FloatArray, causes: Sequence[Fitted]) -> FloatArray:
-    """(n,), mm: what is unknown of instruments and set-ups accounts for, beside this base and the causes."""
-    every = np.ones(values.size, dtype=bool)
-    fitted = fit(base, whitening, values, causes, every)
-    of_machine = fitted.extended.copy()
-    of_machine[base.of_machine : base.expected.size + base.by_chance.shape[1]] = 0.0
-    without = values - fitted.columns @ of_machine - fitted.known
-    return np.asarray(without - less_own(whitening, values - fitted.columns @ fitted.extended - fitted.known))
-
-
 def gain_of(everything: Prediction, held: Prediction, split: str, floor: float) -> Gain:
     """RMS of all rows (fitted on all) and of those held back (fitted on the others)."""
     return Gain(everything.stage(), held.stage(), split, floor, held.standardised)

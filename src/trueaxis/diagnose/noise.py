@@ -1,11 +1,9 @@
-"""The noise of the readings, from repeats: what differs between readings of the same target.
+"""The noise of the readings: of every run, and what is told of every instrument.
 
-Readings of one target, from one side, with one set-up have one mean, whatever the model: this and the unknowns of each
-run's instrument are taken as free, and what is left is fitted as white and slow noise by restricted maximum likelihood
-(REML; Patterson and Thompson, Biometrika 58, 1971). Repeats may come in any order: passes, cycles, poses, further runs.
-Without repeats the course of each run, smooth by direction, takes the place of the means.
-
-Of all noise that the readings allow the slowest is taken: a cause that is none costs more than one not found.
+By restricted maximum likelihood (REML; Patterson and Thompson, Biometrika 58, 1971) of what the saturated base leaves
+of all runs together: runs of one axis share its curves, which leaves far more room to tell slow noise from the machine
+than the course of a run by itself. What the base gets wrong repeats share: it is told from noise where there are any.
+Noise of an instrument is white (more in some runs than in others) and slow; its runs wander and settle.
 """
 
 from collections.abc import Sequence
@@ -13,74 +11,86 @@ from collections.abc import Sequence
 import numpy as np
 
 from trueaxis.diagnose.base import Base
-from trueaxis.diagnose.noise_blocks import Block, courses, repeated
-from trueaxis.diagnose.noise_fit import restricted
+from trueaxis.diagnose.noise_blocks import HELD, NORMAL_MEDIAN, Block, blocks_of, left_of, of_repeats
+from trueaxis.diagnose.noise_fit import Found, Guess, Law, restricted
 from trueaxis.diagnose.result import FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows
-from trueaxis.diagnose.whiten import RunNoise, settling
+from trueaxis.diagnose.whiten import RunNoise
 from trueaxis.estimation.noise import Noise
-from trueaxis.estimation.noise_of_residuals import AS_MANY, SMALLEST
+from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.state import DISPLAY
 
-FEWEST = 4  # degrees of freedom, for a noise to be told
+FEWEST = 4  # readings of targets that were read before, for a noise to be from repeats
 GIVEN = 1e6  # degrees of freedom of a noise that is given
 REPEATS, COURSES, STATED, UNKNOWN = "repeats", "courses", "given", "unknown"  # where a noise comes from
 STEPS = tuple(digit * 10.0**power for power in range(-2, -7, -1) for digit in (5.0, 2.0, 1.0))  # of displays, mm
 
 
 def noise_of_runs(
-    rows: Rows, base: Base, values: FloatArray, noise_um: float | None
-) -> tuple[tuple[RunNoise, ...], tuple[NoiseOf, ...]]:
+    rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
+) -> tuple[tuple[RunNoise, ...], tuple[NoiseOf, ...], Found | None]:
     """Of every run of the base, in its order, and of every instrument. values: (n,) mm, readings less what is expected.
 
-    noise_um: of every reading, where it is known: white noise, and nothing is estimated.
+    noise_um: of every reading, where it is known: white noise, and nothing is estimated; before: what was found of
+    nearly the same readings, from where a further estimate is near.
     """
-    noises: dict[str, Noise] = {}
+    instruments = [one.instrument for one in base.runs]
+    names = list(dict.fromkeys(instruments))
+    if noise_um is not None:
+        laws, fit = {name: Law(1e-3 * noise_um, freedom=GIVEN) for name in names}, None
+    else:
+        blocks = list(blocks_of(rows, base, values))
+        guesses = {name: _guess(blocks, instruments, name) for name in names}
+        laws, fit = restricted(blocks, instruments, guesses, before)
+    scales = np.ones(len(instruments)) if fit is None else fit.scales
+    found: dict[int, RunNoise] = {}
     told: list[NoiseOf] = []
-    scales = np.ones(len(base.runs))
-    for name in dict.fromkeys(one.instrument for one in base.runs):
-        members = [place for place, one in enumerate(base.runs) if one.instrument == name]
-        origin, freedom = STATED, GIVEN
-        if noise_um is not None:
-            noises[name] = Noise(1e-3 * noise_um)
-        else:
-            noises[name], of_runs, origin, freedom = _of_instrument(rows, base, values, members)
-            scales[members] = of_runs
-        typical = noises[name]
-        lasting = float(np.exp(-1.0 / typical.lasts)) if typical.slow else 0.0
-        told.append(NoiseOf(name, typical.white, typical.slow, lasting, 0.0, freedom, origin))
-    found = tuple(
-        RunNoise(
-            noise=noises[one.instrument],
-            scale=float(scale),
-            steps=one.rows.steps,
-            settles=0.0,
-            settling=settling(one.rows.passed),
-        )
-        for one, scale in zip(base.runs, scales, strict=True)
-    )
-    return found, tuple(told)
+    for name in names:
+        members = [place for place, one in enumerate(instruments) if one == name]
+        at = np.concatenate([base.runs[place].rows.at for place in members])
+        origin = STATED if fit is None else REPEATS if at.size - np.unique(rows.target[at]).size >= FEWEST else COURSES
+        law = laws[name]
+        if law.freedom < 1.0:
+            law, origin = Law(max(float(np.sqrt(np.mean(values[at] ** 2))), SMALLEST)), UNKNOWN
+        step = 0.0 if fit is None else _step(rows, base, members)
+        times = _readings_of_a_target(rows, base, members)
+        typical = _shown(Noise(law.white, law.slow, law.lasts), step, times)
+        lasting = float(np.exp(-1.0 / law.lasts)) if law.slow else 0.0
+        told.append(NoiseOf(name, typical.white, typical.slow, lasting, law.settles, law.freedom, origin, law.wanders))
+        for place in members:
+            run, white = base.runs[place].rows, float(scales[place]) * law.white
+            found[place] = RunNoise(
+                noise=_shown(Noise(white, law.slow, law.lasts), step, times),
+                steps=run.steps,
+                passed=run.passed,
+                wanders=law.wanders,
+                settles=law.settles,
+            )
+    return tuple(found[place] for place in range(len(instruments))), tuple(told), fit
 
 
-def _of_instrument(
-    rows: Rows, base: Base, values: FloatArray, members: Sequence[int]
-) -> tuple[Noise, FloatArray, str, float]:
-    """Noise, scale of every member, origin and degrees of freedom."""
+def _guess(blocks: Sequence[Block], instruments: Sequence[str], name: str) -> Guess:
+    """Of the noise of an instrument, by its repeats, and of the misfit of the base; else by what the base leaves."""
+    of_base, of_target = [np.zeros(0)], [np.zeros(0)]
+    for block in blocks:
+        left, share = left_of(block)
+        for one in block.parts:
+            if instruments[one.place[0]] == name:
+                of_base.append(np.abs(left[one.rows][share[one.rows] > HELD]))
+                of_target.append(np.abs(of_repeats(one, block.values[one.rows])))
+    typical = [
+        max(float(np.median(one)) / NORMAL_MEDIAN, SMALLEST) if one.size else SMALLEST
+        for one in (np.concatenate(of_target), np.concatenate(of_base))
+    ]
+    repeated = sum(map(len, of_target)) > 0
+    return Guess(typical[0], typical[1] / typical[0]) if repeated else Guess(typical[1], 0.0)
+
+
+def _step(rows: Rows, base: Base, members: Sequence[int]) -> float:
+    """mm, of the display."""
     step = display_step(rows.reading[np.concatenate([base.runs[place].rows.at for place in members])])
     resolved = [base.runs[place].rows.run.device for place in members]
-    step = max([step, *(one.resolution or 0.0 for one in resolved if one is not None)])
-    # few repeats still are a better measure than none: the tests know how few they are
-    for origin, blocks, fewest in ((REPEATS, repeated, FEWEST), (COURSES, courses, FEWEST), (REPEATS, repeated, 1)):
-        every = [one for one in blocks(rows, base, values, members) if one.freedom > 0]
-        freedom = float(sum(one.freedom for one in every))
-        if freedom >= fewest:
-            hardly = _hardly_repeated(every, members) if origin == REPEATS else set()
-            alone = [one for one in courses(rows, base, values, sorted(hardly)) if one.freedom > 0]
-            noise, scales = restricted(every, alone, members)
-            return _shown(noise, step, _readings_of_a_target(rows, base, members)), scales, origin, freedom
-    mine = np.concatenate([base.runs[place].rows.at for place in members])
-    size = max(float(np.sqrt(np.mean(values[mine] ** 2))), SMALLEST)
-    return Noise(size), np.ones(len(members)), UNKNOWN, 1.0
+    return max([step, *(one.resolution or 0.0 for one in resolved if one is not None)])
 
 
 def _readings_of_a_target(rows: Rows, base: Base, members: Sequence[int]) -> float:
@@ -111,12 +121,3 @@ def display_step(readings: FloatArray) -> float:
         if np.abs(share - np.round(share)).max(initial=0.0) < 1e-6 and np.unique(readings).size > 1:
             return step
     return 0.0
-
-
-def _hardly_repeated(blocks: Sequence[Block], members: Sequence[int]) -> set[int]:
-    """Runs of which too few readings are repeated to tell that they have another noise than their instrument."""
-    repeated = dict.fromkeys(members, 0)
-    for one in blocks:
-        for place, part, _ in one.parts:
-            repeated[place] += part.stop - part.start
-    return {place for place, count in repeated.items() if count < 2.0 * AS_MANY}

@@ -1,116 +1,175 @@
-"""Readings that tell of the noise: targets that are read more than once, or the course of a run by itself."""
+"""Readings that tell of the noise: what the saturated base leaves of them, run by run, repeats together.
+
+The unknowns of each run's instrument are free, and so is the base. What the base gets wrong is the same in all readings
+of a target, from one side, with one set-up; what differs between them is noise, whatever the model.
+"""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import zip_longest
 
 import numpy as np
-from numpy.polynomial import legendre
+from scipy.linalg import block_diag
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components
 
 from trueaxis.diagnose.base import Base
-from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
+from trueaxis.diagnose.projection import orthonormal
+from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
-from trueaxis.estimation.runs import MeasuredRun
+from trueaxis.diagnose.whiten import RANK, settling, wandering
 
-TARGETS = 40  # of a block: neighbours in the order of reading; the cost grows with their cube
-COURSE = 12  # degree of a run's own course, where nothing is repeated
-PER_DEGREE = 6  # readings of a run for each of them
-STRAIGHT = 1e-3  # of the length of a line: what targets may lie beside it
+MOST = 400  # readings that are looked at together; the cost grows with their cube
+ENOUGH = 1500  # contrasts: they tell the noise to 2 %
+GOLDEN = 0.6180339887498949  # its multiples, less whole numbers, are spread evenly
+FAR = 5.0  # robust standard deviations: such readings tell nothing of the noise
+HELD = 0.05  # of a reading's variance: where the free columns leave less, it says nothing of the noise
+ALTERNATIONS = 5  # of two projections: a first guess needs no more
+NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal variable
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """Runs that read the same targets, or one run; of one instrument. rows: of its block; place: (n,), of the run of
+    each reading among those of the base; own: (n, k), orthonormal, what is unknown of the instrument.
+
+    (n, n) of any two readings: same: 1 where they are of one run; gaps: typical steps between them; wander, settle:
+    their covariance of unit size; alike: 1 where they are of one target.
+    """
+
+    rows: slice
+    place: IntArray
+    own: FloatArray
+    same: FloatArray
+    gaps: FloatArray
+    wander: FloatArray
+    settle: FloatArray
+    alike: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Block:
-    """Readings that tell of the noise. parts: of each run its place among the runs, its rows in the block and the time
-    steps between these; free: (n, k), columns that may be anything; values: (n,), mm; lasting: in typical steps, the
-    longest that its noise may last: what lasts longer the free columns hold.
+    """Parts whose noise is told together. free: (n, k), orthonormal, the base beside what is unknown of each run;
+    values: (n,), mm.
     """
 
-    parts: tuple[tuple[int, slice, FloatArray], ...]
+    parts: tuple[Part, ...]
     free: FloatArray
     values: FloatArray
-    lasting: float
-
-    @property
-    def freedom(self) -> int:
-        """At least so many degrees of freedom."""
-        return int(self.values.size - self.free.shape[1])
 
 
-def repeated(rows: Rows, base: Base, values: FloatArray, members: Sequence[int]) -> Iterator[Block]:
-    """Blocks of neighbouring targets that were read more than once with one set-up; first ones of all set-ups first."""
-    of_setup: dict[int, list[int]] = {}
-    for place in members:
-        of_setup.setdefault(int(rows.setup[base.runs[place].rows.at[0]]), []).append(place)
-    waiting = [_targets(rows, base, places) for places in of_setup.values()]
-    for turn in range(max(map(len, waiting), default=0)):
-        for places, targets in zip(of_setup.values(), waiting, strict=True):
-            if turn < len(targets):
-                yield _of_targets(rows, base, values, places, targets[turn])
+def blocks_of(rows: Rows, base: Base, values: FloatArray) -> Iterator[Block]:
+    """Of about as many readings as tell the noise well enough, runs that are far apart first, repeated ones in turn
+    with the others; a run is in one block alone.
+    """
+    place = np.empty(rows.size, dtype=np.int64)
+    for number, run in enumerate(base.runs):
+        place[run.rows.at] = number
+    most = ENOUGH + base.columns.weights.shape[1]
+    together: list[IntArray] = []
+    for at in _in_turn(_groups(rows, place), place):
+        if together and sum(one.size for one in together) + at.size > most:
+            yield _without_far(rows, base, values, place, together)
+            together = []
+        together.append(at)
+    if together:
+        yield _without_far(rows, base, values, place, together)
 
 
-def _targets(rows: Rows, base: Base, places: Sequence[int]) -> list[IntArray]:
-    """Targets that are read more than once, in the order of the first reading, TARGETS at a time."""
-    numbers = np.concatenate([rows.target[base.runs[place].rows.at] for place in places])
-    unique, first, count = np.unique(numbers, return_index=True, return_counts=True)
-    repeated = count > 1
-    order = unique[repeated][np.argsort(first[repeated])]
-    return [order[start : start + TARGETS] for start in range(0, order.size, TARGETS)]
+def _groups(rows: Rows, place: IntArray) -> list[IntArray]:
+    """Rows of runs that read the same targets; where they are many, some of their targets, spread over the runs."""
+    reads = csr_array((np.ones(rows.size), (place, rows.target)))
+    count, of_run = connected_components(reads @ reads.T, directed=False)
+    found = []
+    for group in range(count):
+        at = np.flatnonzero(of_run[place] == group)
+        _, first, which = np.unique(rows.target[at], return_index=True, return_inverse=True)
+        order = np.argsort(np.argsort(first))[which.reshape(-1)]
+        found.append(at[order % -(-at.size // MOST) == 0])
+    return found
 
 
-def _of_targets(rows: Rows, base: Base, values: FloatArray, places: Sequence[int], targets: IntArray) -> Block:
-    parts, at, own = [], [], []
+def _in_turn(groups: Sequence[IntArray], place: IntArray) -> Iterator[IntArray]:
+    spread = [groups[k] for k in np.argsort(np.arange(len(groups)) * GOLDEN % 1.0).tolist()]
+    several = [one for one in spread if np.ptp(place[one]) > 0]
+    alone = [one for one in spread if np.ptp(place[one]) == 0]
+    for pair in zip_longest(several, alone):
+        yield from (one for one in pair if one is not None)
+
+
+def _without_far(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: Sequence[IntArray]) -> Block:
+    """The block of some groups, readings that are far off left out."""
+    found = _block(rows, base, values, place, groups)
+    left, share = left_of(found)
+    kept = []
+    for one, at in zip(found.parts, groups, strict=True):
+        telling = share[one.rows] > HELD
+        size = np.abs(left[one.rows])
+        spread = float(np.median(size[telling])) / NORMAL_MEDIAN if telling.any() else 0.0
+        kept.append(at[(size <= FAR * spread) | ~telling] if spread > 0.0 else at)
+    if all(one.size == at.size for one, at in zip(kept, groups, strict=True)):
+        return found
+    return _block(rows, base, values, place, kept)
+
+
+def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: Sequence[IntArray]) -> Block:
+    parts: list[Part] = []
     start = 0
-    for place in places:
-        chosen = np.isin(rows.target[base.runs[place].rows.at], targets)
-        if chosen.any():
-            part = slice(start, start + int(chosen.sum()))
-            parts.append((place, part, _steps(base.runs[place], chosen)))
-            at.append(base.runs[place].rows.at[chosen])
-            own.append((part, base.own[place][chosen]))
-            start = part.stop
-    mine = np.concatenate(at)
-    means = (rows.target[mine][:, np.newaxis] == targets).astype(np.float64)
-    columns = [means[:, means.any(axis=0)]]
-    for part, one in own:
-        block = np.zeros((mine.size, one.shape[1]))
-        block[part] = one
-        columns.append(block)
-    longest = max(float(np.sum(steps)) for _, _, steps in parts)
-    return Block(tuple(parts), _independent(np.hstack(columns)), values[mine], longest)
+    for at in groups:
+        parts.append(_part(rows, base, place, at, start))
+        start += at.size
+    every = np.concatenate(groups)
+    free = np.hstack([base.columns.at(every), base.by_chance[every]])
+    size = np.linalg.norm(free, axis=0)
+    for one in parts:
+        free[one.rows] -= one.own @ (one.own.T @ free[one.rows])
+    return Block(tuple(parts), orthonormal(free[:, np.linalg.norm(free, axis=0) > RANK * size]), values[every])
 
 
-def _steps(run: MeasuredRun, chosen: BoolArray) -> FloatArray:
-    return np.diff(np.cumsum(run.rows.steps)[chosen], prepend=0.0)
+def _part(rows: Rows, base: Base, place: IntArray, at: IntArray, start: int) -> Part:
+    own, passed, when = [], [], []
+    for number in np.unique(place[at]).tolist():
+        run = base.runs[number].rows
+        here = at[place[at] == number] - int(run.at[0])
+        own.append(orthonormal(base.own[number][here]))
+        passed.append(run.passed[here])
+        when.append(np.cumsum(run.steps)[here])
+    share, time, runs = np.concatenate(passed), np.concatenate(when), place[at]
+    same = (runs[:, np.newaxis] == runs).astype(np.float64)
+    course, walk = settling(share), wandering(share)
+    return Part(
+        rows=slice(start, start + at.size),
+        place=runs,
+        own=np.asarray(block_diag(*own)),
+        same=same,
+        gaps=np.abs(time[:, np.newaxis] - time),
+        wander=same * (walk @ walk.T),
+        settle=same * np.outer(course, course),
+        alike=(rows.target[at][:, np.newaxis] == rows.target[at]).astype(np.float64),
+    )
 
 
-def courses(rows: Rows, base: Base, values: FloatArray, members: Sequence[int]) -> Iterator[Block]:
-    """Each run by itself, less a smooth course by direction."""
-    for place in members:
-        run = base.runs[place]
-        count = run.rows.at.size
-        degree = min(COURSE, count // PER_DEGREE)
-        if degree < 1:
-            continue
-        if run.instrument != "ballbar" and not _on_a_line(run.rows.positions):
-            continue
-        leading = int(np.argmax(np.ptp(run.rows.positions, axis=1)))
-        at, way = run.rows.positions[leading], rows.directions[leading, run.rows.at]
-        turning = np.ptp(np.sign(np.gradient(at))) > 1.0 and run.instrument == "ballbar"
-        along = run.rows.passed if turning or np.ptp(at) == 0.0 else (at - at.min()) / np.ptp(at)
-        curve = legendre.legvander(2.0 * along - 1.0, (2 if turning else 1) * degree)
-        sides = curve * way[:, np.newaxis] if np.unique(way).size > 1 and not turning else curve[:, :0]
-        free = _independent(np.hstack([curve, sides, base.own[place]]))
-        bend = float(np.sum(run.rows.steps)) / free.shape[1]
-        yield Block(((place, slice(0, count), run.rows.steps),), free, values[run.rows.at], bend)
+def left_of(block: Block) -> tuple[FloatArray, FloatArray]:
+    """(n,), mm: what the free columns leave of each reading, over the root of the share of it that they leave; (n,),
+    this share.
+    """
+    left, share = block.values.copy(), np.ones(block.values.size)
+    for one in block.parts:
+        left[one.rows] -= one.own @ (one.own.T @ left[one.rows])
+        share[one.rows] -= np.sum(one.own**2, axis=1)
+    left -= block.free @ (block.free.T @ left)
+    share -= np.sum(block.free**2, axis=1)
+    return np.asarray(left / np.sqrt(np.maximum(share, HELD))), np.asarray(share)
 
 
-def _on_a_line(positions: FloatArray) -> bool:
-    """Whether positions (n_axes, n) lie on one line: poses of several axes follow no course of their order."""
-    singular = np.linalg.svd(positions - positions.mean(axis=1, keepdims=True), compute_uv=False)
-    return bool((singular[1:] <= STRAIGHT * singular[0]).all())
-
-
-def _independent(columns: FloatArray) -> FloatArray:
-    """(n, rank): an orthonormal basis of columns."""
-    sized = columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
-    left, singular, _ = np.linalg.svd(sized, full_matrices=False)
-    return np.asarray(left[:, singular > 1e-9 * singular.max(initial=0.0)])
+def of_repeats(part: Part, values: FloatArray) -> FloatArray:
+    """(k,), mm: by what readings that are repeated differ from the mean of their target, what is unknown of the runs
+    taken away; nearly, and of the size of their noise. values: (n,), mm, of the part.
+    """
+    count = part.alike.sum(axis=1)
+    left = values.copy()
+    for _ in range(ALTERNATIONS):
+        left -= part.own @ (part.own.T @ left)
+        left -= part.alike @ left / count
+    several = count > 1.0
+    return np.asarray(left[several] / np.sqrt(1.0 - 1.0 / count[several]))

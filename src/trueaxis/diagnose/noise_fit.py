@@ -1,140 +1,245 @@
-"""White and slow noise of an instrument by restricted maximum likelihood, and the scale of each of its runs."""
+"""The noise of all instruments at once, by restricted maximum likelihood, and the scale of each run.
 
-from collections.abc import Sequence
-from itertools import product
+The likelihood and its slopes in closed form (Harville, J. Am. Stat. Assoc. 72, 1977): with P the inverse of the
+covariance V less what the free columns take, -2 log L = log|V| + log|X' V^-1 X| + y' P y, and its slope by a parameter
+of V is tr(P dV) - y' P dV P y. What the base gets wrong is a part of V: a value for each target, which repeats share.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import cholesky, solve_triangular
+from scipy.optimize import minimize
 
-from trueaxis.diagnose.noise_blocks import Block
-from trueaxis.diagnose.result import BoolArray, FloatArray
-from trueaxis.estimation.noise import Noise, Whitening
-from trueaxis.estimation.noise_of_residuals import AS_MANY, LASTING, SHARES, SMALLEST
+from trueaxis.diagnose.noise_blocks import Block, Part
+from trueaxis.diagnose.result import FloatArray
 
-ENOUGH = 1500.0  # degrees of freedom: they tell the noise to 2 %
-ALLOWED = 1.35  # of log-likelihood: 90 % confidence
-HELD = 0.05  # of a reading's variance: where the free columns leave less, it says nothing of the noise
-FAR = 5.0  # robust standard deviations: such readings tell nothing of the noise
-NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal variable
-SMALLER, OF_SMALLER = 0.9, 0.623  # share of the squares of a run, and their mean if they are of normal noise
-LESS_EFFICIENT = 1.5  # variance of an estimate by these, over that by all
+# of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
+# the base; all but the time constant, in typical steps, as shares of a first guess
+START = (-0.3, 0.4, np.log(8.0), 0.3, 0.3, 0.3)
+BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 1e6))
+PER, AGE, MISFIT = len(START), 2, 5
+# before the readings have their say, normal: the logarithm of a time constant; slow noise, wandering and settling in
+# units of the first guess
+USUAL = np.log(8.0)
+SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf), (1, 3, 4)
+UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
+FARTHEST = 2.0  # of this logarithm
+STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
+LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
+STEPS = 200  # of a standard deviation that is averaged
+FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
 
 
-def restricted(blocks: Sequence[Block], alone: Sequence[Block], members: Sequence[int]) -> tuple[Noise, FloatArray]:
-    """The noise of one instrument by REML, and the scale of each of its runs. alone: of runs by themselves, which tell
-    of their scale alone.
+@dataclass(frozen=True, slots=True)
+class Guess:
+    """Of an instrument: noise: mm; misfit: of the base, as a share of it; 0 where no target is repeated."""
+
+    noise: float
+    misfit: float
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """Of an instrument: standard deviations, mm, of white and slow noise, wandering and settling; lasts: typical steps;
+    freedom: degrees of freedom that tell it.
     """
-    good, good_alone = [_near(one) for one in blocks], [_near(one) for one in alone]
-    even = dict.fromkeys(members, 1.0)
-    some = _enough(blocks)
-    first = _best(blocks[:some], good[:some], even)
-    scale = _scales([*blocks, *alone], [*good, *good_alone], first, members)
-    best = _best(blocks[:some], good[:some], scale)
-    return best, np.array([scale[place] for place in members])
+
+    white: float
+    slow: float = 0.0
+    lasts: float = 1.0
+    wanders: float = 0.0
+    settles: float = 0.0
+    freedom: float = 1.0
 
 
-def _enough(blocks: Sequence[Block]) -> int:
-    """How many of the blocks, the first ones, tell the noise of an instrument well enough."""
-    return int(np.searchsorted(np.cumsum([one.freedom for one in blocks]), ENOUGH)) + 1
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """sizes: (instruments, PER), see START, in mm and typical steps; scales: (n_runs,), of the white noise of each."""
+
+    sizes: FloatArray
+    scales: FloatArray
 
 
-def _best(blocks: Sequence[Block], good: Sequence[BoolArray], scale: dict[int, float]) -> Noise:
-    """Of every other shape the likeliest, then of those about it the slowest that the readings allow."""
-    shares, lasting = SHARES[1:], _lasting(blocks)
-    tried = {(0.0, 1.0): _likelihood(blocks, good, scale, 0.0, 1.0)}
-    for share, lasts in product(shares[::2], lasting[::2]):
-        tried[share, lasts] = _likelihood(blocks, good, scale, share, lasts)
-    share, lasts = max(tried, key=lambda shape: tried[shape][0])
-    for shape in product(_beside(shares, share), _beside(lasting, lasts)):
-        if shape not in tried:
-            tried[shape] = _likelihood(blocks, good, scale, *shape)
-    most = max(likelihood for likelihood, _ in tried.values())
-    return max((noise for likelihood, noise in tried.values() if likelihood >= most - ALLOWED), key=_slowness)
-
-
-def _beside(values: Sequence[float], one: float) -> Sequence[float]:
-    place = values.index(one) if one in values else 0
-    return values[max(place - 1, 0) : place + 2]
-
-
-def _slowness(noise: Noise) -> float:
-    """The strength of the noise at low frequencies."""
-    return noise.white**2 + noise.slow**2 * (1.0 + 2.0 * noise.lasts)
-
-
-def _lasting(blocks: Sequence[Block]) -> list[float]:
-    """Durations of the slow part: no longer than a run."""
-    longest = max((one.lasting for one in blocks), default=1.0)
-    return [one for one in LASTING if one <= max(longest, 1.0)]
-
-
-def _near(block: Block) -> BoolArray:
-    """(n,): readings that are not far off, by what the free columns leave of them; those that they hold are not."""
-    share = 1.0 - np.sum(block.free**2, axis=1)
-    left = np.abs(block.values - block.free @ (block.free.T @ block.values)) / np.sqrt(np.maximum(share, HELD))
-    telling = share > HELD
-    spread = float(np.median(left[telling])) / NORMAL_MEDIAN if telling.any() else 0.0
-    near = (left <= FAR * spread) | ~telling if spread > 0.0 else np.ones(left.size, dtype=bool)
-    return near if near.sum() > block.free.shape[1] else np.ones(left.size, dtype=bool)
-
-
-def _whitened(block: Block, good: BoolArray, unit: Noise, scale: dict[int, float]) -> tuple[FloatArray, float]:
-    """(n, k + 1): free columns and values of the good readings, whitened, and half the log determinant of the noise."""
-    both = np.column_stack([block.free, block.values])
-    found, root = [], 0.0
-    for place, part, steps in block.parts:
-        kept = good[part]
-        if kept.any():
-            between = np.diff(np.cumsum(steps)[kept], prepend=0.0)
-            whiten = Whitening(unit, between, scale[place])
-            found.append(whiten(both[part][kept]))
-            root += whiten.log_root
-    return np.vstack(found), root
-
-
-def _likelihood(
-    blocks: Sequence[Block], good: Sequence[BoolArray], scale: dict[int, float], share: float, lasts: float
-) -> tuple[float, Noise]:
-    """Restricted, maximal over the size, and the noise of that size."""
-    unit = Noise(float(np.sqrt(1.0 - share)), float(np.sqrt(share)), lasts)
-    squares, roots, freedom = 0.0, 0.0, 0
-    for block, kept in zip(blocks, good, strict=True):
-        white, root = _whitened(block, kept, unit, scale)
-        k = white.shape[1] - 1
-        r = np.asarray(np.linalg.qr(white, mode="r"))
-        diagonal = np.abs(np.diag(r))[:k]
-        held = diagonal > 1e-9 * diagonal.max(initial=0.0)
-        squares += float(r[k, k] ** 2) if r.shape[0] > k else 0.0
-        roots += root + float(np.log(diagonal[held]).sum())
-        freedom += white.shape[0] - int(held.sum())
-    variance = max(squares / max(freedom, 1), SMALLEST**2)
-    sigma = float(np.sqrt(variance))
-    return -0.5 * freedom * np.log(variance) - roots, Noise(sigma * unit.white, sigma * unit.slow, lasts)
-
-
-def _scales(
-    blocks: Sequence[Block], good: Sequence[BoolArray], noise: Noise, members: Sequence[int]
-) -> dict[int, float]:
-    """Of every run: its readings as far as they tell that it has another noise than its instrument.
-
-    By the mean of the smaller squares, which outliers do not move: of normal noise it tells as much as that of fewer.
+@dataclass(frozen=True, slots=True, eq=False)
+class _Told:
+    """What a part tells at some noise. number: of its instrument; white: (n,), variance of each reading; slow: (n, n),
+    of unit size; noise: (n, n), mm^2; precision: (n, n), what is free taken away; weighed: (n,), precision of all
+    readings times their values.
     """
-    left: dict[int, list[FloatArray]] = {place: [] for place in members}
-    told, every_one = dict.fromkeys(members, 0.0), dict.fromkeys(members, 1.0)
-    for block, kept in zip(blocks, good, strict=True):
-        white, _ = _whitened(block, kept, noise, every_one)
-        q = np.linalg.qr(white[:, :-1])[0]
-        share = 1.0 - np.sum(q**2, axis=1)
-        squares = (white[:, -1] - q @ (q.T @ white[:, -1])) ** 2 / np.maximum(share, HELD)
-        start = 0
-        for place, part, _ in block.parts:
-            mine = slice(start, start + int(kept[part].sum()))
-            left[place].append(squares[mine][share[mine] > HELD])
-            told[place] += float(share[mine].sum()) / LESS_EFFICIENT
-            start = mine.stop
-    found = {}
-    for place in members:
-        every = np.concatenate([np.zeros(0), *left[place]])
-        smaller = np.sort(every)[: int(np.ceil(SMALLER * every.size))]
-        ratio = float(np.mean(smaller)) / OF_SMALLER if smaller.size else 1.0
-        found[place] = float(np.sqrt((AS_MANY + told[place] * ratio) / (AS_MANY + told[place])))
-    return found
+
+    part: Part
+    number: int
+    white: FloatArray
+    slow: FloatArray
+    noise: FloatArray
+    precision: FloatArray
+    weighed: FloatArray
+
+    def slope(self, shape: FloatArray) -> float:
+        """Of minus the logarithm of the likelihood by the size of a shape, mm^2, of the covariance."""
+        return 0.5 * float(np.sum(self.precision * shape) - self.weighed @ shape @ self.weighed)
+
+    def of_scale(self) -> FloatArray:
+        """(n,): the same by the logarithm of the white noise of each reading."""
+        return np.asarray(self.white * (np.diag(self.precision) - self.weighed**2))
+
+    @property
+    def shapes(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Of slow noise, wandering and settling."""
+        return self.slow, self.part.wander, self.part.settle
+
+
+class Likelihood:
+    """Of a block, minus its logarithm; instruments: of every run; first: a guess of each instrument.
+
+    Parameters: START of each instrument, then the logarithm of the scale of each run.
+    """
+
+    def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, Guess]) -> None:
+        self.block = block
+        self.units = np.array([one.noise for one in first.values()])
+        self.of_run = np.array([list(first).index(name) for name in instruments])
+        self.count = PER * self.units.size
+
+    def __call__(self, x: FloatArray) -> tuple[float, FloatArray]:
+        """With the prior of time constants and scales, and the slopes."""
+        usual, spread = np.zeros(x.size), np.full(x.size, UNEVEN)
+        usual[AGE : self.count : PER] = USUAL
+        spread[: self.count] = np.tile(SPREAD, self.units.size)
+        apart = (x - usual) / spread
+        slope = apart / spread
+        value, told = self.told(x)
+        sizes = self.sizes(x)
+        for one in told:
+            of_scale, unit = one.of_scale(), 2.0 * self.units[one.number]
+            _, slow, age, wanders, settles, misfit = sizes[one.number]
+            slope[self.count :] += np.bincount(one.part.place, of_scale, self.of_run.size)
+            slope[PER * one.number : PER * (one.number + 1)] += [
+                of_scale.sum(),
+                unit * slow * one.slope(one.slow),
+                slow**2 * one.slope(one.slow * one.part.gaps / age),
+                unit * wanders * one.slope(one.part.wander),
+                unit * settles * one.slope(one.part.settle),
+                unit * misfit * one.slope(one.part.alike),
+            ]
+        return value + 0.5 * float(apart @ apart), slope
+
+    def sizes(self, x: FloatArray) -> FloatArray:
+        """(instruments, PER): standard deviations, mm, and the time constant."""
+        found = x[: self.count].reshape(-1, PER) * self.units[:, np.newaxis]
+        found[:, 0] = self.units * np.exp(x[: self.count : PER])
+        found[:, AGE] = np.exp(x[AGE : self.count : PER])
+        return np.asarray(found)
+
+    def parameters(self, found: Found) -> FloatArray:
+        """Where sizes and scales are as found; no size is zero, where the slope tells nothing."""
+        relative = np.maximum(found.sizes / self.units[:, np.newaxis], LEAST)
+        relative[:, 0], relative[:, AGE] = np.log(relative[:, 0]), np.log(found.sizes[:, AGE])
+        within = np.clip(relative, *np.transpose(BOUNDS))
+        return np.concatenate([within.ravel(), np.clip(np.log(found.scales), -FARTHEST, FARTHEST)])
+
+    def told(self, x: FloatArray) -> tuple[float, list[_Told]]:
+        """Minus the logarithm, and what each part tells."""
+        found, root = [], 0.0
+        through, weighed = np.empty_like(self.block.free), np.empty_like(self.block.values)
+        sizes = self.sizes(x)
+        for one in self.block.parts:
+            number = int(self.of_run[one.place[0]])
+            level, slow, age, wanders, settles, misfit = sizes[number]
+            slowly = one.same * np.exp(-one.gaps / age)
+            white = (level * np.exp(x[self.count + one.place])) ** 2
+            noise = np.diag(white) + slow**2 * slowly + wanders**2 * one.wander + settles**2 * one.settle
+            precision, own_root = _precision(noise + misfit**2 * one.alike, one.own)
+            root += own_root
+            through[one.rows] = precision @ self.block.free[one.rows]
+            weighed[one.rows] = precision @ self.block.values[one.rows]
+            found.append(_Told(one, number, white, slowly, noise, precision, weighed[one.rows]))
+        factor = cholesky(self.block.free.T @ through, lower=True, check_finite=False)
+        root += float(np.log(np.diag(factor)).sum())
+        taken = solve_triangular(factor, through.T, lower=True, check_finite=False)
+        weighed -= taken.T @ (taken @ self.block.values)
+        for told in found:
+            mine = taken[:, told.part.rows]
+            told.precision[...] -= mine.T @ mine
+        return root + 0.5 * float(self.block.values @ weighed), found
+
+
+def _precision(covariance: FloatArray, own: FloatArray) -> tuple[FloatArray, float]:
+    """Inverse of a covariance less what own columns take, and half the log determinants."""
+    factor = cholesky(covariance, lower=True, check_finite=False, overwrite_a=True)
+    root = float(np.log(np.diag(factor)).sum())
+    inverse = solve_triangular(factor, np.eye(len(factor)), lower=True, check_finite=False)
+    inverse = inverse.T @ inverse
+    if own.shape[1]:
+        held = inverse @ own
+        part = cholesky(own.T @ held, lower=True, check_finite=False)
+        root += float(np.log(np.diag(part)).sum())
+        taken = solve_triangular(part, held.T, lower=True, check_finite=False)
+        inverse -= taken.T @ taken
+    return np.asarray(inverse), root
+
+
+def restricted(
+    blocks: Sequence[Block], instruments: Sequence[str], first: Mapping[str, Guess], before: Found | None
+) -> tuple[dict[str, Law], Found]:
+    """The likeliest noise of every instrument by the first block, and with the scale of every run.
+
+    instruments: of every run; first: a guess of each; before: what was found of nearly the same readings.
+    """
+    of = Likelihood(blocks[0], instruments, first)
+    start = np.concatenate([np.tile(START, len(first)), np.zeros(len(instruments))])
+    bounds = [*BOUNDS * len(first), *[(-FARTHEST, FARTHEST)] * len(instruments)]
+    start[MISFIT : of.count : PER] = [one.misfit for one in first.values()]
+    if before is not None and before.scales.size == len(instruments):
+        start = of.parameters(before)
+    for number, one in enumerate(first.values()):
+        if one.misfit == 0.0:  # nothing tells it from noise
+            start[PER * number + MISFIT] = 0.0
+            bounds[PER * number + MISFIT] = (0.0, 0.0)
+    x = minimize(
+        of, start, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": STILL, "maxiter": MOST_STEPS}
+    ).x
+    for block in blocks[1:]:
+        _scaled(Likelihood(block, instruments, first), x)
+    return _averaged(of, list(first), x), Found(of.sizes(x), np.exp(x[of.count :]))
+
+
+def _scaled(of: Likelihood, x: FloatArray) -> None:
+    """Set the scales of the runs of a block: one step from 1, exact where noise is white."""
+    slope, information = np.zeros((2, of.of_run.size))
+    for one in of.told(x)[1]:
+        slope -= np.bincount(one.part.place, one.of_scale(), of.of_run.size)
+        both = (one.white * (one.white[:, np.newaxis] * one.precision**2)).sum(axis=0)
+        information += 2.0 * np.bincount(one.part.place, both, of.of_run.size)
+    step = np.maximum(1.0 + 2.0 * slope / (information + UNEVEN**-2), np.exp(-2.0 * FARTHEST))
+    x[of.count :] += np.where(information > 0.0, 0.5 * np.log(step), 0.0)
+
+
+def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, Law]:
+    """Slow parts averaged over what the readings leave possible: of a variance of which little is known the likelihood
+    is normal about its best value, and the standard deviation anything from 0 on.
+    """
+    slopes, information = np.zeros((2, len(names), 3))
+    freedom = np.zeros(len(names))
+    for one in of.told(x)[1]:
+        freedom[one.number] += float(np.sum(one.precision * one.noise))
+        for k, shape in enumerate(one.shapes):
+            both = one.precision @ shape
+            slopes[one.number, k] += one.slope(shape)
+            information[one.number, k] += 0.5 * float(np.sum(both * both.T))
+    sizes = of.sizes(x)
+    best = sizes[:, list(SLOW)] ** 2
+    spread = 1.0 / np.sqrt(np.maximum(information, 1e-300))
+    middle = np.maximum(best - slopes * spread**2, -FAR_BELOW * spread)
+    share = np.linspace(0.0, 1.0, STEPS)[:, np.newaxis, np.newaxis]
+    usual = (np.array(SPREAD)[list(SLOW)] * of.units[:, np.newaxis]) ** 2
+    farthest = np.minimum(np.maximum(middle, 0.0) + FAR_ABOVE * spread, np.maximum(FAR_ABOVE**2 * usual, 4 * best))
+    possible = share**2 * farthest
+    weight = np.exp(-0.5 * (((possible - middle) / spread) ** 2 + possible / usual))
+    slow, wanders, settles = np.sqrt(np.sum(weight * possible, axis=0) / np.sum(weight, axis=0)).T
+    return {
+        name: Law(*map(float, (sizes[k, 0], slow[k], sizes[k, AGE], wanders[k], settles[k], freedom[k])))
+        for k, name in enumerate(names)
+    }

@@ -1,27 +1,27 @@
 """What is there before any cause: readings that count, what recalibration could change, noise of every run."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import minimize_scalar
 
 from trueaxis.diagnose.base import Base, base_of
 from trueaxis.diagnose.by_run import ByRun
 from trueaxis.diagnose.noise import noise_of_runs
-from trueaxis.diagnose.result import BoolArray, FloatArray, NoiseOf, Outlier
+from trueaxis.diagnose.noise_fit import Found
+from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray, NoiseOf, Outlier
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.whiten import RANK, Whitening, whitening
-from trueaxis.estimation.outliers import ALIKE, excess, spoilt
+from trueaxis.estimation.outliers import ALIKE, NEIGHBOURS, excess, long, spoilt
 from trueaxis.runtime.model import MachineModel
 
-ROUNDS = 10  # of looking for outliers: the largest go first, as they pull what is fitted to good readings
-UNSETTLED = 1e-3  # of the noise: what settles by less is none
+ROUNDS = 20  # of looking for outliers: they end by themselves, a few later than a run has outliers
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Null:
-    """rows: those that count; values: (n,) mm, readings less what is expected; outliers: those left out."""
+    """rows: those that count; values: (n,) mm, readings less what is expected; outliers: those left out; found: of the
+    noise, where it was estimated.
+    """
 
     rows: Rows
     values: FloatArray
@@ -29,6 +29,7 @@ class Null:
     whitening: Whitening
     noise: tuple[NoiseOf, ...]
     outliers: tuple[Outlier, ...]
+    found: Found | None
 
     def only(self, keep: BoolArray) -> "Null":
         """Of some rows, (n,)."""
@@ -42,33 +43,46 @@ class Null:
 
 
 def null_of(model: MachineModel, rows: Rows, values: FloatArray, noise_um: float | None) -> Null:
-    """From the readings, outliers left out. values: (n,) mm, of all rows."""
-    off: tuple[Outlier, ...] = ()
-    found = _with_noise(rows, base_of(model, rows), values, noise_um)
+    """From the readings, outliers left out. values: (n,) mm, of all rows.
+
+    Of a run the farthest reading goes first, and the one beside it where it is as far off: others wait, as these two
+    pull what is fitted to them.
+    """
+    whole = found = _with_noise(rows, base_of(model, rows), values, noise_um)
+    good, stays = np.ones((2, rows.size), dtype=bool)
+    stays[:] = False
+    off: dict[int, Outlier] = {}
     for _ in range(ROUNDS):
         left = _left(found, found.values)
-        bad = _spoilt(found, left)
+        bad = np.zeros(rows.size, dtype=bool)
+        bad[good] = _spoilt(found, left, stays[good])
         if not bad.any():
             break
-        off += _named(found, bad, left)
-        found = found.only(~bad)
-    if off:
-        found = _with_noise(found.rows, found.base, found.values, noise_um)
-    return replace(settled(found, found.values), outliers=off)
+        off |= dict(zip(np.flatnonzero(bad).tolist(), _named(found, bad[good], left), strict=True))
+        for index in rows.present:
+            mine = rows.of_run(index)
+            stays[mine] |= long(~good[mine] | bad[mine])
+        good = (good & ~bad) | stays
+        found = whole.only(good)
+    outliers = tuple(one for at, one in off.items() if not good[at])
+    if outliers:
+        found = _with_noise(found.rows, found.base, found.values, noise_um, found.found)
+    return replace(found, outliers=outliers)
 
 
 def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
     """With the noise that is left when causes are known. signal: (n,) mm, what they do to the readings."""
     left = null.values - signal
-    found = settled(_with_noise(null.rows, null.base, left, noise_um), left)
+    found = _with_noise(null.rows, null.base, left, noise_um, null.found)
     return replace(found, values=null.values, outliers=null.outliers)
 
 
-def _with_noise(rows: Rows, base: Base, values: FloatArray, noise_um: float | None) -> Null:
-    runs, noise = noise_of_runs(rows, base, values, noise_um)
-    return Null(
-        rows=rows, values=values, base=base, whitening=whitening(rows.run, runs, base.own), noise=noise, outliers=()
-    )
+def _with_noise(
+    rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
+) -> Null:
+    runs, noise, found = noise_of_runs(rows, base, values, noise_um, before)
+    white = whitening(rows.run, runs, base.own)
+    return Null(rows=rows, values=values, base=base, whitening=white, noise=noise, outliers=(), found=found)
 
 
 def fitted(whiten: Whitening, columns: ByRun, values: FloatArray) -> FloatArray:
@@ -103,14 +117,24 @@ def _left(null: Null, values: FloatArray) -> FloatArray:
     return less_own(null.whitening, values - null.base.columns @ coefficient)
 
 
-def _spoilt(null: Null, left: FloatArray) -> BoolArray:
+def _spoilt(null: Null, left: FloatArray, stays: BoolArray) -> BoolArray:
+    """(n,): outliers. stays: (n,), readings that are none, whatever they are."""
     found = np.zeros(null.rows.size, dtype=bool)
     for noise, one in zip(null.whitening.runs, null.base.runs, strict=True):
         at = one.rows.at
-        scale = noise.scale * excess(left[at], noise.sigma)
-        found[at] = spoilt(noise.noise, scale, one.rows.steps, left[at], null.rows.target[at], null.rows.size)
+        scale, repeats = excess(left[at], noise.sigma), _apart(null.rows.target[at])
+        found[at] = spoilt(noise.noise, scale, one.rows.steps, left[at], repeats, null.rows.size, NEIGHBOURS)
+    found &= ~stays
     size = np.abs(left) / null.whitening.sigma
     return np.asarray(found & (size >= ALIKE * float(size[found].max(initial=0.0))))
+
+
+def _apart(target: IntArray) -> IntArray:
+    """(n,): the same number where the same target was read, but not in a row: what spoils a reading spoils the next."""
+    change = np.diff(target, prepend=-1) != 0
+    first = np.flatnonzero(change)
+    since = np.arange(target.size) - first[np.cumsum(change) - 1]
+    return np.asarray(target * target.size + since)
 
 
 def _named(null: Null, bad: BoolArray, left: FloatArray) -> tuple[Outlier, ...]:
@@ -119,39 +143,3 @@ def _named(null: Null, bad: BoolArray, left: FloatArray) -> tuple[Outlier, ...]:
         Outlier(rows.runs[rows.run[at]].id, int(rows.seq[at]), float(left[at]), float(left[at] / sigma[at]))
         for at in np.flatnonzero(bad)
     )
-
-
-def settled(null: Null, values: FloatArray) -> Null:
-    """With the standard deviation by which runs of each instrument settle: the likeliest one."""
-    left = null.whitening(_left(null, values))
-    course = null.whitening(np.concatenate([one.settling for one in null.whitening.runs]))
-    runs, noise = list(null.whitening.runs), []
-    for of in null.noise:
-        members = [place for place, one in enumerate(null.base.runs) if one.instrument == of.instrument]
-        told = []
-        for place in members:
-            here = slice(int(null.whitening.starts[place]), int(null.whitening.starts[place + 1]))
-            weight = float(course[here] @ course[here])
-            if weight > RANK:
-                told.append((float(course[here] @ left[here]) / weight, 1.0 / weight))
-        size = _size(told, of.sigma)
-        for place in members:
-            runs[place] = replace(runs[place], settles=size)
-        noise.append(replace(of, settles=size))
-    fresh = whitening(null.rows.run, runs, null.base.own)
-    return replace(null, whitening=fresh, noise=tuple(noise))
-
-
-def _size(told: Sequence[tuple[float, float]], sigma: float) -> float:
-    """Standard deviation of a normal variable from values with variances of their own; 0 where none is likelier."""
-    if not told:
-        return 0.0
-    value, variance = np.array(told).T
-
-    def cost(log: float) -> float:
-        total = variance + np.exp(2.0 * log)
-        return float(np.sum(np.log(total) + value**2 / total))
-
-    least, most = np.log(UNSETTLED * sigma), np.log(max(float(np.abs(value).max()), sigma))
-    best = minimize_scalar(cost, bounds=(least, most), method="bounded").x
-    return float(np.exp(best)) if cost(best) < cost(-100.0) else 0.0

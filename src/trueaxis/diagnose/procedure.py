@@ -7,12 +7,11 @@ import numpy as np
 
 from trueaxis.diagnose.amplitudes import amplitudes_of
 from trueaxis.diagnose.audit import audit
-from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.contest import contest
 from trueaxis.diagnose.freedom import freedom_of
-from trueaxis.diagnose.gain import fit, gain_of, held_out, of_instruments, predicted
+from trueaxis.diagnose.gain import fit, gain_of, held_out, predicted
 from trueaxis.diagnose.imperfection import imperfection, imperfections
 from trueaxis.diagnose.instruments import Off, instruments_off
 from trueaxis.diagnose.null import Null, again, null_of
@@ -102,10 +101,6 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             held=held,
             left=of_all.left,
             gain=gain,
-            # the base as fine as the curves of the extended machine
-            of_instruments=of_instruments(
-                base_of(model, null.rows, model.machine.curve_degree), null.whitening, values, causes
-            ),
             stale=changes.stale,
             stale_p=changes.p_value,
             report=data.setup.report,
@@ -243,5 +238,9 @@ def _plain(null: Null, free: FloatArray) -> Projection:
 
 def _changed(before: Sequence[NoiseOf], after: Sequence[NoiseOf]) -> bool:
     pairs = [(one.sigma, other.sigma) for one, other in zip(before, after, strict=True)]
-    pairs += [(one.sigma + one.settles, other.sigma + other.settles) for one, other in zip(before, after, strict=True)]
+    pairs += [(_whole(one), _whole(other)) for one, other in zip(before, after, strict=True)]
     return any(abs(one - other) > AGAIN * max(one, other) for one, other in pairs)
+
+
+def _whole(one: NoiseOf) -> float:
+    return one.sigma + one.settles + one.wanders

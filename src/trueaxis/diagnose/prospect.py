@@ -13,7 +13,6 @@ exact, at the cost of the run's rows alone.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from scipy.linalg import svd
@@ -26,7 +25,7 @@ from trueaxis.diagnose.result import FloatArray, IntArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Readings, readings_of, signature_of
-from trueaxis.diagnose.whiten import RANK, RunNoise, Whitening, settling, whitening
+from trueaxis.diagnose.whiten import RANK, RunNoise, Whitening, whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.runs import MeasuredRun
@@ -88,10 +87,9 @@ def prospect_of(ground: Ground) -> Prospect:
     further = menu(readings.model, readings.rows)
     everything = _with_further(readings.rows, further)
     base = base_of(readings.model, everything)
-    known = {
-        readings.rows.runs[run].instrument: replace(one, scale=1.0)
-        for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True)
-    }
+    known: dict[str, list[RunNoise]] = {}
+    for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True):
+        known.setdefault(readings.rows.runs[run].instrument, []).append(one)
     parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
     ahead = [_noise(one, known) for one in base.runs[len(ground.whitening.runs) :]]
     whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.own)
@@ -218,16 +216,13 @@ def _contexts(one: Context, other: Context) -> Context:
     )
 
 
-def _noise(run: MeasuredRun, known: Mapping[Any, RunNoise]) -> RunNoise:
+def _noise(run: MeasuredRun, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:
     """As that of other runs of the instrument, or as usual."""
-    usual = known.get(run.instrument)
-    return RunNoise(
-        noise=Noise(PROBE_MM if run.instrument == "probe" else USUAL_MM) if usual is None else usual.noise,
-        scale=1.0,
-        steps=run.rows.steps,
-        settles=0.0 if usual is None else usual.settles,
-        settling=settling(run.rows.passed),
-    )
+    of_instrument = sorted(known.get(run.instrument, []), key=lambda one: one.sigma)
+    if not of_instrument:
+        level = PROBE_MM if run.instrument == "probe" else USUAL_MM
+        return RunNoise(noise=Noise(level), steps=run.rows.steps, passed=run.rows.passed, wanders=0.0, settles=0.0)
+    return replace(of_instrument[len(of_instrument) // 2], steps=run.rows.steps, passed=run.rows.passed)
 
 
 def _spanned(columns: FloatArray) -> FloatArray:

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.effects.kind import Effect
+from trueaxis.runtime.errors import Determined
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
@@ -22,8 +23,8 @@ Verdict = Literal["no_discrepancy", "recalibrate", "explained", "ambiguous", "un
 class NoiseOf:
     """Noise of the readings of one instrument, mm: white, and slow (correlation: from one reading to the next).
 
-    settles: by which its runs change after their start; freedom: degrees of freedom of the estimate; origin: where it
-    is from, see diagnose.noise.
+    settles: by which its runs change after their start; wanders: random walk of a run, at its end; freedom: degrees of
+    freedom of the estimate; origin: where it is from, see diagnose.noise.
     """
 
     instrument: str
@@ -33,6 +34,7 @@ class NoiseOf:
     settles: float
     freedom: float
     origin: str
+    wanders: float = 0.0
 
     @property
     def sigma(self) -> float:
@@ -236,6 +238,21 @@ class NextRun:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ErrorNow:
+    """An error of the machine as these readings have it. given, now, change: of a component what is largest over the
+    travel; u: standard uncertainty of the change, NaN where combinations are open; determined: by what; mm or rad.
+    """
+
+    name: str
+    unit: str
+    given: float
+    now: float
+    change: float
+    u: float
+    determined: Determined
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class MeasuredWith:
     """What one device measured. device, serial: empty where setup.toml names none; sessions: named ones; motions: axes
     that move, of runs; time_s, temperature_c: from, to; None where the readings have none.
@@ -254,8 +271,7 @@ class MeasuredWith:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Residuals:
-    """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds;
-    of_instruments: what offsets, slopes and centres of the instruments account for beside curves of the spec's degree.
+    """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds.
 
     run: index into runs; positions, directions: (n_axes, n); theta: polar angle (rad) of circles, NaN elsewhere;
     along: ideal displacement sensed (mm) of lines.
@@ -279,14 +295,14 @@ class Residuals:
     refitted: FloatArray
     extended: FloatArray
     whitened: FloatArray
-    of_instruments: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Diagnosis:
     """Everything that was found. correlation: (g, g), R^2 between the candidates of `isolability`, base projected out;
     threshold: evidence that a candidate had to reach; absences: what the data lack and what that costs; report: what
-    setup.toml says of the measurement in free words.
+    setup.toml says of the measurement in free words; errors: all of the machine, as `identify` has them from these
+    readings beside the causes; none where its fit did not stand still.
     """
 
     machine: str
@@ -310,3 +326,4 @@ class Diagnosis:
     residuals: Residuals
     measured: tuple[MeasuredWith, ...]
     report: Mapping[str, str]
+    errors: tuple[ErrorNow, ...] = ()

@@ -253,7 +253,7 @@ def _of_component(readings: Readings, effect: Effect, kind: Kind, points: tuple[
         alike = np.zeros(int(place.max()) + 1, dtype=np.int64)
         alike[place] = np.arange(place.size)
         terms = _columns(readings, kind, points, given[:, alike])
-        known = np.isfinite(terms).all(axis=(1, 2))
+        known = np.asarray(np.isfinite(terms).all(axis=(1, 2)))
         found = Terms(terms if known.all() else np.nan_to_num(terms), place, known)
         readings.memory.keep_terms(effect, points, found)
     return found

@@ -16,44 +16,54 @@ from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.noise import Whitening as OfOneRun
 
 SETTLED = 0.2  # of the duration of a run: its time constant of settling
+MODES = 12  # of a random walk: the further ones are a hundredth of its variance, and much like white noise
+SLIGHT = 1e-3  # standard deviations of the noise that matter to nobody
 RANK = 1e-9  # singular values below it, of columns of length 1, count as zero
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class RunNoise:
-    """Of one run: noise: of its instrument; scale: by what its own is larger; steps: (n,), time since the reading
-    before in typical steps; settles: standard deviation of its settling, mm; settling: (n,), its course.
+    """Of one run: noise: its white and slow noise; steps: (n,), time since the reading before in typical steps; passed:
+    (n,), share of its duration; wanders, settles: standard deviations of its random walk, at its end, and of its
+    settling, mm.
     """
 
     noise: Noise
-    scale: float
     steps: FloatArray
+    passed: FloatArray
+    wanders: float
     settles: float
-    settling: FloatArray
 
     @property
     def sigma(self) -> float:
         """Standard deviation of a reading, mm."""
-        return self.scale * self.noise.sigma
+        return self.noise.sigma
 
     def only(self, keep: BoolArray) -> "RunNoise":
         """Of some readings, (n,)."""
         steps = np.diff(np.cumsum(self.steps)[keep], prepend=0.0)
-        return replace(self, steps=steps, settling=self.settling[keep])
+        return replace(self, steps=steps, passed=self.passed[keep])
+
+    @property
+    def chance(self) -> FloatArray:
+        """(n, k), mm: how it wanders and settles, one standard deviation each; its zero and its drift are free."""
+        settled = self.settles * settling(self.passed)
+        return np.hstack([self.wanders * wandering(self.passed), settled[:, np.newaxis]])
 
     def whitened(self, columns: FloatArray) -> FloatArray:
-        """(n, k) columns by the noise alone."""
+        """(n, k) columns by the white and the slow noise alone."""
         return self.alone()(columns)
 
     def alone(self) -> OfOneRun:
-        """The noise alone."""
-        return OfOneRun(self.noise, self.steps, self.scale)
+        """The white and the slow noise alone."""
+        return OfOneRun(self.noise, self.steps)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _OfRun:
-    """alone: by the noise; aside: (n, k), orthonormal, what is taken away after that, and its share: all of the run's
-    own unknowns, so many; of the direction in which it settles by chance 1 - 1/sqrt(1 + d^2) of its standard deviation.
+    """alone: by white and slow noise; aside: (n, k), orthonormal, what is taken away after that, and its share: all of
+    the run's own unknowns, so many; of directions in which it varies by chance 1 - 1/sqrt(1 + d^2) of its standard
+    deviation d.
     """
 
     alone: OfOneRun
@@ -143,20 +153,25 @@ def _of_run(run: RunNoise, own: FloatArray) -> _OfRun:
     left, singular, _ = np.linalg.svd(white, full_matrices=False)
     basis = left[:, singular > RANK * singular.max(initial=0.0)]
     own_count = basis.shape[1]
-    settling = alone.every(run.settling[:, np.newaxis])
-    settling -= basis @ (basis.T @ settling)
-    size = float(np.linalg.norm(settling))
-    spread = run.settles * size
-    if spread == 0.0:
-        return _OfRun(alone, own_count, basis, np.ones(own_count), run.sigma)
-    share = 1.0 - 1.0 / float(np.hypot(1.0, spread))
-    both, shares = np.hstack([basis, settling / size]), np.append(np.ones(own_count), share)
-    return _OfRun(alone, own_count, both, shares, run.sigma)
+    chance = alone.every(run.chance)
+    chance -= basis @ (basis.T @ chance)
+    turned, deviation, _ = np.linalg.svd(chance, full_matrices=False)
+    told = deviation > SLIGHT
+    share = np.concatenate([np.ones(own_count), 1.0 - 1.0 / np.hypot(1.0, deviation[told])])
+    return _OfRun(alone, own_count, np.hstack([basis, turned[:, told]]), share, run.sigma)
 
 
 def settling(passed: FloatArray) -> FloatArray:
     """(n,): the course by which a run settles, from 1 on; passed: (n,), share of its duration."""
     return np.asarray(np.exp(-passed / SETTLED))
+
+
+def wandering(passed: FloatArray) -> FloatArray:
+    """(n, MODES): a random walk over a run, of standard deviation 1 at its end, less its zero and its drift: what is
+    left is a Brownian bridge (its expansion by Karhunen and Loeve).
+    """
+    modes = np.pi * np.arange(1, MODES + 1)
+    return np.asarray(np.sqrt(2.0) * np.sin(passed[:, np.newaxis] * modes) / modes)
 
 
 def whitening(run: IntArray, runs: Sequence[RunNoise], own: Sequence[FloatArray]) -> Whitening:

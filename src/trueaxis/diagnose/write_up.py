@@ -29,7 +29,6 @@ from trueaxis.diagnose.result import (
     Diagnosis,
     Estimate,
     Evidence,
-    FloatArray,
     Gain,
     Residuals,
     Stale,
@@ -43,8 +42,7 @@ from trueaxis.estimation.effects.unknowns import unit_in
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
     """All that the procedure has computed. causes, groups: those that
-    are named, with their amplitudes by group and the p value of their being one; held: (n,), rows held back;
-    of_instruments: (n,) mm, see Residuals.
+    are named, with their amplitudes by group and the p value of their being one; held: (n,), rows held back.
     """
 
     ground: Ground
@@ -60,7 +58,6 @@ class Outcome:
     held: BoolArray
     left: Left
     gain: Gain
-    of_instruments: FloatArray
     stale: tuple[Stale, ...]
     stale_p: float
     report: Mapping[str, str]
@@ -209,5 +206,4 @@ def _residuals(outcome: Outcome) -> Residuals:
         refitted=left.refitted,
         extended=left.extended,
         whitened=ground_left,
-        of_instruments=outcome.of_instruments,
     )

@@ -7,7 +7,7 @@ import sympy as sp
 
 from trueaxis.derive import symbols
 from trueaxis.derive.branch_steps import BranchStep, Columns, branch_steps
-from trueaxis.derive.chain import Joint, chains, matrix
+from trueaxis.derive.chain import Joint, Vector, chains, matrix
 from trueaxis.derive.first_order import first_order
 from trueaxis.derive.views import view
 from trueaxis.emit.latex import Latex
@@ -68,7 +68,6 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
     joints = {part.body.number: part for part in workpiece + tool}
     main = first_order(view(machine, "tool_in_workpiece"), symbols.point())
     ends = [side[-1].ideal if side else sp.eye(4) for side in sides]
-    inverse = _rigid_inverse(ends[0])
     point = ends[1] * sp.Matrix([*symbols.point(), 1])
     return ChainTexts(
         tuple(_joint(part, latex) for part in joints.values()),
@@ -76,9 +75,9 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
             _branch(name, number, side, latex)
             for name, number, side in (("[SBW]", "(2)", sides[0]), ("[SBT]", "(3)", sides[1]))
         ),
-        tuple(matrix_rows("M", (inverse * ends[1]).applyfunc(sp.expand), latex, "M_{{{}}}")),
+        tuple(matrix_rows("M", _pose(main.ideal), latex, "M_{{{}}}")),
         tuple(broken(f"P_{row}", latex.terms(point[i])) for i, row in enumerate(AXES)),
-        tuple(_turned(inverse[:3, :3], latex)),
+        tuple(_turned(ends[0][:3, :3].T, latex)),
         tuple(
             broken(
                 f"P^W_{{T{row}}}",
@@ -87,6 +86,14 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
             for i, row in enumerate(AXES)
         ),
     )
+
+
+def _pose(ideal: Vector) -> sp.Matrix:
+    """The matrix that takes the point to its ideal place."""
+    result = sp.eye(4)
+    result[:3, :3] = sp.Matrix(ideal).jacobian(symbols.point())
+    result[:3, 3] = sp.Matrix(ideal).xreplace(dict.fromkeys(symbols.point(), sp.S.Zero))
+    return result.applyfunc(sp.expand)
 
 
 def matrix_rows(name: str, value: sp.Matrix, latex: Latex, element: str) -> Iterator[Row]:
@@ -150,14 +157,6 @@ def _step(step: BranchStep, before: int, latex: Latex) -> StepText:
 
 def _entry(columns: Columns, row: int) -> dict[str, sp.Expr]:
     return {name: sp.expand(column[row]) for name, column in columns.items()}
-
-
-def _rigid_inverse(pose: sp.Matrix) -> sp.Matrix:
-    """The inverse of rotation and translation: transposed, and turned back."""
-    result = sp.eye(4)
-    result[:3, :3] = pose[:3, :3].T
-    result[:3, 3] = -pose[:3, :3].T * pose[:3, 3]
-    return result.applyfunc(sp.expand)
 
 
 def _turned(back: sp.Matrix, latex: Latex) -> Iterator[Row]:

@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
+import sympy as sp
+
 from trueaxis.derive import symbols
 from trueaxis.derive.first_order import first_order
 from trueaxis.derive.model import DerivedModel
@@ -69,8 +71,14 @@ def _systems(model: DerivedModel, latex: Latex) -> dict[str, Any]:
 
 
 def _body_row(body: Body) -> tuple[object, ...]:
-    located = ", ".join(f"{direction} = {parameter}" for direction, parameter in body.position_errors)
-    return body.number, body.name, body.lower, body.moves or "-", " ".join(body.motion_errors) or "-", located or "-"
+    located = ", ".join(f"{direction} = {linked(parameter)}" for direction, parameter in body.position_errors)
+    moved = " ".join(linked(name) for name in body.motion_errors)
+    return body.number, body.name, body.lower, body.moves or "-", moved or "-", located or "-"
+
+
+def linked(name: str) -> str:
+    """A symbol by its name in files, with a link to its row in the table of symbols."""
+    return f"[`{name}`](#{name})"
 
 
 def _sensitivities(machine: Machine, latex: Latex) -> list[tuple[str, ...]]:
@@ -85,7 +93,10 @@ def _correction(model: DerivedModel, latex: Latex) -> list[Row]:
     body = next((routine.body for routine in model.routines if routine.name == "correction"), ())
     moves = {f"move_{axis.lower()}": rf"\Delta {axis.lower()}" for axis in model.machine.axes}
     own = latex.with_names(moves | {f"d{axis}": f"d_{axis}" for axis in "xyz"})
-    return [broken(own.symbol(target.name), own.terms(value)) for target, value in body]
+    values: dict[sp.Symbol, sp.Expr] = {}
+    for target, value in body:
+        values[target] = value.xreplace(values)  # the kernel's shared subexpressions written out
+    return [broken(moves[t.name], own.terms(value)) for t, value in values.items() if t.name in moves]
 
 
 def _dropped(model: DerivedModel) -> Mapping[str, str]:

@@ -12,6 +12,7 @@ from trueaxis.spec.machine import Machine
 
 _POINT = re.compile(r"r([TWB])(\d*)([xyz])")
 _READING = re.compile(r"L(\d+)")
+_ROTARY = re.compile(r"(?:cos|sin)_[abc]")
 
 
 class Latex:
@@ -19,6 +20,7 @@ class Latex:
 
     def __init__(self, machine: Machine, names: Mapping[str, str] | None = None) -> None:
         self._names = {name: text.latex for name, text in describe(machine).items()} | dict(names or {})
+        self._ranks = dict.fromkeys(machine.components, 2) | dict.fromkeys(machine.location_errors, 3)
 
     def with_names(self, names: Mapping[str, str]) -> "Latex":
         """The same printer with further names of symbols."""
@@ -38,10 +40,18 @@ class Latex:
 
     def __call__(self, value: sp.Expr | sp.Matrix) -> str:
         """The LaTeX of an expression or a matrix."""
-        names = {symbol: self.symbol(symbol.name) for symbol in value.free_symbols}
+        if isinstance(value, sp.MatrixBase):
+            rows = (" & ".join(joined(self.terms(cell)) for cell in value.row(k)) for k in range(value.rows))
+            return r"\begin{bmatrix}" + r"\\".join(rows) + r"\end{bmatrix}"
+        ranked = {symbol: sp.Symbol(f"{self._rank(symbol.name)}{symbol.name}") for symbol in value.free_symbols}
+        names = {ranked[symbol]: self.symbol(symbol.name) for symbol in ranked}
         # Fifteen digits are what a decimal number of the spec comes back as: 92.3, not 92.300000000000001.
-        rounded = value.xreplace({number: sp.Float(number, 15) for number in value.atoms(sp.Float)})
-        return str(sp.latex(rounded, symbol_names=names, mat_str="bmatrix", mat_delim=""))
+        rounded = {number: sp.Float(number, 15) for number in value.atoms(sp.Float)}
+        return str(sp.latex(value.xreplace(rounded | ranked), symbol_names=names))
+
+    def _rank(self, name: str) -> int:
+        """Order of the factors of a product: cosines and sines, lengths, motion errors, location errors."""
+        return 0 if _ROTARY.fullmatch(name) else self._ranks.get(name, 1)
 
     def terms(self, value: sp.Expr) -> list[str]:
         """The terms of a sum, each with its sign; a constant term or a positive one leads."""

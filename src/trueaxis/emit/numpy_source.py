@@ -1,6 +1,5 @@
 """The NumPy kernels: one function per routine, in blocks of points that stay in cache."""
 
-import pprint
 import textwrap
 from dataclasses import dataclass
 from typing import Any
@@ -9,6 +8,7 @@ from trueaxis.derive.routine import Argument, Assignment, Routine
 from trueaxis.emit.meta import ABI, meta, spec_name
 from trueaxis.emit.names import rows_text, variable_names
 from trueaxis.emit.paper_layout import TITLE
+from trueaxis.emit.python_literal import literal
 from trueaxis.emit.python_printer import PythonPrinter
 from trueaxis.emit.templates import environment
 from trueaxis.spec.machine import ROTARY, Machine
@@ -60,7 +60,7 @@ def module_source(routines: tuple[Routine, ...], record: dict[str, Any], **texts
             texts,
             abi=ABI,
             paper_title=TITLE,
-            meta=pprint.pformat(record, width=118, sort_dicts=False, compact=True),
+            meta=literal(record),
             block=BLOCK,
             functions=[_function(routine) for routine in routines],
         )

@@ -9,7 +9,7 @@ from trueaxis.derive.model import DerivedModel
 from trueaxis.emit.latex import Latex, is_negative, joined
 from trueaxis.emit.paper_layout import ERRATA_PAGE, PATTERNS, RUNS, Pattern, Reading, System, beside
 from trueaxis.emit.paper_notation import AXES, Form, form, monomial_terms, motion, paper_latex
-from trueaxis.emit.paper_tables import Table1, points, table_1, table_3
+from trueaxis.emit.paper_tables import Table1, points, position_errors, table_1, table_3
 from trueaxis.emit.rows import broken
 from trueaxis.spec.machine import Machine
 from trueaxis.view import view_of
@@ -60,6 +60,7 @@ class PaperPart:
     table_1: Table1
     motions: tuple[str, ...]
     table_3: tuple[tuple[str, ...], ...]
+    position_errors: tuple[str, ...]
     sections: tuple[Section, ...]
     points: tuple[tuple[str, str, str, str], ...]
     errata_page: str = ERRATA_PAGE
@@ -99,6 +100,7 @@ def paper_part(model: DerivedModel) -> PaperPart:
         Table1(("X", "Y", "Z"), tuple(table_1(machine))),
         patterns,
         tuple(table_3(patterns)),
+        tuple(position_errors(machine, latex)),
         sections,
         tuple(points(model)),
     )

@@ -4,7 +4,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from trueaxis.derive import symbols
+from trueaxis.derive.chain import chains, matrix
 from trueaxis.derive.model import DerivedModel
+from trueaxis.emit.latex import Latex
 from trueaxis.spec.machine import Machine
 
 _TABLE_1 = (
@@ -41,6 +43,13 @@ def table_3(patterns: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
     for letter, axis in (("l", "Y"), ("j", "X"), ("k", "Z")):
         cells = [[f"{a.lower()}_h" if a == axis and axis in moving else "0" for a in "XYZ"] for moving in patterns]
         yield f"$S^l_{{{letter}h}}$", *(f"$({', '.join(cell)}, 1)^T$" for cell in cells)
+
+
+def position_errors(machine: Machine, latex: Latex) -> Iterator[str]:
+    """[SIJ]_pe and [SJK]_pe of Table 3, the position errors of the X and the Z carriage."""
+    for axis in "XZ":
+        (error,) = (step for joint in chains(machine)[1] if joint.body.moves == axis for step in joint.steps[1:2])
+        yield latex(matrix(error))
 
 
 def points(model: DerivedModel) -> Iterator[tuple[str, str, str, str]]:

@@ -1,7 +1,7 @@
 """Readings that no noise explains: single ones, or two neighbours, that their repeats do not share."""
 
 import numpy as np
-from scipy.stats import norm
+from scipy.special import ndtri
 
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise import Noise, Whitening
@@ -17,15 +17,21 @@ MOST = 0.1  # of a run, or two readings of a short one: where more are off, the 
 
 
 def spoilt(
-    noise: Noise, scale: float, steps: FloatArray, residual: FloatArray, repeats: IntArray, readings: int
+    noise: Noise,
+    scale: float,
+    steps: FloatArray,
+    residual: FloatArray,
+    repeats: IntArray,
+    readings: int,
+    rounds: int | None = None,
 ) -> BoolArray:
     """(n,): outliers of one run. residual: (n,), mm; repeats: (n,), the same number where the same place was read;
-    readings: of the whole data set.
+    readings: of the whole data set; rounds: after which the search ends, else when nothing is left.
     """
-    limit = float(norm.isf(0.5 * EXPECTED / max(readings, 1)))
+    limit = float(-ndtri(0.5 * EXPECTED / max(readings, 1)))
     found = np.zeros(residual.size, dtype=bool)
     most = max(MOST * residual.size, NEIGHBOURS)
-    for _ in range(int(most) + 1):
+    for _ in range(rounds or int(most) + 1):
         good = np.flatnonzero(~found)
         if good.size < 3:
             break
@@ -37,7 +43,7 @@ def spoilt(
         if not peaks.any():
             break
         found[good[peaks]] = True
-    return found & ~_long(found) if found.sum() <= most else np.zeros(residual.size, dtype=bool)
+    return found & ~long(found) if found.sum() <= most else np.zeros(residual.size, dtype=bool)
 
 
 def excess(residual: FloatArray, scale: float) -> float:
@@ -68,10 +74,10 @@ def _shared(residual: FloatArray, repeats: IntArray) -> BoolArray:
     return found
 
 
-def _long(found: BoolArray) -> BoolArray:
-    """(n,): those of more than NEIGHBOURS in a row."""
+def long(found: BoolArray) -> BoolArray:
+    """(n,): those of more than NEIGHBOURS in a row: they are no chance."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], found.astype(np.int8), [0]])))
-    long = np.zeros(found.size, dtype=bool)
+    many = np.zeros(found.size, dtype=bool)
     for first, last in edges.reshape(-1, 2):
-        long[first:last] = last - first > NEIGHBOURS
-    return long
+        many[first:last] = last - first > NEIGHBOURS
+    return many

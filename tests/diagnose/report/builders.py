@@ -12,6 +12,7 @@ from trueaxis.diagnose.result import (
     Check,
     Circle,
     Diagnosis,
+    ErrorNow,
     Estimate,
     Evidence,
     Gain,
@@ -103,7 +104,6 @@ def residuals(targets: int = 41, repeats: int = 3, circle: int = 360, *, time: b
         refitted=refitted,
         extended=noise,
         whitened=noise / NOISE,
-        of_instruments=np.zeros_like(noise),
     )
 
 
@@ -189,7 +189,7 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
         machine="mill <3 & more>",
         verdict=verdict,
         noise=(
-            NoiseOf("laser", 0.00029, 0.00008, 0.4, 0.0001, 180.0, "repeats"),
+            NoiseOf("laser", 0.00029, 0.00008, 0.4, 0.0001, 180.0, "repeats", 0.0002),
             NoiseOf("ballbar", 0.0003, 0.0, 0.0, 0.0, 1e6, "given"),
         ),
         causes=causes,
@@ -249,6 +249,10 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
                 time_s=None,
                 temperature_c=None,
             ),
+        ),
+        errors=(
+            ErrorNow(name="EXX", unit="mm", given=0.004, now=0.0061, change=0.0021, u=0.0003, determined="data"),
+            ErrorNow(name="EC0Y", unit="rad", given=2e-5, now=2e-5, change=0.0, u=float("nan"), determined="prior"),
         ),
         report={"operator": "one & all", "date": "2024-05-06"},
     )

@@ -51,6 +51,10 @@ def test_the_page_begins_with_what_was_measured_by_whom_and_with_what() -> None:
     section = text[text.index('<section id="measured"') : text.index('<section id="causes"')]
     for said in ("one &amp; all", "2024-05-06", "XL &lt;7&gt;", "Monday, Tuesday", "320", "1.5", "20.1\N{EN DASH}21.4"):
         assert said in section
+    section = text[text.index('<section id="errors"') : text.index('<section id="causes"')]
+    for said in ("EXX", "4.00", "6.10", "2.10", "0.30", "EC0Y", "nothing: as given"):
+        assert said in section
+    assert 'id="errors"' not in report_html(replace(builders.diagnosis("explained"), errors=()))
     without = replace(builders.diagnosis("explained"), report={}, measured=builders.diagnosis("explained").measured[1:])
     section = report_html(without)
     assert ">device<" not in section
@@ -190,7 +194,7 @@ def test_stale_values_are_a_table_and_said_at_the_head() -> None:
     text = head.text.replace("\u00a0", " ")
     assert "Changed: EYY from 300 to 400 mm by 0.700 \u00b5m, u 0.10 \u00b5m; EC0X by" in text
     sections = [one.attributes["id"] for one in root.all("section")]
-    assert sections[:2] == ["measured", "stale"]
+    assert sections[:3] == ["measured", "errors", "stale"]
     assert 'id="stale"' not in html("explained")
 
 
@@ -202,8 +206,8 @@ def test_stale_values_are_shown_beside_a_cause() -> None:
 def test_the_noise_says_where_it_is_known_from() -> None:
     """A noise that was given has no degrees of freedom, a white one no correlation."""
     found = {row[0]: row for row in cells(tables_of(page("explained"))["Noise of a reading, \u00b5m"])}
-    assert found["laser"] == ["laser", "0.301", "0.290", "0.0800", "0.40", "0.100", "180", "repeats"]
-    assert found["ballbar"] == ["ballbar", "0.300", "0.300", "0", "\u2013", "0", "\u2013", "given"]
+    assert found["laser"] == ["laser", "0.301", "0.290", "0.0800", "0.40", "0.100", "0.200", "180", "repeats"]
+    assert found["ballbar"] == ["ballbar", "0.300", "0.300", "0", "\u2013", "0", "0", "\u2013", "given"]
 
 
 def test_no_p_value_is_one() -> None:

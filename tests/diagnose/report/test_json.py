@@ -52,6 +52,8 @@ def test_stale_values_as_the_contract_has_them() -> None:
         "u": 0.0001,
         "unit": "mm",
         "p_value": 1e-9,
+        "from_straight_line": False,
+        "cannot_be_told_from": [],
     }
     assert (of_joint["from"], of_joint["to"], of_joint["unit"]) == (None, None, "rad")
     assert load("explained")["stale"] == []

@@ -87,6 +87,7 @@ def report_html(diagnosis: Diagnosis) -> str:
         absences=[in_words(one, kinds) for one in diagnosis.absences],
         report=diagnosis.report,
         measured=tables.measured(diagnosis),
+        errors=tables.errors(diagnosis),
         causes_title=_causes_title(diagnosis),
         causes=[_cause(one, number, kinds) for number, one in enumerate(diagnosis.causes, 1)],
         sections=[

@@ -28,6 +28,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "verdict": diagnosis.verdict,
         "report": dict(diagnosis.report),
         "measured": [asdict(one) for one in diagnosis.measured],
+        "errors": [asdict(one) for one in diagnosis.errors],
         "noise_um": _um(noise(diagnosis)),
         "causes": [_cause(one) for one in diagnosis.causes],
         "gain": {
@@ -51,6 +52,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
                 "correlated_um": _um(one.correlated),
                 "correlation": one.correlation,
                 "settles_um": _um(one.settles),
+                "wanders_um": _um(one.wanders),
                 "freedom": one.freedom if one.origin in ESTIMATED else None,
                 "origin": one.origin,
             }

@@ -55,6 +55,22 @@ def measured(diagnosis: Diagnosis) -> Table:
     )
 
 
+def errors(diagnosis: Diagnosis) -> Table:
+    """All errors of the machine: as given, as these readings have them, and by what they have changed."""
+    said = {"data": "readings", "partly": "readings, partly", "prior": "nothing: as given"}
+    rows = tuple(
+        (
+            one.name,
+            *(quantity(value, one.unit) for value in (one.given, one.now, one.change)),
+            quantity(one.u, one.unit) if math.isfinite(one.u) else DASH,
+            said[one.determined],
+        )
+        for one in diagnosis.errors
+    )
+    head = ("error", "given", "now", "change", "u", "change told by")
+    return Table("Largest over the travel; u: standard uncertainty of the change", head, rows, frozenset(range(1, 5)))
+
+
 def rivals(cause: Cause) -> Table:
     """What explains the readings about as well as the cause."""
     rows = tuple(
@@ -158,13 +174,24 @@ def noise(diagnosis: Diagnosis) -> Table:
             micrometres(one.correlated),
             _short(one.correlation) if one.correlated else DASH,
             micrometres(one.settles),
+            micrometres(one.wanders),
             f"{one.freedom:.0f}" if one.origin in ESTIMATED else DASH,
             noise_origin(one.origin),
         )
         for one in diagnosis.noise
     )
-    head = ("instrument", "in all", "white", "slow", "correlation", "runs settle by", "d.o.f.", "known from")
-    return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 7)))
+    head = (
+        "instrument",
+        "in all",
+        "white",
+        "slow",
+        "correlation",
+        "runs settle by",
+        "runs wander by",
+        "d.o.f.",
+        "known from",
+    )
+    return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 8)))
 
 
 def scan(diagnosis: Diagnosis) -> Table:

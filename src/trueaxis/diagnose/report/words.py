@@ -204,7 +204,7 @@ def noise_origin(origin: str) -> str:
     """Where the noise of an instrument comes from, in words."""
     return {
         "repeats": "repeats",
-        "courses": "nothing is repeated, from the course of each run",
+        "courses": "nothing is repeated, from what the null model leaves",
         "given": "given",
         "unknown": "unknown: too few readings",
     }[origin]
