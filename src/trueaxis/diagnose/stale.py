@@ -114,9 +114,12 @@ def _chosen(asked: _Asked) -> tuple[dict[str, float], float]:
     tries = float(np.log10(max(len(asked.at), 1)))
     sizes: dict[str, float] = {}
     while len(sizes) < len(asked.at):
-        evident = _evident(asked, asked.gram(sizes), [name for name in asked.at if name not in sizes])
-        best = max(evident, key=lambda name: evident[name][0])
-        if asked.log_p(best, tuple(sizes)) > limit:
+        others = [name for name in asked.at if name not in sizes]
+        evident = _evident(asked, asked.gram(sizes), others)
+        # where the noise is hardly known, a curve of many numbers may be the likelier, and yet no finding
+        likeliest = sorted(others, key=lambda name: -evident[name][0])
+        best = next((name for name in likeliest if asked.log_p(name, tuple(sizes)) <= limit), None)
+        if best is None:
             break
         sizes[best] = evident[best][1]
     while len(sizes) > 1:
