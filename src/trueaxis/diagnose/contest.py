@@ -33,8 +33,9 @@ class Named:
 def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatArray]) -> tuple[Named | None, Changes]:
     """The effect that explains the readings instead of stale values, and what is stale beside it.
 
-    None where none does, or where both explain alike: that is then said with what is stale. An effect must reach
-    the threshold of any candidate, leave nothing stale, and be the likelier by LIKELIER. known: (n,) each, mm, what instruments do that are off.
+    None where none does, or where both explain alike: that is then said with what is stale. An effect must reach the
+    threshold of any candidate, leave nothing stale, and be the likelier by LIKELIER. known: (n,) each, mm, what
+    instruments do that are off.
     """
     free = free_besides(null, known, ())
     tight = replace(ground, plain=free, base=free, wide=free, known={})
