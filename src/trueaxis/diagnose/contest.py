@@ -33,8 +33,9 @@ class Named:
 def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatArray]) -> tuple[Named | None, Changes]:
     """The effect that explains the readings instead of stale values, and what is stale beside it.
 
-    None where none does, or where both explain alike: that is then said with what is stale. An effect must leave
-    nothing stale, and be the likelier by LIKELIER. known: (n,) each, mm, what instruments do that are off.
+    None where none does, or where both explain alike: that is then said with what is stale. An effect must reach the
+    threshold of any candidate, leave nothing stale, and be the likelier by LIKELIER. known: (n,) each, mm, what
+    instruments do that are off.
     """
     free = free_besides(null, known, ())
     tight = replace(ground, plain=free, base=free, wide=free, known={})
@@ -42,7 +43,7 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     scans = scan_all(tight, residual, ground.effects)
     best = best_of(tight, residual, scans)
     behind = changes.evidence + float(np.log10(max(len(scans), 1)))
-    if best is None or best.scan.preference < behind - RIVAL:
+    if best is None or best.scan.evidence < ground.threshold or best.scan.preference < behind - RIVAL:
         return None, changes
     (best,) = with_rivals(tight, Search((best,), scans, free, free.rest(tight.values), ground.threshold)).causes
     tried = [(one, *_instead(tight, null, one, known)) for one in (best.scan, *best.rivals)[:MOST]]

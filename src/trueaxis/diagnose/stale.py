@@ -114,9 +114,12 @@ def _chosen(asked: _Asked) -> tuple[dict[str, float], float]:
     tries = float(np.log10(max(len(asked.at), 1)))
     sizes: dict[str, float] = {}
     while len(sizes) < len(asked.at):
-        evident = _evident(asked, asked.gram(sizes), [name for name in asked.at if name not in sizes])
-        best = max(evident, key=lambda name: evident[name][0])
-        if asked.log_p(best, tuple(sizes)) > limit:
+        others = [name for name in asked.at if name not in sizes]
+        evident = _evident(asked, asked.gram(sizes), others)
+        # where the noise is hardly known, a curve of many numbers may be the likelier, and yet no finding
+        likeliest = sorted(others, key=lambda name: -evident[name][2])
+        best = next((name for name in likeliest if asked.log_p(name, tuple(sizes)) <= limit), None)
+        if best is None:
             break
         sizes[best] = evident[best][1]
     while len(sizes) > 1:
@@ -132,17 +135,22 @@ def _chosen(asked: _Asked) -> tuple[dict[str, float], float]:
     return sizes, evidence
 
 
-def _evident(asked: _Asked, gram: FloatArray, names: Sequence[str]) -> dict[str, tuple[float, float]]:
-    """Decades by which a change of each component is likelier than none, and its likeliest size."""
+def _evident(asked: _Asked, gram: FloatArray, names: Sequence[str]) -> dict[str, tuple[float, float, float]]:
+    """Decades by which a change of each component is likelier than none, its likeliest size, and the decades with the
+    noise known by its degrees of freedom alone.
+    """
     found = {}
     for name in names:
         at = asked.at[name]
         strength, turned = np.linalg.eigh(gram[np.ix_(at, at)])
         gain = np.square(SIZES)[:, np.newaxis] * np.maximum(strength, 0.0)
         squares = np.square(SIZES)[:, np.newaxis] * (turned.T @ gram[at, -1]) ** 2
-        decades = 0.5 * np.sum(squares / (1.0 + gain) - np.log1p(gain), axis=1) / np.log(10.0)
+        explained, volume = np.sum(squares / (1.0 + gain), axis=1), np.sum(np.log1p(gain), axis=1)
+        decades = 0.5 * (explained - volume) / np.log(10.0)
+        freedom = asked.freedom[name]
+        unsure = 0.5 * (freedom * np.log1p(explained / freedom) - volume) / np.log(10.0)
         best = int(np.argmax(decades))
-        found[name] = float(decades[best]), SIZES[best]
+        found[name] = float(decades[best]), SIZES[best], float(unsure.max())
     return found
 
 
