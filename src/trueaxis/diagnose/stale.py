@@ -136,10 +136,13 @@ def _chosen(asked: _Asked) -> tuple[dict[str, float], float]:
 
 
 def _evident(asked: _Asked, gram: FloatArray, names: Sequence[str]) -> dict[str, tuple[float, float, float]]:
-    """Decades by which a change of each component is likelier than none, its likeliest size, and the decades with the
-    noise known by its degrees of freedom alone.
+    """Decades by which a change of each component is likelier than none, its likeliest size, and the decades where the
+    size of the noise is known by its degrees of freedom alone (integrated over, a Student t distribution).
     """
     found = {}
+    diagonal = np.abs(np.diag(asked.r))[:-1]
+    rank = int(np.count_nonzero(diagonal > RANK * diagonal.max(initial=0.0)))
+    total = float(gram[-1, -1] - asked.r[-1, -1] ** 2)
     for name in names:
         at = asked.at[name]
         strength, turned = np.linalg.eigh(gram[np.ix_(at, at)])
@@ -148,7 +151,8 @@ def _evident(asked: _Asked, gram: FloatArray, names: Sequence[str]) -> dict[str,
         explained, volume = np.sum(squares / (1.0 + gain), axis=1), np.sum(np.log1p(gain), axis=1)
         decades = 0.5 * (explained - volume) / np.log(10.0)
         freedom = asked.freedom[name]
-        unsure = 0.5 * (freedom * np.log1p(explained / freedom) - volume) / np.log(10.0)
+        left = np.maximum(freedom + total - explained, freedom)
+        unsure = 0.5 * ((freedom + rank) * np.log((freedom + total) / left) - volume) / np.log(10.0)
         best = int(np.argmax(decades))
         found[name] = float(decades[best]), SIZES[best], float(unsure.max())
     return found
