@@ -165,7 +165,8 @@ def test_other_data_get_the_verdict_of_the_table(
             ("backlash", "EYX"),
             ("backlash", "EAX"),
         }
-        assert "straightness of X in Y" in cause["separating"]
+        assert "a laser diagonal" in cause["separating"]
+        assert "a laser diagonal would tell" in said
     if expected == "unexplained_structure":
         assert "lines of X, between directions" in said
         assert "lines of X, between directions" in [one["check"] for one in told["checks"] if one["fired"]]
