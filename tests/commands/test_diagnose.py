@@ -224,6 +224,46 @@ def out(plan: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "out"
 
 
+def altered(plan: Path, folder: Path, changes: Callable[[list[str], FloatArray], FloatArray]) -> Path:
+    """Readings without an effect, changed by run."""
+    data = measured(plan, folder, no_effect, seed=5)
+    runs, values = readings_by_run(data)
+    changed = changes(runs, values)
+    lines = (data / "readings.csv").read_text().splitlines()
+    place = lines[0].split(",").index("reading")
+    rows = [line.split(",") for line in lines[1:]]
+    for row, value in zip(rows, changed.tolist(), strict=True):
+        row[place] = repr(value)
+    (data / "readings.csv").write_text("\n".join([lines[0], *(",".join(row) for row in rows)]) + "\n")
+    return data
+
+
+def reversed_run(runs: list[str], values: FloatArray) -> FloatArray:
+    return np.where(np.array(runs) == "Y-5", -values, values)
+
+
+def swapped_runs(runs: list[str], values: FloatArray) -> FloatArray:
+    of_run, found = np.array(runs), values.copy()
+    found[of_run == "X-1"], found[of_run == "Z-7"] = values[of_run == "Z-7"], values[of_run == "X-1"]
+    return found
+
+
+@pytest.mark.parametrize(("changes", "named"), [(reversed_run, {"Y-5"}), (swapped_runs, {"X-1", "Z-7"})])
+def test_runs_that_no_machine_fits_are_named_and_no_cause_beside_them(
+    plan: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    changes: Callable[[list[str], FloatArray], FloatArray],
+    named: set[str],
+) -> None:
+    assert diagnose(tmp_path / "out", altered(plan, tmp_path / "data", changes)) == 1
+    assert "no errors of the machine fit" in capsys.readouterr().out
+    told = json.loads((tmp_path / "out" / "diagnosis.json").read_text())
+    assert (told["verdict"], told["causes"], told["extended_machine"]) == ("unexplained_structure", [], None)
+    assert told["misfits"][0] in named
+    assert not (tmp_path / "out" / "dmu60p.toml").exists()
+
+
 class TestRun:
     def test_the_cause_is_named(self, out: Path) -> None:
         told = json.loads((out / "diagnosis.json").read_text())

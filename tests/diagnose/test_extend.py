@@ -128,7 +128,7 @@ class TestReidentified:
     def test_only_what_the_readings_hold_changes(self) -> None:
         # lines of X that sense X at three levers: EXX, EBX and ECX, nothing else
         runs = [run for run in self.RUNS if moving(run) == "X"]
-        found, _ = reidentified(self.MODEL, GIVEN, observed(worn(), runs, [line("X", 15) for _ in runs]))
+        found, _, _ = reidentified(self.MODEL, GIVEN, observed(worn(), runs, [line("X", 15) for _ in runs]))
         for name in GIVEN.motion_errors:
             wanted = self.WANTED if name == "EXX" else np.zeros(40)
             np.testing.assert_allclose(change_of(found, name), wanted, rtol=0.0, atol=0.02)
@@ -138,7 +138,7 @@ class TestReidentified:
 
     def test_values_that_are_right_stay(self) -> None:
         data = observed(dmu60p(cubic_errors()), self.RUNS, [line(moving(run), 9) for run in self.RUNS])
-        found, _ = reidentified(self.MODEL, GIVEN, data)
+        found, _, _ = reidentified(self.MODEL, GIVEN, data)
         for name in GIVEN.motion_errors:
             np.testing.assert_allclose(change_of(found, name), 0.0, atol=1e-4)
         assert found.parameters == pytest.approx(PARAMETERS, abs=1e-9)
@@ -150,7 +150,9 @@ class TestReidentified:
         data = observed(worn(), self.RUNS, [line(moving(run), 25) for run in self.RUNS])
         zeros = draw.normal(0.0, 3e-3, len(self.RUNS))[data.run]
         reading = data.reading + zeros + draw.normal(0.0, 2e-4, data.reading.size)
-        found, table = reidentified(self.MODEL, GIVEN, replace(data, reading=reading))
+        found, table, fit = reidentified(self.MODEL, GIVEN, replace(data, reading=reading))
+        assert fit is not None
+        assert fit.state == "converged"
         (exx,) = [one for one in table if one.name == "EXX"]
         assert exx.determined in ("data", "partly")
         assert exx.change == pytest.approx(1e-3 * self.WANTED[-1], abs=3.0 * exx.u)

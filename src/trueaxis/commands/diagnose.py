@@ -20,7 +20,7 @@ from trueaxis.input_files import gathering, input_bytes, utf8_text
 from trueaxis.measure.active_compensation import active_file
 from trueaxis.measure.data import MeasuredData
 from trueaxis.reporting.reliance import misfit_sentence
-from trueaxis.runtime.errors import ErrorValues, dump_errors
+from trueaxis.runtime.errors import ErrorValues, Fit, dump_errors
 from trueaxis.runtime.kernels import numpy_kernels
 from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.runtime.model import MachineModel
@@ -89,17 +89,21 @@ def run(args: argparse.Namespace) -> int:
         from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
+        from trueaxis.diagnose.verdict import misfitting  # noqa: PLC0415
 
         with ThreadPoolExecutor(cores()) as pool:
             options = DiagnoseOptions(noise_um=args.noise_um, progress=show, each=pool.map)
             diagnosis = diagnose(given.model, given.data, options)
         try:
-            extension, errors = _extension(args, given, diagnosis, show)
+            extension, errors, fit = _extension(args, given, diagnosis, show)
         except NotConvergedError as failure:
             show("")
             print(f"trueaxis: values of the extended machine: {failure}; nothing was written", file=sys.stderr)
             return 1
         diagnosis = replace(diagnosis, errors=errors)
+        if fit is not None and fit.state == "misfit":
+            # a run of the wrong sign, or that belongs elsewhere: no effect of the machine, and no name beside it
+            diagnosis, extension = misfitting(diagnosis, fit.runs), {}
         report = start("report_html", diagnosis)
         show("report")
         machine_file = f"{given.model.name}.toml" if extension else None
@@ -109,9 +113,9 @@ def run(args: argparse.Namespace) -> int:
             **extension,
         }
         write_files(contents)
-    fit = given.model.errors.fit
-    if fit is not None and fit.state == "misfit":
-        print(f"note: {misfit_sentence(fit)}")
+    of_values = given.model.errors.fit
+    if of_values is not None and of_values.state == "misfit":
+        print(f"note: {misfit_sentence(of_values)}")
     print(summary_text(diagnosis), end="")
     if given.data.setup.compensation is not None and given.data.setup.compensation.file is not None:
         print(f"note: {compensation_note(given.data.setup, args.data)}")
@@ -175,8 +179,10 @@ def _outputs(out: Path, name: str) -> list[Path]:
 
 def _extension(
     args: argparse.Namespace, given: _Given, diagnosis: "Diagnosis", show: Progress
-) -> "tuple[dict[Path, bytes | str], tuple[ErrorNow, ...]]":
-    """The files of the extended machine, none where no cause was named; all errors as these readings have them."""
+) -> "tuple[dict[Path, bytes | str], tuple[ErrorNow, ...], Fit | None]":
+    """The files of the extended machine, none where no cause was named; all errors as these readings have them, and
+    whether any errors fit these readings.
+    """
     from trueaxis.derive.model import derive_model  # noqa: PLC0415
     from trueaxis.diagnose.extend import kept_readings, named_effects, reidentified, start_values  # noqa: PLC0415
     from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
@@ -187,18 +193,18 @@ def _extension(
     show("extending")
     if not effects:
         try:
-            return {}, reidentified(given.model, given.model.errors, kept)[1]
+            return {}, *reidentified(given.model, given.model.errors, kept)[1:]
         except (NotConvergedError, InputError):
-            return {}, ()  # the diagnosis stands without it
+            return {}, (), None  # the diagnosis stands without it
     path = args.out / f"{given.model.name}.toml"
     text = extended_spec(given.spec, effects)
     machine = parse_machine(text, Faults(str(path)))
     files = render(derive_model(machine, given.runs), path.name)
     kernels = numpy_kernels(files["kernels.py"], path)  # run too briefly to be worth compiling
     model = MachineModel(machine, kernels, ErrorValues(machine.name))
-    values, table = reidentified(model, given.model.errors, kept, start_values(diagnosis))
+    values, table, fit = reidentified(model, given.model.errors, kept, start_values(diagnosis))
     errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
     generated: dict[Path, bytes | str] = {
         args.out / KERNELS / machine.name / name: content for name, content in files.items()
     }
-    return {path: text, args.out / ERRORS: errors, **generated}, table
+    return {path: text, args.out / ERRORS: errors, **generated}, table, fit

@@ -23,7 +23,7 @@ from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.curves import Curve, LegendreCurve, PolynomialCurve, TableCurve, polynomial_of
 from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.runtime.errors import ErrorValues, Undetermined
+from trueaxis.runtime.errors import ErrorValues, Fit, Undetermined
 from trueaxis.runtime.model import MachineModel
 
 
@@ -57,8 +57,9 @@ def kept_readings(data: MeasuredData, diagnosis: Diagnosis, source: str) -> Obse
 
 def reidentified(
     model: MachineModel, given: ErrorValues, observed: Observations, start: Sequence[EffectValues] = ()
-) -> tuple[ErrorValues, tuple[ErrorNow, ...]]:
-    """Error values of the extended machine: what `identify` makes of the readings, as a change of those given; a table.
+) -> tuple[ErrorValues, tuple[ErrorNow, ...], Fit | None]:
+    """Error values of the extended machine: what `identify` makes of the readings, as a change of those given; a table
+    of all; whether any values fit the readings.
 
     model: of the extended machine; given: values of the machine before; start: of its effects, to start from. Sizes of
     the changes are estimated, and unknowns of the instruments with them: where nothing has changed, nothing is changed.
@@ -71,7 +72,7 @@ def reidentified(
     options = EstimateOptions(known=bare, start=tuple(start))
     found = identify_estimated(model, replace(observed, reading=observed.reading - before), options)
     values = changed(given, found.values, model.location_errors)
-    return values, _table(model, given, values, found)
+    return values, _table(model, given, values, found), found.values.fit
 
 
 def _table(model: MachineModel, given: ErrorValues, now: ErrorValues, found: Identification) -> tuple[ErrorNow, ...]:

@@ -302,7 +302,7 @@ class Diagnosis:
     """Everything that was found. correlation: (g, g), R^2 between the candidates of `isolability`, base projected out;
     threshold: evidence that a candidate had to reach; absences: what the data lack and what that costs; report: what
     setup.toml says of the measurement in free words; errors: all of the machine, as `identify` has them from these
-    readings beside the causes; none where its fit did not stand still.
+    readings beside the causes; none where its fit did not stand still; misfits: runs that no errors fit, worst first.
     """
 
     machine: str
@@ -327,3 +327,4 @@ class Diagnosis:
     measured: tuple[MeasuredWith, ...]
     report: Mapping[str, str]
     errors: tuple[ErrorNow, ...] = ()
+    misfits: tuple[str, ...] = ()

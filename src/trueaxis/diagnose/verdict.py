@@ -1,6 +1,7 @@
 """When a name may be given, and what the diagnosis comes to."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from scipy.special import chdtri
@@ -8,7 +9,7 @@ from scipy.special import chdtri
 from trueaxis.diagnose.instruments import Off
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.refit import Fitted
-from trueaxis.diagnose.result import Check, Stale, StructureClass, Verdict
+from trueaxis.diagnose.result import Check, Diagnosis, Stale, StructureClass, Verdict
 from trueaxis.diagnose.search import Ground, Search, cause_columns
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.variables import SINCE_REVERSAL
@@ -33,6 +34,7 @@ DUE_TO: Mapping[StructureClass, frozenset[str]] = {  # variables of the causes t
     StructureClass.CIRCLE_AFTER_REVERSALS: _TURNING,
     StructureClass.ONE_PERIOD: _TURNING | {"q", "s"},  # cycles of one run
 }
+SURE = 2.0  # standard uncertainties
 NEARLY_ALL = 0.9  # share of what was to be explained from which a remainder of that class does not take the name back
 
 
@@ -95,3 +97,14 @@ def verdict_of(
     if off:
         return "explained"
     return "recalibrate" if stale else "no_discrepancy"
+
+
+def misfitting(diagnosis: Diagnosis, runs: Sequence[str]) -> Diagnosis:
+    """Where no errors of the machine fit the readings of some runs, worst first: no name stands beside that."""
+    return replace(diagnosis, verdict="unexplained_structure", causes=(), misfits=tuple(runs))
+
+
+def told(one: Fitted) -> bool:
+    """Whether a size of a cause exceeds what it is uncertain by: what has none is no answer, however likely."""
+    sized = np.array([each.role not in ("phase", "grid") for each in one.kind.parameters])
+    return bool((np.abs(one.values[sized]) > SURE * one.u[sized]).any())

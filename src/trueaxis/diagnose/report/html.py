@@ -25,6 +25,7 @@ from trueaxis.diagnose.report.words import (
     headline,
     in_words,
     joint,
+    misfit,
     predicted_scatter,
 )
 from trueaxis.diagnose.result import Cause, Diagnosis
@@ -83,7 +84,7 @@ def report_html(diagnosis: Diagnosis) -> str:
         headline=headline(diagnosis),
         explanation=explanation(diagnosis),
         key_figures=_key_figures(diagnosis),
-        warnings=[in_words(one, kinds) for one in diagnosis.warnings],
+        warnings=[*filter(None, [misfit(diagnosis)]), *(in_words(one, kinds) for one in diagnosis.warnings)],
         absences=[in_words(one, kinds) for one in diagnosis.absences],
         report=diagnosis.report,
         measured=tables.measured(diagnosis),

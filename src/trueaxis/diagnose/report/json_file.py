@@ -28,6 +28,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "verdict": diagnosis.verdict,
         "report": dict(diagnosis.report),
         "measured": [asdict(one) for one in diagnosis.measured],
+        "misfits": list(diagnosis.misfits),
         "errors": [asdict(one) for one in diagnosis.errors],
         "noise_um": _um(noise(diagnosis)),
         "causes": [_cause(one) for one in diagnosis.causes],

@@ -48,7 +48,7 @@ def measured(diagnosis: Diagnosis) -> Table:
     kept = [place for place in range(len(head)) if any(row[place] for row in rows)]
     numbers = frozenset(kept.index(place) for place in (3, 4, 6) if place in kept)
     return Table(
-        "Instruments and readings that count",
+        "Readings that count: no outliers, none of a bar beside a reversal, none before an axis has moved",
         tuple(head[place] for place in kept),
         tuple(tuple(row[place] for place in kept) for row in rows),
         numbers,
@@ -61,7 +61,12 @@ def errors(diagnosis: Diagnosis) -> Table:
     rows = tuple(
         (
             one.name,
-            *(quantity(value, one.unit) for value in (one.given, one.now, one.change)),
+            quantity(one.given, one.unit),
+            *(
+                (DASH, DASH)
+                if one.determined == "prior"
+                else (quantity(one.now, one.unit), quantity(one.change, one.unit))
+            ),
             quantity(one.u, one.unit) if math.isfinite(one.u) else DASH,
             said[one.determined],
         )

@@ -10,6 +10,7 @@ from trueaxis.diagnose.report.words import (
     headline,
     joint,
     largest_structures,
+    misfit,
     predicted_scatter,
     stale_change,
 )
@@ -35,6 +36,8 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
         )
         if more:
             yield f"looks like: {more} more classes, smaller or the same seen otherwise (report.html)"
+    if diagnosis.misfits:
+        yield misfit(diagnosis)
     yield from (f"stale: {stale_change(one)} (p of the whole {probability(one.p_value)})" for one in diagnosis.stale)
     yield from _gain(diagnosis.gain)
     if diagnosis.outliers:
@@ -60,7 +63,7 @@ def _cause(number: int, cause: Cause) -> Iterator[str]:
     yield f"cause {number}: {effect_title(cause.effect)}: {cause.sentence}"
     yield f"  where: {joint(cause.effect)}"
     kind = BY_NAME.get(cause.effect.kind)
-    term = kind.expression if kind and kind.expression else cause.formula
+    term = kind.expression if kind else cause.formula  # places on a body are moved by no term
     if term:
         yield f"  term: {term}"
     for one in cause.parameters:

@@ -19,6 +19,7 @@ TITLES: dict[Verdict, str] = {
     "unexplained_structure": "Unexplained structure",
 }
 MOST_STRUCTURES = 5  # named in a line
+MOST_MISFITS = 5
 AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is right
 ESTIMATED = frozenset({"repeats", "courses"})  # origins of a noise that has degrees of freedom
 
@@ -208,3 +209,16 @@ def noise_origin(origin: str) -> str:
         "given": "given",
         "unknown": "unknown: too few readings",
     }[origin]
+
+
+def misfit(diagnosis: Diagnosis) -> str:
+    """Runs that no errors of the machine fit; empty where there are none."""
+    if not diagnosis.misfits:
+        return ""
+    shown = enumerated(diagnosis.misfits[:MOST_MISFITS])
+    more = f" and {len(diagnosis.misfits) - MOST_MISFITS} more" if len(diagnosis.misfits) > MOST_MISFITS else ""
+    return (
+        f"no errors of the machine fit {shown}{more}: is the sign of the readings right, do they belong to this run, "
+        "is its set-up as setup.toml says? `identify` tells by how much, and whether a run reads as if its sign were "
+        "reversed"
+    )
