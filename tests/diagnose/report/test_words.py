@@ -112,24 +112,13 @@ def test_labels_in_words_and_nothing_else(text: str, told: str) -> None:
     assert in_words(text, {"my_own"}).replace("\N{NO-BREAK SPACE}", " ") == told
 
 
-@pytest.mark.parametrize(
-    ("held", "standardised", "figures", "why"),
-    [
-        (
-            (0.4, 0.5, 0.45),
-            1.02,
-            "refitted 0.500 um and extended 0.450 um",
-            "the other readings leave them as uncertain",
-        ),
-        ((0.4, 0.3, 0.9), 2.5, "extended 0.900 um", "they hold what the other readings do not show"),
-    ],
-)
-def test_a_held_out_figure_above_that_of_the_given_values_is_explained(
-    held: tuple[float, float, float], standardised: float, figures: str, why: str
-) -> None:
-    said = held_out_warning(gain(held, standardised))
-    assert said.startswith(f"held-out readings are predicted worse ({figures}) than by the values given (0.400 um): ")
-    assert why in said
+def test_a_held_out_figure_above_that_of_the_given_values_is_explained() -> None:
+    said = held_out_warning(gain((0.4, 0.3, 0.9), 2.5))
+    assert said.startswith(
+        "held-out readings are predicted worse (extended 0.900 um) than by the values given (0.400 um): "
+    )
+    assert "they hold what the other readings do not show" in said
+    assert held_out_warning(gain((0.4, 0.5, 0.45), 1.02)) == ""  # as uncertain as it is said to be
 
 
 @pytest.mark.parametrize("held", [(0.4, 0.39, 0.3), (0.4, 0.4000001, 0.4), (math.nan, math.nan, math.nan)])
