@@ -10,6 +10,7 @@ from tests.hidden_effects.design import Design
 from trueaxis.diagnose.absences import absences
 from trueaxis.diagnose.audit import audit
 from trueaxis.diagnose.result import NoiseOf
+from trueaxis.diagnose.rounds_at_hand import both_ways, rounds_at_hand
 
 NOISE = NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 100.0, "repeats")
 
@@ -52,3 +53,24 @@ def test_one_direction_one_feed_and_no_repeats() -> None:
     unsure = replace(NOISE, origin="courses")
     (repeats,) = [text for text in said(SMALL, noise=unsure) if text.startswith("no repeats by the laser")]
     assert repeats.endswith("(nothing is repeated, from what the null model leaves)")
+
+
+def test_a_bar_that_goes_there_and_back_shows_both_directions() -> None:
+    case = prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
+    every = rounds_at_hand(case.model, case.rows)
+    rows = case.rows.only(np.isin(case.rows.run, [index for index, run in enumerate(case.rows.runs) if run.length]))
+    clockwise = [one.run.id for one in every if one.sense < 0]
+    alone = rows.only(np.array([rows.runs[index].id in clockwise for index in rows.run.tolist()]))
+    assert not both_ways(rounds_at_hand(case.model, alone))
+    (first, *_) = alone.present
+    forth = alone.only(alone.run == first)
+    back = np.arange(forth.size)[::-1]
+    there_and_back = replace(
+        forth,
+        **{
+            name: np.concatenate([getattr(forth, name), getattr(forth, name)[..., back]], axis=-1)
+            for name in ("run", "positions", "directions", "passing")
+        },
+    )
+    (one,) = rounds_at_hand(case.model, replace(there_and_back, feed=None))
+    assert one.returns

@@ -8,7 +8,7 @@ from trueaxis.diagnose.audit import Audit
 from trueaxis.diagnose.noise import REPEATS, STATED
 from trueaxis.diagnose.report.words import enumerated, noise_origin
 from trueaxis.diagnose.result import NoiseOf
-from trueaxis.diagnose.rounds_at_hand import rounds_at_hand
+from trueaxis.diagnose.rounds_at_hand import both_ways, rounds_at_hand
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.signatures import Readings
 from trueaxis.effects.expression import names, parse
@@ -76,7 +76,7 @@ def _directions(readings: Readings) -> Iterator[str]:
             yield f"lines of {axis} from one side only: they show nothing of its backlash"
     rounds = rounds_at_hand(readings.model, rows)
     for plane in dict.fromkeys(one.plane for one in rounds):
-        if len({one.sense for one in rounds if one.plane == plane}) < 2:
+        if not both_ways([one for one in rounds if one.plane == plane]):
             yield f"circles in {plane} in one direction only: play and servo lag look like errors of the geometry"
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from trueaxis.diagnose.lines_at_hand import Line, line_anew, lines_at_hand, middle
 from trueaxis.diagnose.result import FloatArray
-from trueaxis.diagnose.rounds_at_hand import Round, plane_round, rounds_at_hand, scaled_round
+from trueaxis.diagnose.rounds_at_hand import Round, both_ways, plane_round, rounds_at_hand, scaled_round
 from trueaxis.diagnose.rows import Rows
 from trueaxis.measure.setup import Run
 from trueaxis.runtime.model import MachineModel
@@ -166,7 +166,7 @@ def _diagonals(model: MachineModel, linear: Sequence[str]) -> Iterator[FurtherRu
 def _rounds(model: MachineModel, rows: Rows, rounds: Sequence[Round]) -> Iterator[FurtherRun]:
     for one in {each.plane: each for each in reversed(rounds)}.values():
         alike = [each for each in rounds if each.plane == one.plane]
-        if all(each.sense == one.sense for each in alike):
+        if not both_ways(alike):
             there = replace(one, positions=one.positions[:, ::-1], directions=-one.directions[:, ::-1])
             yield _of_round(there, one.feed, f"circle {one.run.id} in the other direction")
         if rows.feed is not None:

@@ -16,13 +16,14 @@ from trueaxis.plan.candidates import follow
 from trueaxis.runtime.model import MachineModel
 
 SAMPLES = 180
+RETURNING = 0.1  # share of its way that a run goes back, from which on it shows both directions
 RADII = (150.0, 100.0, 50.0)  # mm, of bars, where none is at hand
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Round:
     """A run of a ball bar. plane: the axes that move, such as XY; sense: +1 where the polar angle grows; feed: mm/min,
-    NaN where unknown.
+    NaN where unknown; returns: whether it goes there and back.
     """
 
     plane: str
@@ -31,6 +32,7 @@ class Round:
     run: Run
     positions: FloatArray
     directions: FloatArray
+    returns: bool = False
 
 
 def rounds_at_hand(model: MachineModel, rows: Rows) -> list[Round]:
@@ -47,17 +49,26 @@ def rounds_at_hand(model: MachineModel, rows: Rows) -> list[Round]:
         )
         plane = "ZX" if moving == "XZ" else moving
         feed = np.nan if rows.feed is None else float(np.median(rows.feed[first]))
-        found.append(Round(plane, _sense(model, run, positions), feed, run, positions, rows.directions[:, first]))
+        sense, returns = _sense(model, run, positions)
+        found.append(Round(plane, sense, feed, run, positions, rows.directions[:, first], returns))
     return found
 
 
-def _sense(model: MachineModel, run: Run, positions: FloatArray) -> int:
-    """Of the polar angle; of a bar that stands still while a table turns, of the last axis that moves."""
+def both_ways(rounds: Sequence[Round]) -> bool:
+    """Whether the polar angle grows in some of them and falls in some."""
+    return len({one.sense for one in rounds}) > 1 or any(one.returns for one in rounds)
+
+
+def _sense(model: MachineModel, run: Run, positions: FloatArray) -> tuple[int, bool]:
+    """Of the polar angle, and whether it returns; of a bar that stands still while a table turns, of the last axis that
+    moves.
+    """
     steps = np.diff(np.unwrap(theta(model, run, positions)))
     if float(np.abs(steps).max(initial=0.0)) < 1e-6:
         moving = np.flatnonzero(np.ptp(positions, axis=1) > 0.0)
         steps = np.diff(positions[moving[-1]]) if moving.size else steps
-    return 1 if float(np.median(steps)) >= 0.0 else -1
+    back = float(np.abs(steps[steps < 0.0]).sum()) / max(float(np.abs(steps).sum()), 1e-300)
+    return 1 if back <= 0.5 else -1, RETURNING < back < 1.0 - RETURNING
 
 
 def plane_round(model: MachineModel, plane: Sequence[str], rounds: Sequence[Round]) -> Round | None:
