@@ -67,10 +67,11 @@ def test_a_bar_that_goes_there_and_back_shows_both_directions() -> None:
     back = np.arange(forth.size)[::-1]
     there_and_back = replace(
         forth,
-        **{
-            name: np.concatenate([getattr(forth, name), getattr(forth, name)[..., back]], axis=-1)
-            for name in ("run", "positions", "directions", "passing")
-        },
+        run=np.concatenate([forth.run, forth.run]),
+        positions=np.concatenate([forth.positions, forth.positions[:, back]], axis=1),
+        directions=np.concatenate([forth.directions, forth.directions[:, back]], axis=1),
+        passing=np.concatenate([forth.passing, forth.passing]),
+        feed=None,
     )
-    (one,) = rounds_at_hand(case.model, replace(there_and_back, feed=None))
+    (one,) = rounds_at_hand(case.model, there_and_back)
     assert one.returns
