@@ -65,7 +65,8 @@ def test_nothing_is_named_where_nothing_is_hidden(results: list[Result]) -> None
 
 def test_plain_effects_are_named_by_their_name_alone(results: list[Result]) -> None:
     found = grades(of(results, "single", ", 10"))
-    assert sum(grade == "unique" for _, grade in found) >= 0.9 * len(found), found
+    # ten times the audit's limits, which are smaller than they were: the noise is no longer taken for as slow as can be
+    assert sum(grade == "unique" for _, grade in found) >= 0.8 * len(found), found
 
 
 def test_no_name_is_wrong(results: list[Result]) -> None:
@@ -81,7 +82,7 @@ def test_effects_of_no_known_kind_are_called_unexplained(results: list[Result]) 
 def test_what_cannot_be_told_apart_is_not_until_it_can(results: list[Result]) -> None:
     without, with_it = (of(results, "separated", rows) for rows in ("without the run", "with the run"))
     assert not any(len(names) == 1 for one in without for names in one.said.sets)
-    assert [one.grade for one in with_it] == ["unique", "unique"]
+    assert {one.grade for one in with_it} == {"unique"}  # of pairs that the audit calls confounded without the run
 
 
 def test_names_go_when_the_data_are_spoilt(results: list[Result]) -> None:
