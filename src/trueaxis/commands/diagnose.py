@@ -183,10 +183,7 @@ def _extension(
     """The files of the extended machine, none where no cause was named; all errors as these readings have them, and
     whether any errors fit these readings.
     """
-    from trueaxis.derive.model import derive_model  # noqa: PLC0415
     from trueaxis.diagnose.extend import kept_readings, named_effects, reidentified, start_values  # noqa: PLC0415
-    from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
-    from trueaxis.emit.render import render  # noqa: PLC0415
 
     effects = named_effects(diagnosis)
     kept = kept_readings(given.data, diagnosis, str(args.data))
@@ -196,6 +193,11 @@ def _extension(
             return {}, *reidentified(given.model, given.model.errors, kept)[1:]
         except (NotConvergedError, InputError):
             return {}, (), None  # the diagnosis stands without it
+    # SymPy and Jinja2: only where a machine is extended
+    from trueaxis.derive.model import derive_model  # noqa: PLC0415
+    from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
+    from trueaxis.emit.render import render  # noqa: PLC0415
+
     path = args.out / f"{given.model.name}.toml"
     text = extended_spec(given.spec, effects)
     machine = parse_machine(text, Faults(str(path)))

@@ -35,7 +35,7 @@ from trueaxis.diagnose.signatures import Readings, readings_of
 from trueaxis.diagnose.stale import Changes, stale_values
 from trueaxis.diagnose.standing import refitted_columns, standing_effects
 from trueaxis.diagnose.temperature import smoothed
-from trueaxis.diagnose.verdict import HOMOGENEOUS, explained_share, names_stand, told, verdict_of
+from trueaxis.diagnose.verdict import HOMOGENEOUS, explained_share, names_stand, size_is_significant, verdict_of
 from trueaxis.diagnose.write_up import Outcome, diagnosis_of
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
@@ -135,7 +135,7 @@ def _judged(
     hard = _plain(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
     homogeneous_p = [p for _, p in groups]
     share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
-    if names_stand(share, (*standing, *causes), checks, homogeneous_p) and all(map(told, causes)):
+    if names_stand(share, (*standing, *causes), checks, homogeneous_p) and all(map(size_is_significant, causes)):
         return _Judged(with_rivals(ground, found), causes, groups, checks, stand=True)
     if causes:
         checks = _checks(ground, ground.base, ground.base.rest(ground.values))

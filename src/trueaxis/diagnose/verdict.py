@@ -34,7 +34,7 @@ DUE_TO: Mapping[StructureClass, frozenset[str]] = {  # variables of the causes t
     StructureClass.CIRCLE_AFTER_REVERSALS: _TURNING,
     StructureClass.ONE_PERIOD: _TURNING | {"q", "s"},  # cycles of one run
 }
-SURE = 2.0  # standard uncertainties
+SIGNIFICANT = 2.0  # standard uncertainties: from where 95 % of the sizes that are possible are of one sign
 NEARLY_ALL = 0.9  # share of what was to be explained from which a remainder of that class does not take the name back
 
 
@@ -104,7 +104,7 @@ def misfitting(diagnosis: Diagnosis, runs: Sequence[str]) -> Diagnosis:
     return replace(diagnosis, verdict="unexplained_structure", causes=(), misfits=tuple(runs))
 
 
-def told(one: Fitted) -> bool:
+def size_is_significant(one: Fitted) -> bool:
     """Whether a size of a cause exceeds what it is uncertain by: what has none is no answer, however likely."""
     sized = np.array([each.role not in ("phase", "grid") for each in one.kind.parameters])
-    return bool((np.abs(one.values[sized]) > SURE * one.u[sized]).any())
+    return bool((np.abs(one.values[sized]) > SIGNIFICANT * one.u[sized]).any())
