@@ -73,7 +73,9 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 @dataclass(frozen=True)
 class _Given:
-    """What was read. covariance: of the error values. spec: its text as it must read in the folder to be written; runs: whose systems are derived."""
+    """What was read. covariance: of the error values; spec: its text as it must read in the folder to be written; runs:
+    whose systems are derived.
+    """
 
     model: MachineModel
     covariance: Covariance | None

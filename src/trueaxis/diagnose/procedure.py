@@ -49,8 +49,8 @@ AGAIN = 0.03  # relative change of the noise, causes taken away, from which the 
 @dataclass(frozen=True, slots=True)
 class DiagnoseOptions:
     """noise_um: of a reading, where it is known, else from repeats. covariance: of the model's error values, see
-    `load_uncertainty`; None: they are exact. progress: told each stage. each: how candidates are gone through, one after
-    another or by several threads; what is found is the same, to the last digit.
+    `load_uncertainty`; None: they are exact. progress: told each stage. each: how candidates are gone through, one
+    after another or by several threads; what is found is the same, to the last digit.
     """
 
     noise_um: float | None = None
