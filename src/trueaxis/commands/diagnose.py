@@ -2,8 +2,9 @@
 
 import argparse
 import sys
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,6 +22,8 @@ from trueaxis.measure.active_compensation import active_file
 from trueaxis.measure.data import MeasuredData
 from trueaxis.reporting.reliance import misfit_sentence
 from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.curves import FloatArray
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, Fit, dump_errors
 from trueaxis.runtime.kernels import numpy_kernels
 from trueaxis.runtime.manifest import KERNEL_FILES
@@ -31,7 +34,9 @@ from trueaxis.spec.read import parse_machine
 
 if TYPE_CHECKING:
     from trueaxis.derive.systems import RunPattern
-    from trueaxis.diagnose.result import Diagnosis, ErrorNow
+    from trueaxis.diagnose.extend import Identify
+    from trueaxis.diagnose.result import ErrorNow
+    from trueaxis.diagnose.rows import Rows
 
 DESCRIPTION = """\
 Name what a machine's model lacks: of the causes that the effect library knows (backlash, cyclic errors, thermal growth,
@@ -94,21 +99,19 @@ def run(args: argparse.Namespace) -> int:
         from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
-        from trueaxis.diagnose.verdict import misfitting  # noqa: PLC0415
 
-        with ThreadPoolExecutor(cores()) as pool:
-            options = DiagnoseOptions(args.noise_um, given.covariance, progress=show, each=pool.map)
-            diagnosis = diagnose(given.model, given.data, options)
+        extension: dict[Path, bytes | str] = {}
+        identify = _identify(args, given, extension, show)
         try:
-            extension, errors, fit = _extension(args, given, diagnosis, show)
+            with ThreadPoolExecutor(cores()) as pool:
+                options = DiagnoseOptions(args.noise_um, given.covariance, show, pool.map, identify)
+                diagnosis = diagnose(given.model, given.data, options)
         except NotConvergedError as failure:
             show("")
             print(f"trueaxis: values of the extended machine: {failure}; nothing was written", file=sys.stderr)
             return 1
-        diagnosis = replace(diagnosis, errors=errors)
-        if fit is not None and fit.state == "misfit":
-            # a run of the wrong sign, or that belongs elsewhere: no effect of the machine, and no name beside it
-            diagnosis, extension = misfitting(diagnosis, fit.runs), {}
+        if diagnosis.misfits:
+            extension.clear()
         report = start("report_html", diagnosis)
         show("report")
         machine_file = f"{given.model.name}.toml" if extension else None
@@ -186,36 +189,33 @@ def _outputs(out: Path, name: str) -> list[Path]:
     return [out / DIAGNOSIS, out / REPORT, out / f"{name}.toml", out / ERRORS, *kernels]
 
 
-def _extension(
-    args: argparse.Namespace, given: _Given, diagnosis: "Diagnosis", show: Progress
-) -> "tuple[dict[Path, bytes | str], tuple[ErrorNow, ...], Fit | None]":
-    """The files of the extended machine, none where no cause was named; all errors as these readings have them, and
-    whether any errors fit these readings.
-    """
-    from trueaxis.diagnose.extend import kept_readings, named_effects, reidentified, start_values  # noqa: PLC0415
+def _identify(args: argparse.Namespace, given: _Given, files: "dict[Path, bytes | str]", show: Progress) -> "Identify":
+    """All errors beside the effects that were named, as the extended machine has them; its files go into `files`."""
+    from trueaxis.diagnose.extend import errors_now, reidentified  # noqa: PLC0415
 
-    effects = named_effects(diagnosis)
-    kept = kept_readings(given.data, diagnosis, str(args.data))
-    show("extending")
-    if not effects:
-        try:
-            return {}, *reidentified(given.model, given.model.errors, kept)[1:]
-        except (NotConvergedError, InputError):
-            return {}, (), None  # the diagnosis stands without it
-    # SymPy and Jinja2: only where a machine is extended
-    from trueaxis.derive.model import derive_model  # noqa: PLC0415
-    from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
-    from trueaxis.emit.render import render  # noqa: PLC0415
+    def identify(
+        rows: "Rows", signal: FloatArray, effects: Sequence[EffectValues]
+    ) -> "tuple[tuple[ErrorNow, ...], Fit | None]":
+        if not effects:
+            return errors_now(given.model, rows, signal)
+        show("extending")
+        # SymPy and Jinja2: only where a machine is extended
+        from trueaxis.derive.model import derive_model  # noqa: PLC0415
+        from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
+        from trueaxis.emit.render import render  # noqa: PLC0415
 
-    path = args.out / f"{given.model.name}.toml"
-    text = extended_spec(given.spec, effects)
-    machine = parse_machine(text, Faults(str(path)))
-    files = render(derive_model(machine, given.runs), path.name)
-    kernels = numpy_kernels(files["kernels.py"], path)  # run too briefly to be worth compiling
-    model = MachineModel(machine, kernels, ErrorValues(machine.name))
-    values, table, fit = reidentified(model, given.model.errors, kept, start_values(diagnosis))
-    errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
-    generated: dict[Path, bytes | str] = {
-        args.out / KERNELS / machine.name / name: content for name, content in files.items()
-    }
-    return {path: text, args.out / ERRORS: errors, **generated}, table, fit
+        path = args.out / f"{given.model.name}.toml"
+        text = extended_spec(given.spec, [one.effect for one in effects])
+        machine = parse_machine(text, Faults(str(path)))
+        kernels = render(derive_model(machine, given.runs), path.name)
+        compiled = numpy_kernels(kernels["kernels.py"], path)  # run too briefly to be worth compiling
+        model = MachineModel(machine, compiled, ErrorValues(machine.name))
+        values, table, fit = reidentified(model, given.model.errors, rows.less(signal), effects)
+        files[path] = text
+        files[args.out / ERRORS] = dump_errors(
+            values, components=machine.components, parameters=machine.parameters, effects=machine.effects
+        )
+        files.update({args.out / KERNELS / machine.name / name: content for name, content in kernels.items()})
+        return table, fit
+
+    return identify

@@ -10,16 +10,18 @@ from trueaxis.diagnose.audit import audit
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.contest import contest
+from trueaxis.diagnose.extend import Identify, errors_now
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.gain import fit, gain_of, held_out, predicted
 from trueaxis.diagnose.given import given_by_chance
 from trueaxis.diagnose.imperfection import imperfection, imperfections
-from trueaxis.diagnose.instruments import Off, instruments_off
+from trueaxis.diagnose.instruments import NOT_OF_THE_MACHINE, Off, instruments_off
+from trueaxis.diagnose.misfit import misfits
 from trueaxis.diagnose.null import Null, again, null_of
 from trueaxis.diagnose.projection import Projection, spanned
 from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted, refit
-from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, FloatArray, NoiseOf
+from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, ErrorNow, FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.search import (
     Each,
@@ -41,6 +43,7 @@ from trueaxis.diagnose.write_up import Outcome, diagnosis_of
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.covariance import Covariance
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.model import MachineModel
 
 AGAIN = 0.03  # relative change of the noise, causes taken away, from which the search is done again
@@ -50,13 +53,15 @@ AGAIN = 0.03  # relative change of the noise, causes taken away, from which the 
 class DiagnoseOptions:
     """noise_um: of a reading, where it is known, else from repeats. covariance: of the model's error values, see
     `load_uncertainty`; None: they are exact. progress: told each stage. each: how candidates are gone through, one
-    after another or by several threads; what is found is the same, to the last digit.
+    after another or by several threads; what is found is the same, to the last digit. identify: see `Identify`,
+    `errors_now` by default.
     """
 
     noise_um: float | None = None
     covariance: Covariance | None = None
     progress: Callable[[str], None] = lambda _: None
     each: Each = map
+    identify: Identify | None = None
 
 
 def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions | None = None) -> Diagnosis:
@@ -86,7 +91,9 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     options.progress("checks")
     judged = _judged(ground, null, found, causes, standing)
     options.progress("values given")
-    judged, changes, off = _values_judged(ground, null, judged, standing)
+    judged, changes = _values_judged(ground, null, judged, standing)
+    options.progress("errors")
+    judged, changes = _runs_judged(ground, null, judged, changes, options)
     causes = judged.causes
     options.progress("gain")
     held, split = held_out(null.rows)
@@ -102,8 +109,8 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             search=judged.search,
             causes=causes,
             groups=judged.groups,
-            verdict=verdict_of(judged.search, judged.stand, judged.checks, changes.stale, off),
-            off=off,
+            verdict=verdict_of(judged.search, judged.stand, judged.checks, changes.stale, judged.off, judged.misfits),
+            off=judged.off,
             audit=audited,
             prospect=prospect,
             checks=judged.checks,
@@ -113,6 +120,8 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             stale=changes.stale,
             stale_p=changes.p_value,
             report=data.setup.report,
+            errors=judged.errors,
+            misfits=judged.misfits,
         )
     )
 
@@ -128,6 +137,9 @@ class _Judged:
     groups: tuple[tuple[tuple[AmplitudeOf, ...], float], ...]
     checks: tuple[Check, ...]
     stand: bool
+    off: tuple[Off, ...] = ()
+    misfits: tuple[str, ...] = ()
+    errors: tuple[ErrorNow, ...] = ()
 
 
 def _judged(
@@ -146,33 +158,66 @@ def _judged(
     share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
     if names_stand(share, (*standing, *causes), checks, homogeneous_p) and all(map(size_is_significant, causes)):
         return _Judged(with_rivals(ground, found), causes, groups, checks, stand=True)
-    if causes:
-        checks = _checks(ground, ground.base, ground.base.rest(ground.values))
-    return _Judged(found, (), (), checks, stand=False)
+    return _without_names(ground, _Judged(found, causes, groups, checks, stand=False))
 
 
-def _values_judged(
-    ground: Ground, null: Null, judged: _Judged, standing: Sequence[Fitted]
-) -> tuple[_Judged, Changes, tuple[Off, ...]]:
+def _without_names(ground: Ground, judged: _Judged) -> _Judged:
+    """With what all checks see beside no cause."""
+    checks = _checks(ground, ground.base, ground.base.rest(ground.values)) if judged.causes else judged.checks
+    return _Judged(judged.search, (), (), checks, stand=False)
+
+
+def _values_judged(ground: Ground, null: Null, judged: _Judged, standing: Sequence[Fitted]) -> tuple[_Judged, Changes]:
     """Instruments that are off, and values given that are stale: or the effect that takes their place."""
     known = (*standing, *judged.causes)
     signals = [one.signal for one in known]
     besides = [column for one in known for column in imperfections(ground.readings, one)]
     off = instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
     signals += [one.signal for one in off]
+    judged = replace(judged, off=off)
     changes = stale_values(null, signals, besides, ground.freedom)
     if not changes.stale or judged.search.causes or any(one.fired for one in judged.checks):
-        return judged, changes, off
+        return judged, changes
     named, left = contest(ground, null, changes, signals)
     if named is None:
-        return judged, left, off
+        return judged, left
     projection = ground.base.extended(whitened_columns(ground, named.found.signature))
     residual = projection.rest(ground.values)
     checks = _checks(ground, projection, residual)
     if any(one.fired for one in checks):
-        return judged, changes, off
+        return judged, changes
     search = replace(judged.search, causes=(named.found,), projection=projection, residual=residual)
-    return _Judged(search, (named.cause,), (((), 1.0),), checks, stand=True), left, off
+    return replace(judged, search=search, causes=(named.cause,), groups=(((), 1.0),), checks=checks, stand=True), left
+
+
+def _runs_judged(
+    ground: Ground, null: Null, judged: _Judged, changes: Changes, options: DiagnoseOptions
+) -> tuple[_Judged, Changes]:
+    """Runs that no errors of the machine fit, and no name beside them: they are of the wrong sign, or belong elsewhere.
+    All errors as these readings have them.
+    """
+    model, kinds = ground.readings.model, ground.readings.model.machine.kinds
+    verdict = verdict_of(judged.search, judged.stand, judged.checks, (), judged.off)
+    sets = {one.scan.effect for one in judged.search.causes if one.rivals}
+    named, beside, whole = list[EffectValues](), np.zeros(null.rows.size), np.zeros(null.rows.size)
+    found: list[Fitted | Off] = [*judged.causes, *judged.off]
+    for one in found:
+        whole = whole + one.signal
+        if one.effect in sets or one.effect.kind in NOT_OF_THE_MACHINE or verdict == "unexplained_structure":
+            beside = beside + one.signal
+        else:
+            parameters = [each.name for each in kinds[one.effect.kind].parameters]
+            named.append(EffectValues(one.effect, dict(zip(parameters, one.values.tolist(), strict=True))))
+    wrong = misfits(null, whole)
+    if wrong or options.identify is None:
+        errors, ended = errors_now(model, null.rows, whole)
+    else:
+        errors, ended = options.identify(null.rows, beside, named)
+    if ended is not None and ended.state == "misfit":
+        wrong = tuple(dict.fromkeys([*wrong, *ended.runs]))
+    if wrong:
+        judged, changes = _without_names(ground, judged), replace(changes, stale=())
+    return replace(judged, misfits=wrong, errors=errors), changes
 
 
 def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tuple[Check, ...]:

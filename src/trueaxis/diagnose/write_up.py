@@ -27,6 +27,7 @@ from trueaxis.diagnose.result import (
     Cause,
     Check,
     Diagnosis,
+    ErrorNow,
     Estimate,
     Evidence,
     Gain,
@@ -61,6 +62,8 @@ class Outcome:
     stale: tuple[Stale, ...]
     stale_p: float
     report: Mapping[str, str]
+    errors: tuple[ErrorNow, ...]
+    misfits: tuple[str, ...]
 
 
 def diagnosis_of(outcome: Outcome) -> Diagnosis:
@@ -93,6 +96,8 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         residuals=_residuals(outcome),
         measured=measured_with(ground.readings.rows),
         report=outcome.report,
+        errors=outcome.errors,
+        misfits=outcome.misfits,
     )
 
 
