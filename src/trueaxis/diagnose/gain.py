@@ -137,7 +137,8 @@ def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArra
     both = columns.beside(rest[-1][:, np.newaxis]).whitened(own).weights
     spread = np.column_stack([both[:, :-1] @ fit.root, both[:, -1]])
     q = spread.shape[1] - 1
-    squares = float(np.linalg.qr(np.vstack([spread, np.eye(q, q + 1)]), mode="r")[-1, -1] ** 2)
+    r = np.asarray(np.linalg.qr(np.vstack([spread, np.eye(q, q + 1)]), mode="r"))
+    squares = float(r[-1, -1] ** 2)
     return Prediction(Left(*left), freedom, float(np.sqrt(squares / freedom)) if freedom > 0 else np.nan)
 
 
