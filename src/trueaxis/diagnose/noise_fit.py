@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import cholesky, solve_triangular
+from scipy.linalg.lapack import dpotri
 from scipy.optimize import minimize
 
 from trueaxis.diagnose.noise_blocks import Block, Part
@@ -79,7 +80,7 @@ class _Told:
 
     def slope(self, shape: FloatArray) -> float:
         """Of minus the logarithm of the likelihood by the size of a shape, mm^2, of the covariance."""
-        return 0.5 * float(np.sum(self.precision * shape) - self.weighed @ shape @ self.weighed)
+        return 0.5 * float(np.vdot(self.precision, shape) - self.weighed @ shape @ self.weighed)
 
     def of_scale(self) -> FloatArray:
         """(n,): the same by the logarithm of the white noise of each reading."""
@@ -148,9 +149,14 @@ class Likelihood:
         for one in self.block.parts:
             number = int(self.of_run[one.place[0]])
             level, slow, age, wanders, settles, misfit = sizes[number]
-            slowly = one.same * np.exp(-one.gaps / age)
+            slowly = one.gaps / -age
+            np.exp(slowly, out=slowly)
+            slowly *= one.same
             white = (level * np.exp(x[self.count + one.place])) ** 2
-            noise = np.diag(white) + slow**2 * slowly + wanders**2 * one.wander + settles**2 * one.settle
+            noise = slow**2 * slowly
+            noise += wanders**2 * one.wander
+            noise += settles**2 * one.settle
+            noise[np.diag_indices(white.size)] += white
             precision, own_root = _precision(noise + misfit**2 * one.alike, one.own)
             root += own_root
             through[one.rows] = precision @ self.block.free[one.rows]
@@ -170,15 +176,15 @@ def _precision(covariance: FloatArray, own: FloatArray) -> tuple[FloatArray, flo
     """Inverse of a covariance less what own columns take, and half the log determinants."""
     factor = cholesky(covariance, lower=True, check_finite=False, overwrite_a=True)
     root = float(np.log(np.diag(factor)).sum())
-    inverse = solve_triangular(factor, np.eye(len(factor)), lower=True, check_finite=False)
-    inverse = inverse.T @ inverse
+    inverse, _ = dpotri(factor, lower=1, overwrite_c=1)  # its lower triangle: zeros are above that of the factor
+    inverse += np.tril(inverse, -1).T
     if own.shape[1]:
         held = inverse @ own
         part = cholesky(own.T @ held, lower=True, check_finite=False)
         root += float(np.log(np.diag(part)).sum())
         taken = solve_triangular(part, held.T, lower=True, check_finite=False)
         inverse -= taken.T @ taken
-    return np.asarray(inverse), root
+    return np.asarray(inverse.T), root  # row by row in memory, as all else is
 
 
 def restricted(
