@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Extended:
-    """A machine with effects that were named. runs: whose systems are derived; spec, text: name and text of its file."""
+    """A machine with effects that were named. runs: whose systems are derived; spec, text: of its file."""
 
     machine: Machine
     runs: "tuple[RunPattern, ...]"
