@@ -13,7 +13,7 @@ from scipy.linalg import cholesky, solve_triangular
 from scipy.linalg.lapack import dpotri
 from scipy.optimize import minimize
 
-from trueaxis.diagnose.noise_blocks import Block, Part
+from trueaxis.diagnose.noise_blocks import Block, Part, Shapes
 from trueaxis.diagnose.result import FloatArray
 
 # of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
@@ -71,6 +71,7 @@ class _Told:
     """
 
     part: Part
+    shape: Shapes
     number: int
     white: FloatArray
     slow: FloatArray
@@ -89,7 +90,7 @@ class _Told:
     @property
     def shapes(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Of slow noise, wandering and settling."""
-        return self.slow, self.part.wander, self.part.settle
+        return self.slow, self.shape.wander, self.shape.settle
 
 
 class Likelihood:
@@ -100,6 +101,7 @@ class Likelihood:
 
     def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, Guess]) -> None:
         self.block = block
+        self.shapes = [one.shapes() for one in block.parts]
         self.units = np.array([one.noise for one in first.values()])
         self.of_run = np.array([list(first).index(name) for name in instruments])
         self.count = PER * self.units.size
@@ -120,10 +122,10 @@ class Likelihood:
             slope[PER * one.number : PER * (one.number + 1)] += [
                 of_scale.sum(),
                 unit * slow * one.slope(one.slow),
-                slow**2 * one.slope(one.slow * one.part.gaps / age),
-                unit * wanders * one.slope(one.part.wander),
-                unit * settles * one.slope(one.part.settle),
-                unit * misfit * one.slope(one.part.alike),
+                slow**2 * one.slope(one.slow * one.shape.gaps / age),
+                unit * wanders * one.slope(one.shape.wander),
+                unit * settles * one.slope(one.shape.settle),
+                unit * misfit * one.slope(one.shape.alike),
             ]
         return value + 0.5 * float(apart @ apart), slope
 
@@ -146,22 +148,22 @@ class Likelihood:
         found, root = [], 0.0
         through, weighed = np.empty_like(self.block.free), np.empty_like(self.block.values)
         sizes = self.sizes(x)
-        for one in self.block.parts:
+        for one, shape in zip(self.block.parts, self.shapes, strict=True):
             number = int(self.of_run[one.place[0]])
             level, slow, age, wanders, settles, misfit = sizes[number]
-            slowly = one.gaps / -age
+            slowly = shape.gaps / -age
             np.exp(slowly, out=slowly)
-            slowly *= one.same
+            slowly *= shape.same
             white = (level * np.exp(x[self.count + one.place])) ** 2
             noise = slow**2 * slowly
-            noise += wanders**2 * one.wander
-            noise += settles**2 * one.settle
+            noise += wanders**2 * shape.wander
+            noise += settles**2 * shape.settle
             noise[np.diag_indices(white.size)] += white
-            precision, own_root = _precision(noise + misfit**2 * one.alike, one.own)
+            precision, own_root = _precision(noise + misfit**2 * shape.alike, one.own)
             root += own_root
             through[one.rows] = precision @ self.block.free[one.rows]
             weighed[one.rows] = precision @ self.block.values[one.rows]
-            found.append(_Told(one, number, white, slowly, noise, precision, weighed[one.rows]))
+            found.append(_Told(one, shape, number, white, slowly, noise, precision, weighed[one.rows]))
         factor = cholesky(self.block.free.T @ through, lower=True, check_finite=False)
         root += float(np.log(np.diag(factor)).sum())
         taken = solve_triangular(factor, through.T, lower=True, check_finite=False)
