@@ -13,8 +13,10 @@ from jinja2 import meta
 
 from tests.diagnose.report import builders
 from tests.diagnose.report.page import Element, read
+from trueaxis.diagnose.report import html as page_of
 from trueaxis.diagnose.report.formula import mathml
-from trueaxis.diagnose.report.html import TEMPLATE, report_html
+from trueaxis.diagnose.report.html import TEMPLATE
+from trueaxis.diagnose.report.pictures import pictures_of
 from trueaxis.diagnose.result import BoolArray, Diagnosis, Residuals, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.template_folders import template_folders
@@ -22,6 +24,10 @@ from trueaxis.template_folders import template_folders
 VERDICTS = get_args(Verdict)
 MEGABYTE = 1_000_000
 ROOT = Path(__file__).parents[3]
+
+
+def report_html(diagnosis: Diagnosis) -> str:
+    return page_of.report_html(diagnosis, pictures_of(diagnosis))
 
 
 @cache
@@ -89,8 +95,10 @@ def test_the_page_is_the_same_to_the_byte_in_another_process_with_another_matplo
     code = (
         "import sys, matplotlib; matplotlib.rcParams.update({'font.size': 30.0, 'axes.grid': False})\n"
         "from tests.diagnose.report import builders\n"
-        "from trueaxis.diagnose.report.html import TEMPLATE, report_html\n"
-        "sys.stdout.buffer.write(report_html(builders.diagnosis('explained')).encode())"
+        "from trueaxis.diagnose.report.html import report_html\n"
+        "from trueaxis.diagnose.report.pictures import pictures_of\n"
+        "diagnosis = builders.diagnosis('explained')\n"
+        "sys.stdout.buffer.write(report_html(diagnosis, pictures_of(diagnosis)).encode())"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, cwd=ROOT)
     assert done.stdout.decode() == html("explained")
