@@ -9,7 +9,7 @@ from statsmodels.regression.linear_model import WLS
 
 from tests.generator.dmu60p import PARAMETERS
 from tests.generator.dmu60p import dmu60p as generator
-from tests.identify.data import TRAVEL, dmu60p_model, line, moving, observed, paper_runs
+from tests.identify.data import TRAVEL, dmu60p_model, line, moving, observed, paper_runs, with_estimation
 from tests.identify.test_estimated import KNOWN, in_powers
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
@@ -24,7 +24,7 @@ from trueaxis.runtime.errors import ErrorValues
 
 DEGREE = 2
 SIGMA_UM = {"X-1": 0.2, "Y-5": 0.02, "laser": 0.07}
-GIVEN = replace(KNOWN, degree=DEGREE, noise=NoiseModel(by_group=SIGMA_UM))
+GIVEN = with_estimation(replace(KNOWN, noise=NoiseModel(by_group=SIGMA_UM)), degree=DEGREE)
 
 
 def quadratic() -> dict[str, PolynomialCurve]:
@@ -135,7 +135,9 @@ def test_noise_from_repeats_is_that_of_each_run_whatever_the_model() -> None:
         values = noise.reshape(3, -1)[:, data.run == mine]
         assert group.um == pytest.approx(1e3 * np.sqrt(values.var(axis=0, ddof=1).mean()))
         assert group.freedom == 2 * values.shape[1]
-    found = identify_estimated(dmu60p_model(), tripled, replace(KNOWN, degree=1, noise=NoiseModel(repeats="run")))
+    found = identify_estimated(
+        dmu60p_model(), tripled, with_estimation(replace(KNOWN, noise=NoiseModel(repeats="run")), degree=1)
+    )
     assert found.report.noise_um == pytest.approx(
         np.sqrt(np.mean([(group.um) ** 2 for group in groups for _ in range(39)])), rel=1e-6
     )

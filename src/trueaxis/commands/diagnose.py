@@ -21,9 +21,11 @@ from trueaxis.input_files import gathering, input_bytes, utf8_text
 from trueaxis.measure.active_compensation import active_file
 from trueaxis.measure.data import MeasuredData
 from trueaxis.reporting.reliance import misfit_sentence
+from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Fit, dump_errors
 from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.runtime.model import MachineModel
+from trueaxis.runtime.uncertainty import load_uncertainty
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.read import parse_machine
 
@@ -73,9 +75,12 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 @dataclass(frozen=True)
 class _Given:
-    """What was read. spec: its text as it must read in the folder to be written; runs: whose systems are derived."""
+    """What was read. covariance: of the error values; spec: its text as it must read in the folder to be written; runs:
+    whose systems are derived.
+    """
 
     model: MachineModel
+    covariance: Covariance | None
     data: MeasuredData
     spec: str
     runs: "tuple[RunPattern, ...]"
@@ -95,7 +100,7 @@ def run(args: argparse.Namespace) -> int:
         from trueaxis.diagnose.verdict import misfitting  # noqa: PLC0415
 
         with ThreadPoolExecutor(cores()) as pool:
-            options = DiagnoseOptions(noise_um=args.noise_um, progress=show, each=pool.map)
+            options = DiagnoseOptions(args.noise_um, given.covariance, progress=show, each=pool.map)
             diagnosis = diagnose(given.model, given.data, options)
         show("extending")
         extended = _extended(args.out, given, diagnosis)
@@ -160,6 +165,10 @@ def _read(args: argparse.Namespace) -> _Given:
             problem = "cannot be written for another folder"
             found.append(Fault(str(args.machine), "key runs", problem, "a text of one line in quotes"))
     measured = read_measured(argparse.Namespace(**vars(args), known=args.errors), found)
+    covariance = None
+    if measured.known is not None:
+        with gathering(found):
+            covariance = load_uncertainty(args.errors, measured.known, machine)
     if measured.data.readings.planned.all():
         remedy = "take them, or make some with simulate"
         found.append(Fault(str(args.data), "column reading", "is a plan: there is no reading in it", remedy))
@@ -171,7 +180,7 @@ def _read(args: argparse.Namespace) -> _Given:
     if found:
         raise InputError(found)
     errors = measured.known or ErrorValues(machine.name)
-    return _Given(measured.model.with_values(errors), measured.data, text, runs)
+    return _Given(measured.model.with_values(errors), covariance, measured.data, text, runs)
 
 
 def _overwritten(args: argparse.Namespace, machine: Machine) -> list[Fault]:
