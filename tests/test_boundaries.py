@@ -124,6 +124,17 @@ def test_effects_import_nothing_of_the_project_but_faults_and_names() -> None:
             assert found <= {"effects", "faults", "error_name"}, module
 
 
+def test_what_computes_a_diagnosis_writes_no_sentences() -> None:
+    computing = [name for name in modules() if name.startswith("trueaxis.diagnose.") and not name.startswith(REPORT)]
+    found = [
+        f"{module} imports {name}"
+        for module in computing
+        for name in imported(module, lazily=True)
+        if name.startswith((REPORT, "trueaxis.reporting."))
+    ]
+    assert found == []
+
+
 def test_a_fresh_interpreter_runs_without_symbolic_libraries() -> None:
     right = [module for module in modules() if package_of(module) not in LEFT and not module.endswith("__main__")]
     assert any(module.startswith("trueaxis.compensate.") for module in right)

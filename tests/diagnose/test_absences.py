@@ -9,6 +9,7 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnose.absences import absences
 from trueaxis.diagnose.audit import audit
+from trueaxis.diagnose.report.further import absence_sentence
 from trueaxis.diagnose.result import NoiseOf
 from trueaxis.diagnose.rounds_at_hand import both_ways, rounds_at_hand
 
@@ -22,7 +23,7 @@ def said(design: Design, *, one_way: bool = False, noise: NoiseOf = NOISE) -> tu
         rows = rows.only((rows.directions >= 0.0).all(axis=0) & np.isnan(rows.feed if rows.feed is not None else 0.0))
     one = field_of(case.model, rows)
     ground = one.ground(np.zeros(rows.size))
-    return absences(one.readings, audit(ground), [noise])
+    return tuple(map(absence_sentence, absences(one.readings, audit(ground), [noise])))
 
 
 def test_nothing_of_columns_directions_feeds_or_repeats_lacks_in_a_whole_campaign() -> None:

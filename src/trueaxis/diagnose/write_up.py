@@ -1,6 +1,6 @@
 """From what was computed to the record that report and diagnosis.json are made of; the verdict is reached here."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,16 +11,12 @@ from trueaxis.diagnose.circles import circles_of
 from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fit, predicted
 from trueaxis.diagnose.instruments import Off
-from trueaxis.diagnose.linearisation import linearisation_note
+from trueaxis.diagnose.linearisation import second_order_of
 from trueaxis.diagnose.measured import measured_with
 from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
-from trueaxis.diagnose.noise import REPEATS, STATED
 from trueaxis.diagnose.null import Null
 from trueaxis.diagnose.prospect import Prospect
 from trueaxis.diagnose.refit import Fitted
-from trueaxis.diagnose.report.quantity import quantity
-from trueaxis.diagnose.report.structures import check_name
-from trueaxis.diagnose.report.words import enumerated, held_out_warning, largest_structures, noise_origin
 from trueaxis.diagnose.result import (
     AmplitudeOf,
     BoolArray,
@@ -88,8 +84,8 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         circles=circles_of(ground.readings, outcome.left),
         recalibration_p=outcome.stale_p,
         next_runs=next_runs(prospect, outcome.audit, ahead, outcome.checks, outcome.null.noise),
-        absences=(*absences(ground.readings, outcome.audit, outcome.null.noise), linearisation_note(ground)),
-        warnings=_warnings(outcome, causes),
+        absences=absences(ground.readings, outcome.audit, outcome.null.noise),
+        second_order=second_order_of(ground),
         residuals=_residuals(outcome),
         measured=measured_with(ground.readings.rows),
         report=outcome.report,
@@ -146,7 +142,7 @@ def _of_instrument(ground: Ground, off: Off) -> Cause:
         amplitudes=(),
         homogeneous_p=1.0,
         remainder=False,
-        separating="",
+        separating=None,
     )
 
 
@@ -156,30 +152,6 @@ def _found(outcome: Outcome, fitted: Fitted) -> Found:
 
 def _evidence(one: Scanned) -> Evidence:
     return Evidence(one.effect, max(one.evidence, 0.0), one.p_value, one.tries, one.freedom)
-
-
-def _warnings(outcome: Outcome, causes: Sequence[Cause]) -> tuple[str, ...]:
-    found = []
-    for one in outcome.null.noise:
-        if one.origin not in (REPEATS, STATED):
-            found.append(f"noise of the {one.instrument}: {noise_origin(one.origin)}; repeat runs to know it")
-    if outcome.verdict == "unexplained_structure":
-        found.append("structure is left that no known cause explains: no name is given")
-    if any(one.remainder for one in causes):
-        shown, _ = largest_structures(outcome.checks)
-        left = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
-        found.append(
-            f"beside {enumerated([one.effect.label for one in causes])} a remainder is left: {'; '.join(left)}"
-        )
-    found += filter(None, [held_out_warning(outcome.gain)])
-    found += [
-        f"{one.effect.label} and {', '.join(r.effect.label for r in one.rivals)} predict the same readings"
-        for one in causes
-        if one.rivals
-    ]
-    if outcome.null.outliers:
-        found.append(f"{len(outcome.null.outliers)} outliers were left out")
-    return tuple(found)
 
 
 def _residuals(outcome: Outcome) -> Residuals:

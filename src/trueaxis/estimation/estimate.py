@@ -180,6 +180,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         open=left_open * layout.sizes[:, np.newaxis],
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
+        own={one.rows.index: own for one, own in zip(state.runs, state.own, strict=True)},
         noise=InstrumentNoise(
             of_instrument=state.noise,
             scale_of_run={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},

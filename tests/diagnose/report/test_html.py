@@ -17,7 +17,7 @@ from trueaxis.diagnose.report import html as page_of
 from trueaxis.diagnose.report.formula import mathml
 from trueaxis.diagnose.report.html import TEMPLATE
 from trueaxis.diagnose.report.pictures import pictures_of
-from trueaxis.diagnose.result import BoolArray, Diagnosis, Residuals, Verdict
+from trueaxis.diagnose.result import Absence, BoolArray, Diagnosis, Residuals, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.template_folders import template_folders
 
@@ -161,10 +161,10 @@ def test_everything_found_is_in_the_page() -> None:
     text = page("explained").text.replace("\u00a0", " ")
     for said in (
         "mill <3 & more>",
-        "run X-2 has one outlier; it was left out",
-        "no temperature channel in the circles",
-        "tell backlash in EXX from servo lag in EXX",
-        "R2 0.96 -> 0.31",
+        "left out as outliers: 1 readings",
+        "with temperature_c empty in 3 of 9 readings: thermal offset cannot be seen",
+        "separate backlash in EXX from servo lag in EXX",
+        "smallest backlash in EXX that is told apart: 0.40",
         "whole runs left out, one at a time",
         "XY-500-ccw",
         "12.3",
@@ -336,7 +336,7 @@ def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
         cause,
         effect=builders.LAG,
         parameters=(replace(cause.parameters[0], value=-builders.WIDTH),),
-        separating="a line would tell servo_lag EXX from backlash EXX",
+        separating=replace(builders.SEPARATING, apart=(Effect("thermal_offset", "EXX"),)),
         held_out_gain=-0.04,
     )
     outlier = replace(diagnosis.outliers[0], deviation=-0.0042, z=-9.3)
@@ -344,8 +344,7 @@ def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
         diagnosis,
         causes=(cause,),
         outliers=(outlier,),
-        absences=("without time_s: thermal_offset and warm_up cannot be seen",),
-        warnings=("servo_lag EXX and backlash EXX predict the same readings",),
+        absences=(Absence(lack="column", place="time_s", kinds=("thermal_offset", "warm_up"), empty=(9, 9)),),
     )
     root = read(report_html(told))
     text = root.all("body")[0].text
@@ -354,8 +353,8 @@ def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
     assert not re.search(r"(?<![\w-])-\d", text)
     assert "higher by 4" in text
     assert "thermal offset and warm up cannot be seen" in text
-    assert "servo lag in EXX and backlash in EXX predict" in text
-    assert "would tell servo lag in EXX from backlash in EXX" in text
+    assert "servo lag in EXX and servo lag in EXX predict" in text
+    assert "separates it from thermal offset in EXX" in text
     assert "without time_s:" in text  # the name of a column, to be typed so
     assert text.count("servo_lag") == 1  # once, as a spec has it
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from trueaxis.diagnose.report import tables
+from trueaxis.diagnose.report import further, tables
 from trueaxis.diagnose.report.formula import mathml
 from trueaxis.diagnose.report.picture import Picture, Pictures
 from trueaxis.diagnose.report.quantity import UM, equals_p, micrometres, percent, with_expanded, written
@@ -75,8 +75,8 @@ def report_html(diagnosis: Diagnosis, pictures: Pictures) -> str:
         headline=headline(diagnosis),
         explanation=explanation(diagnosis),
         key_figures=_key_figures(diagnosis),
-        warnings=[*filter(None, [misfit(diagnosis)]), *(in_words(one, kinds) for one in diagnosis.warnings)],
-        absences=[in_words(one, kinds) for one in diagnosis.absences],
+        warnings=[*filter(None, [misfit(diagnosis)]), *(in_words(one, kinds) for one in further.warnings(diagnosis))],
+        absences=[in_words(one, kinds) for one in further.absences(diagnosis)],
         report=diagnosis.report,
         measured=tables.measured(diagnosis),
         errors=tables.errors(diagnosis),
@@ -125,7 +125,7 @@ def _cause(cause: Cause, pictures: tuple[Picture, ...], kinds: frozenset[str]) -
             ("kind, as a spec has it", cause.effect.kind),
         ),
         rivals=tables.rivals(cause) if cause.rivals else None,
-        separating=in_words(cause.separating, kinds),
+        separating="" if cause.separating is None else in_words(further.separating_run(cause.separating), kinds),
         remainder=cause.remainder,
         pictures=pictures,
     )

@@ -4,6 +4,7 @@ import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
+from trueaxis.diagnose.report.further import proposals
 from trueaxis.diagnose.report.quantity import NBSP, UM, micrometres, percent, probability, quantity, written
 from trueaxis.diagnose.report.structures import check_meaning, check_name
 from trueaxis.diagnose.report.words import ESTIMATED, effect_title, in_words, noise_origin, stale_range
@@ -148,7 +149,7 @@ def next_runs(diagnosis: Diagnosis, kinds: Collection[str]) -> Table:
     """What to measure next. kinds: whose names become words."""
     rows = tuple(
         (in_words(one.run, kinds), in_words(one.purpose, kinds), in_words(one.gain, kinds))
-        for one in diagnosis.next_runs
+        for one in proposals(diagnosis)
     )
     return Table("Runs that would help", ("run", "purpose", "what it would tell"), rows)
 
