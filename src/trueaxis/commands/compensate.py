@@ -117,7 +117,8 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--block-delete", choices=("fault", "run", "skip"), default=default.block_delete,
                         help="what motions in / blocks are (default %(default)s)")  # fmt: skip
     parser.add_argument("--dialect", choices=get_args(Dialect),
-                        help="the control's language: what codes, T and X100 mean (default: not known)")  # fmt: skip
+                        help="the control's language: what codes, T and X100 mean (default: siemens or heidenhain "
+                        "where the program can be nothing else, otherwise not known)")  # fmt: skip
     parser.add_argument("--integers", choices=get_args(Integers),
                         help="what numbers without a decimal point count: mm (inch, deg), or least increments of "
                         "0.001 mm (0.0001 inch, 0.001 deg); default: mm where --dialect is linuxcnc, siemens or "
