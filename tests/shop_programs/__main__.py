@@ -33,9 +33,10 @@ def table(grades: list[Grade], left_out: int) -> str:
     rows.append(f"\n{left_out} programs above {LARGEST} bytes left out\n")
     accepted = [grade for grade in grades if grade.outcome == "accepted"]
     if accepted:
-        rows.append(f"accepted: at most {1000 * max(g.after for g in accepted):.2f} um along the path after, "
-                    f"{1000 * max(g.before for g in accepted):.1f} um before; "
-                    f"{sum(g.moves[0] for g in accepted)} motions became {sum(g.moves[1] for g in accepted)}")  # fmt: skip
+        after, before = (1000 * max(getattr(g, stage) for g in accepted) for stage in ("after", "before"))
+        moves = [sum(g.moves[side] for g in accepted) for side in (0, 1)]
+        rows.append(f"accepted: at most {after:.2f} um along the path after, {before:.1f} um before")
+        rows.append(f"{moves[0]} motions became {moves[1]}")
         rows += [f"  {number} {why}" for why, number in Counter(g.reason for g in accepted).most_common() if why]
     for outcome in ("refused", "wrong"):
         reasons = Counter(g.reason for g in grades if g.outcome == outcome and g.kind == "plain")

@@ -14,7 +14,7 @@ from trueaxis.compensate.files import compensate_file
 from trueaxis.compensate.offset_files import offset_of_option, read_offsets, with_options
 from trueaxis.compensate.offsets import Offsets, Range
 from trueaxis.compensate.reliance import Limits, judge_of
-from trueaxis.compensate.settings import Dialect, Integers, Settings
+from trueaxis.compensate.settings import Arcs, Dialect, Integers, Settings
 from trueaxis.compensate.tool_files import read_tools
 from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
@@ -93,6 +93,9 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         help="largest distance of an arc from its chords (default %(default)s)")  # fmt: skip
     parser.add_argument("--method", choices=("iterative", "ordinary"), default=default.method,
                         help="iterate, or correct once (default %(default)s)")  # fmt: skip
+    parser.add_argument("--arcs", choices=get_args(Arcs), default=default.arcs,
+                        help="arcs stay arcs, cut where the shifted points are on none, or all become chords "
+                        "(default %(default)s)")  # fmt: skip
     parser.add_argument("--words", choices=("nearest", "ends", "middles"), default=default.words,
                         help="how words are chosen, see below (default %(default)s)")  # fmt: skip
     parser.add_argument("--ball", type=_point, metavar="X,Y,Z",

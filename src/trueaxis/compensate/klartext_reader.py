@@ -17,7 +17,7 @@ from trueaxis.compensate.klartext_cycles import Other, other_block
 from trueaxis.compensate.klartext_lexer import MACHINE_COORDINATES, KlartextBlock, head_of, lex_klartext
 from trueaxis.compensate.klartext_tools import ToolCall, tool_call
 from trueaxis.compensate.mark import COMPENSATED_ALREADY, is_marked
-from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Split, Start
+from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Round, Split, Start
 from trueaxis.compensate.nc_frames import FrameReader
 from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.nc_start import starts_elsewhere, unknown_position
@@ -262,7 +262,8 @@ class KlartextReader:
         state = self._state
         written = tuple(axis in block.coordinates or (block.verb in _POLAR and axis in "XY") for axis in self._axes)
         eol = text[len(text.rstrip("\r\n")) :]
-        lead = f"{block.head}{block.optional}L "
+        again = f"{block.head}{block.optional}"
+        lead = f"{again}L "
         last = [word for word in block.others if word[0] in "Mm" and int(word[1:]) in m_codes.AFTER]
         tail = "".join(f" {word}" for word in block.others)
         kept = "".join(f" {word}" for word in block.others if word not in last)
@@ -270,11 +271,20 @@ class KlartextReader:
         split = Split(lead, kept, "".join(f" {word}" for word in last) + comment)
         kind = Kind.ARC if arc else (Kind.RAPID, Kind.LINE)[motion]
         stops = any(code in m_codes.AFTER for code in block.codes)
+        rounded = self._round(block, arc)
         return Move(
             number, kind, end, written, True, state.inch, lead, tail + comment, " ", eol, text if straight else "",
-            lead, split, arc, not stops, state.feed, state.commanded.command(commands, True),
-            state.commanded.elsewhere, state.shift, elsewhere, whole,
+            again if rounded else lead, split, arc, not stops, state.feed, state.commanded.command(commands, True),
+            state.commanded.elsewhere, state.shift, elsewhere, whole, 0.0, rounded,
         )  # fmt: skip
+
+    def _round(self, block: KlartextBlock, arc: Arc | None) -> Round | None:
+        """An arc that stays one is written as CR: C would need a CC before it."""
+        if arc is None or self._settings.arcs != "keep":
+            return None
+        lead = f"{block.head}{block.optional}"
+        sign = "+" if block.direction > 0 else "-"
+        return Round(f"{lead}CR ", f"{lead}CR ", "CR ", "L ", "radius", "R+", f" DR{sign}")
 
 
 def _codes_alone(content: str) -> KlartextBlock | None:

@@ -4,7 +4,7 @@ from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.arcs import ArcError
 from trueaxis.compensate.commanded import Commanded
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.moves import Item, Kind, Move, Notes
+from trueaxis.compensate.moves import Item, Kind, Move, Notes, Round
 from trueaxis.compensate.nc_arc import arc_of_block
 from trueaxis.compensate.nc_frames import FrameReader
 from trueaxis.compensate.nc_lexer import Block
@@ -81,7 +81,17 @@ class MotionReader:
             state.gap = ""
         timed = state.feed_mode == "time" and motion == 1
         text = block_text(body, block.words, state.gap, insert, motion == 1, timed)
-        state.in_force, state.moved = motion, True
+        rounded = None
+        if arc is not None and self._settings.arcs == "keep":
+            code = f"G{state.motion}"
+            kept = block_text(body, block.words, state.gap, meaning.motion is None, True, timed, code)
+            by_radius = meaning.radius is not None
+            rounded = Round(
+                kept.lead, kept.split.lead if kept.split else kept.lead, code + state.gap, "G1" + state.gap,
+                "radius" if by_radius else "centre", "CR=" if self._settings.dialect == "siemens" else "R",
+            )  # fmt: skip
+        # an arc that stays one is in force afterwards, and lines that it becomes are not
+        state.in_force, state.moved = None if arc else motion, True
         for word in block.words:
             if word.letter in meaning.axes:
                 state.numbers[state.row[word.letter]] = body[word.start + 1 : word.end].strip()
@@ -92,7 +102,7 @@ class MotionReader:
             again + (f"G53{state.gap}" if meaning.in_machine_coordinates else ""), text.split, arc,
             not meaning.miscellaneous and not meaning.exact_stop, state.feed_in_minutes,
             state.commanded.command(commands, state.absolute), state.commanded.elsewhere, state.shift, elsewhere,
-            meaning.uncertain_codes, (meaning.feed or 0.0) if timed else 0.0,
+            meaning.uncertain_codes, (meaning.feed or 0.0) if timed else 0.0, rounded,
         )  # fmt: skip
 
     def _may_move(self, number: int, meaning: Meaning) -> bool:
