@@ -7,6 +7,7 @@ import sympy as sp
 
 from trueaxis.derive.model import DerivedModel
 from trueaxis.emit.latex import Latex, is_negative, joined
+from trueaxis.emit.paper_kernels import kernel_lines, reduced
 from trueaxis.emit.paper_layout import ERRATA_PAGE, PATTERNS, RUNS, Pattern, Reading, System, beside
 from trueaxis.emit.paper_notation import AXES, Form, form, monomial_terms, motion, paper_latex
 from trueaxis.emit.paper_tables import Table1, points, position_errors, table_1, table_3
@@ -19,7 +20,9 @@ Row = str
 
 @dataclass(frozen=True)
 class Block:
-    """One numbered equation: a title, a sentence before it, plain maths or rows or both, a warning behind it."""
+    """One numbered equation: a title, a sentence before it, plain maths or rows or both, behind it a warning and
+    what its kernels take and return.
+    """
 
     number: int
     title: str
@@ -27,6 +30,7 @@ class Block:
     maths: str = ""
     rows: tuple[Row, ...] = ()
     warning: str = ""
+    kernels: tuple[str, ...] = ()
 
     @property
     def beside(self) -> str:
@@ -169,16 +173,18 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
     unknowns = r"\begin{bmatrix}" + r"\\".join(latex.symbol(name) for name in system.unknowns) + r"\end{bmatrix}"
     known = [{n: c for n, c in f.columns.items() if n not in system.unknowns} for f in forms]
     warning = _rank_warning(model, system)
+    kernels = tuple(kernel_lines(model, pattern, system, forms, latex))
     if not system.rows:
         left = r"\begin{bmatrix}" + r"\\".join(
-            _reduced(r, f, latex) for r, f in zip(system.readings, forms, strict=True)
+            reduced(r, f, latex) for r, f in zip(system.readings, forms, strict=True)
         )
         left += r"\end{bmatrix}"
         text = f"The rows of Eq. ({pattern.motion}) that are read at the three points of Table 4:"
         maths = f"{left} = {latex(matrix)} {unknowns}"
         yield Block(system.number, f"system of {pattern.title}", text, maths, warning=warning)
         maths = f"{unknowns} = {latex(matrix)}^{{-1}} {left}"
-        yield Block(system.solution, f"solution of {pattern.title}", _kernel_text(model, system), maths)
+        title, text = f"solution of {pattern.title}", f"Eq. ({system.number}) solved:"
+        yield Block(system.solution, title, text, maths, warning=warning, kernels=kernels)
         return
     if system.number:
         sources = " and ".join(f"({number})" for number, rows in pattern.special if set(rows) & set(system.readings))
@@ -191,11 +197,8 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
         )
         yield Block(system.number, "system", text, f"{latex(matrix)} {unknowns} = {stack}", rows)
     rows = tuple(_closed_forms(system, forms, latex))
-    yield Block(system.solution, "solution", _kernel_text(model, system), rows=rows)
-
-
-def _reduced(reading: Reading, found: Form, latex: Latex) -> str:
-    return joined([f"+ {reading.latex}", *latex.terms(-found.ideal)])
+    source = system.number or next(number for number, rows in pattern.special if set(rows) >= set(system.readings))
+    yield Block(system.solution, "solution", f"Eq. ({source}) solved:", rows=rows, kernels=kernels)
 
 
 def _known_terms(reading: Reading, found: Form, known: dict[str, sp.Expr], latex: Latex) -> list[str]:
@@ -244,15 +247,6 @@ def _rotation_row(
     return f"{latex.symbol(rotation)} &= \\frac{{{top}}}{{{joined(latex.terms(base))}}}"
 
 
-def _kernel_text(model: DerivedModel, system: System) -> str:
-    found = model.identification
-    assert found is not None
-    kernels = [
-        f"`system_{k + 1}`" for k, each in enumerate(found.systems) if set(each.unknowns) <= set(system.unknowns)
-    ]
-    return f"In the kernels {' and '.join(kernels)}:"
-
-
 def _rank_warning(model: DerivedModel, system: System) -> str:
     found = model.identification
     assert found is not None
@@ -260,6 +254,6 @@ def _rank_warning(model: DerivedModel, system: System) -> str:
         if set(each.unknowns) == set(system.unknowns) and each.rank < len(each.unknowns):
             return (
                 f"**At these points the rank is {each.rank}, less than the {len(each.unknowns)} unknowns: this system "
-                f"has no single solution** ([E33]({ERRATA_PAGE}#e33))."
+                f"has no unique solution** ([E33]({ERRATA_PAGE}#e33))."
             )
     return ""
