@@ -92,7 +92,10 @@ SLIPS: dict[str, tuple[str, str]] = {
         r"$\varepsilon_{y}(z_h)$, $\varepsilon_{x}(z_h)$ in",
         r"$\varepsilon_{x}(z_h)$, $\varepsilon_{y}(z_h)$ in",
     ),
-    "points exchanged": ("$`r^{XZ}_{k1} - q_T`$ (`rT7`), $`r^{XZ}_{k2}", "$`r^{XZ}_{k2} - q_T`$ (`rT7`), $`r^{XZ}_{k1}"),
+    "points exchanged": (
+        "$`r^{XZ}_{k1} - q_T`$ (`rT7`), $`r^{XZ}_{k2}",
+        "$`r^{XZ}_{k2} - q_T`$ (`rT7`), $`r^{XZ}_{k1}",
+    ),
     "points in a carriage's frame": ("$`r^{YZ}_{l1} - q_w`$", "$`r^{YZ}_{l1} - q_T`$"),
     "kernels exchanged": ("it returns $\\delta_{y}(z_h)$", "it returns $\\delta_{z}(y_h)$"),
 }

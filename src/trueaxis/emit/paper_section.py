@@ -128,8 +128,11 @@ def _motion_block(machine: Machine, pattern: Pattern, latex: Latex) -> Block:
         left = " - ".join(_difference(text, axis, bracket=n > 0) for n, text in enumerate(differences))
         column = {name: entry[i] for name, entry in equation.motion.columns.items()}
         rows.append(broken(left, latex.terms(equation.motion.ideal[i]) + monomial_terms(column, latex)))
-    views = " less ".join(f"`{view_of(seen, 'bed')}`" for _, seen, _ in equation.terms)
-    text = f"Eq. (11) with the columns {pattern.axes} of Table 3; to first order the view {views}, there less at home:"
+    views = " less that of ".join(f"the view `{view_of(seen, 'bed')}`" for _, seen, _ in equation.terms)
+    sign = "" if "Y" in pattern.axes else "The negative of "
+    text = (
+        f"{sign}Eq. (11) with the columns {pattern.axes} of Table 3; to first order the change since home of {views}:"
+    )
     return Block(pattern.motion, f"motion of {pattern.title}", text, rows=tuple(rows))
 
 
@@ -156,7 +159,8 @@ def _reading_blocks(machine: Machine, pattern: Pattern, latex: Latex) -> Iterato
         rows = tuple(_reading_row(machine, pattern, Reading("i", d), latex) for d in directions)
         yield Block(number, "readings", text, rows=rows)
     for number, readings in pattern.special:
-        text = f"The same at the points of Table 5, rows of Eq. ({pattern.motion}):"
+        projected = f"; their projections are those of Eq. ({pattern.projected[0]})" if pattern.projected else ""
+        text = f"The same at the points of Table 5, rows of Eq. ({pattern.motion}){projected}:"
         rows = tuple(_reading_row(machine, pattern, reading, latex) for reading in readings)
         yield Block(number, "readings at the measured points", text, rows=rows)
 
@@ -174,6 +178,7 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
     known = [{n: c for n, c in f.columns.items() if n not in system.unknowns} for f in forms]
     warning = _rank_warning(model, system)
     kernels = tuple(kernel_lines(model, pattern, system, forms, latex))
+    assumed = _assumed(machine, forms, latex)
     if not system.rows:
         left = r"\begin{bmatrix}" + r"\\".join(
             reduced(r, f, latex) for r, f in zip(system.readings, forms, strict=True)
@@ -188,7 +193,8 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
         return
     if system.number:
         sources = " and ".join(f"({number})" for number, rows in pattern.special if set(rows) & set(system.readings))
-        text = f"Eq. {sources} as a system; what is known by now is on the right, in $b_k$:"
+        right = f"On the right, in $b_k$, are the readings and the errors identified before{assumed}:"
+        text = f"Eq. {sources} as a system. {right}"
         names = [f"b_{{{k + 1}}}" for k in range(len(forms))]
         stack = r"\begin{bmatrix}" + r"\\".join(names) + r"\end{bmatrix}"
         rows = tuple(
@@ -198,7 +204,14 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
         yield Block(system.number, "system", text, f"{latex(matrix)} {unknowns} = {stack}", rows)
     rows = tuple(_closed_forms(system, forms, latex))
     source = system.number or next(number for number, rows in pattern.special if set(rows) >= set(system.readings))
-    yield Block(system.solution, "solution", f"Eq. ({source}) solved:", rows=rows, kernels=kernels)
+    yield Block(system.solution, "solution", f"Eq. ({source}) solved{assumed}:", rows=rows, kernels=kernels)
+
+
+def _assumed(machine: Machine, forms: list[Form], latex: Latex) -> str:
+    """`; eps_xz is assumed to be known`: no reading gives the location errors that these have."""
+    names = [name for name in machine.location_errors if any(name in form.columns for form in forms)]
+    listed = ", ".join(f"${latex.symbol(name)}$" for name in names)
+    return f"; {listed} is assumed to be known ([E30]({ERRATA_PAGE}#e30))" if names else ""
 
 
 def _known_terms(reading: Reading, found: Form, known: dict[str, sp.Expr], latex: Latex) -> list[str]:
