@@ -30,6 +30,7 @@ COMMANDS = (
     "evaluate",
     "import",
     "export",
+    "report",
     "demo",
 )
 WRONG_INPUT = 2
