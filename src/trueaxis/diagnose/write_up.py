@@ -84,7 +84,7 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         circles=circles_of(ground.readings, outcome.left),
         recalibration_p=outcome.stale_p,
         next_runs=next_runs(prospect, outcome.audit, ahead, outcome.checks, outcome.null.noise),
-        absences=absences(ground.readings, outcome.audit, outcome.null.noise),
+        absences=absences(ground.readings, outcome.audit),
         second_order=second_order_of(ground),
         residuals=_residuals(outcome),
         measured=measured_with(ground.readings.rows),
