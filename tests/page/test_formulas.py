@@ -72,7 +72,7 @@ def test_sensitivities_are_derivatives() -> None:
 def test_symbols_name_what_they_are(name: str) -> None:
     own = names(name)
     _, *table = cells_of(page(name), "## Symbols")
-    listed = {cells[1].split("`")[1]: cells for cells in table}
+    listed = {cells[1].split('"')[1]: cells for cells in table}
     for file_name in (*own.chain.components, *own.chain.located, *own.chain.dimensions):
         latex, _, unit, meaning = listed[file_name]
         assert own.base[re.sub(r"[{}$]", "", latex)] == own.values[file_name], latex

@@ -1,6 +1,7 @@
 """Modal state of an NC program while it is read."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from trueaxis.compensate.canned_cycles import Cycle
@@ -67,7 +68,7 @@ class NcState:
 
     def enter_frame(self, machine: bool = False) -> None:
         """Positions are in the frame that the offsets make, or in machine coordinates, from now on."""
-        self.shift = () if machine else self.frames.shift
+        self.shift = self.frames.shift_of_machine if machine else self.frames.shift
         self.commanded.enter(self.frames.of_machine if machine else self.frames.ids)
 
     @property
@@ -79,13 +80,13 @@ class NcState:
         """Length (mm) or angle (deg) of one unit of a word of this axis."""
         return MM_PER_INCH if self.inch and axis in LINEAR else 1.0
 
-    def after(self, words: dict[str, float]) -> list[float | None]:
-        """Positions after a move to these axis words."""
+    def after(self, words: dict[str, float], ways: Mapping[str, bool] | None = None) -> list[float | None]:
+        """Positions after a move to these axis words; ways: see Meaning."""
         end = list(self.position)
         for axis, value in words.items():
             row = self.row[axis]
             distance = value * self.scale(axis)
-            if self.absolute:
+            if self.absolute if not ways else ways.get(axis, self.absolute):
                 end[row] = distance + self.shift[row] if self.shift else distance
             else:
                 before = end[row]

@@ -58,6 +58,7 @@ class ChainTexts:
     relative: tuple[Row, ...]
     in_bed: tuple[Row, ...]
     turned: tuple[Row, ...]
+    workpiece_turns: bool
     position: tuple[Row, ...]
 
 
@@ -78,6 +79,7 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
         tuple(matrix_rows("M", _pose(main.ideal), latex, "M_{{{}}}")),
         tuple(broken(f"P_{row}", latex.terms(point[i])) for i, row in enumerate(AXES)),
         tuple(_turned(ends[0][:3, :3].T, latex)),
+        ends[0][:3, :3] != sp.eye(3),
         tuple(_position(machine, main, latex)),
     )
 
@@ -85,13 +87,12 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
 def _position(machine: Machine, main: FirstOrder, latex: Latex) -> Iterator[Row]:
     """The tool point with its deviation; by M and d where an axis turns: written out it would fill two pages."""
     turning = any(axis in ROTARY for axis in machine.axes)
+    ideal = _pose(main.ideal)
     for i, row in enumerate(AXES):
         if turning:
-            terms = [
-                *(f"M_{{{i + 1}{k + 1}}} r_{{{a}}}" for k, a in enumerate(AXES)),
-                f"M_{{{i + 1}4}}",
-                f"d_{{{row}}}",
-            ]
+            held = [k for k in range(4) if ideal[i, k] != 0]
+            terms = [f"M_{{{i + 1}{k + 1}}} r_{{{AXES[k]}}}" if k < 3 else f"M_{{{i + 1}4}}" for k in held]
+            terms.append(f"d_{{{row}}}")
             yield f"P^W_{{T{row}}} &= " + " + ".join(terms)
         else:
             deviation = latex.linear({name: column[i] for name, column in main.columns.items()})
