@@ -1,12 +1,11 @@
-"""What the data lack: columns, instruments, directions, feeds, repeats."""
+"""What the data lack: columns, instruments, directions, feeds; of repeats the origin of the noise tells."""
 
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from trueaxis.diagnose.audit import Audit
-from trueaxis.diagnose.noise import REPEATS, STATED
-from trueaxis.diagnose.result import Absence, NoiseOf
+from trueaxis.diagnose.result import Absence
 from trueaxis.diagnose.rounds_at_hand import both_ways, rounds_at_hand
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.signatures import Readings
@@ -17,7 +16,7 @@ _COLUMNS = (("time_s", ("t",)), ("temperature_c", ("T",)), ("feed", ("v", "v_b")
 _TELLING = ("ballbar", "laser")
 
 
-def absences(readings: Readings, audit: Audit, noise: Sequence[NoiseOf]) -> tuple[Absence, ...]:
+def absences(readings: Readings, audit: Audit) -> tuple[Absence, ...]:
     """Empty where nothing is lacking."""
     rows = readings.rows
     return (
@@ -25,7 +24,6 @@ def absences(readings: Readings, audit: Audit, noise: Sequence[NoiseOf]) -> tupl
         *_instruments(rows, audit),
         *_directions(readings),
         *_feeds(readings),
-        *_repeats(noise),
     )
 
 
@@ -79,9 +77,3 @@ def _feeds(readings: Readings) -> Iterator[Absence]:
         feeds = {round(one.feed) for one in rounds if one.plane == plane and np.isfinite(one.feed)}
         if len(feeds) == 1:
             yield Absence(lack="one_feed", place=plane)
-
-
-def _repeats(noise: Sequence[NoiseOf]) -> Iterator[Absence]:
-    for one in noise:
-        if one.origin not in (REPEATS, STATED):
-            yield Absence(lack="repeats", place=one.instrument, origin=one.origin)

@@ -269,13 +269,13 @@ class NextRun:
     instrument: str = ""
 
 
-Lack = Literal["column", "instrument", "one_side", "one_direction", "one_feed", "repeats"]
+Lack = Literal["column", "instrument", "one_side", "one_direction", "one_feed"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Absence:
     """What the data lack. place: column, axis of lines, plane of circles, or instrument; kinds: of effects that cannot
-    be seen; empty: share of readings without the column; lacking: instruments that no run has; origin: of a noise.
+    be seen; empty: share of readings without the column; lacking: instruments that no run has.
     """
 
     lack: Lack
@@ -283,7 +283,6 @@ class Absence:
     kinds: tuple[str, ...] = ()
     empty: tuple[int, int] = (0, 0)
     lacking: tuple[str, ...] = ()
-    origin: str = ""
 
 
 @dataclass(frozen=True, slots=True)

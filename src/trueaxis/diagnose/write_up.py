@@ -8,7 +8,6 @@ import numpy as np
 from trueaxis.diagnose.absences import absences
 from trueaxis.diagnose.audit import Audit
 from trueaxis.diagnose.circles import circles_of
-from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fit, predicted
 from trueaxis.diagnose.instruments import Off
 from trueaxis.diagnose.linearisation import second_order_of
@@ -32,6 +31,8 @@ from trueaxis.diagnose.result import (
 )
 from trueaxis.diagnose.scan import Scanned
 from trueaxis.diagnose.search import Found, Ground, Search
+from trueaxis.effects.kind import Kind
+from trueaxis.effects.latex import effect_latex
 from trueaxis.estimation.effects.unknowns import unit_in
 
 
@@ -84,7 +85,7 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         circles=circles_of(ground.readings, outcome.left),
         recalibration_p=outcome.stale_p,
         next_runs=next_runs(prospect, outcome.audit, ahead, outcome.checks, outcome.null.noise),
-        absences=absences(ground.readings, outcome.audit, outcome.null.noise),
+        absences=absences(ground.readings, outcome.audit),
         second_order=second_order_of(ground),
         residuals=_residuals(outcome),
         measured=measured_with(ground.readings.rows),
@@ -105,12 +106,9 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
     rivals = tuple(_evidence(one) for one in found.rivals)
     return Cause(
         effect=fitted.effect,
-        parameters=tuple(
-            Estimate(one.name, float(value), float(u), unit_in(one.unit, fitted.effect))
-            for one, value, u in zip(fitted.kind.parameters, fitted.values, fitted.u, strict=True)
-        ),
+        parameters=_parameters(fitted.kind, fitted),
         sentence=fitted.kind.sentence,
-        formula=formula_of(ground.readings.model.machine, fitted.effect),
+        formula=effect_latex(fitted.kind, fitted.effect),
         p_value=found.scan.p_value,
         evidence=found.scan.evidence,
         rms=float(np.sqrt(np.mean(fitted.signal**2))),
@@ -124,16 +122,12 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
 
 
 def _of_instrument(ground: Ground, off: Off) -> Cause:
-    machine = ground.readings.model.machine
-    kind = machine.kinds[off.effect.kind]
+    kind = ground.readings.model.machine.kinds[off.effect.kind]
     return Cause(
         effect=off.effect,
-        parameters=tuple(
-            Estimate(one.name, float(value), float(u), unit_in(one.unit, off.effect))
-            for one, value, u in zip(kind.parameters, off.values, off.u, strict=True)
-        ),
+        parameters=_parameters(kind, off),
         sentence=kind.sentence,
-        formula=formula_of(machine, off.effect),
+        formula=effect_latex(kind, off.effect),
         p_value=off.p_value,
         evidence=-float(np.log10(max(off.p_value, 1e-300))),
         rms=float(np.sqrt(np.mean(off.signal**2))),
@@ -143,6 +137,13 @@ def _of_instrument(ground: Ground, off: Off) -> Cause:
         homogeneous_p=1.0,
         remainder=False,
         separating=None,
+    )
+
+
+def _parameters(kind: Kind, found: Fitted | Off) -> tuple[Estimate, ...]:
+    return tuple(
+        Estimate(one.name, float(value), float(u), unit_in(one.unit, found.effect))
+        for one, value, u in zip(kind.parameters, found.values, found.u, strict=True)
     )
 
 

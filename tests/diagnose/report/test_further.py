@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 
 from tests.diagnose.report import builders
-from trueaxis.diagnose.report.further import Proposal, proposals, separating_run
+from trueaxis.diagnose.report.further import Proposal, absences, proposals, separating_run, warnings
 from trueaxis.diagnose.report.quantity import ascii_only
-from trueaxis.diagnose.result import Check, NextRun, Separating, StructureClass
+from trueaxis.diagnose.result import Check, NextRun, SecondOrder, Separating, StructureClass
 
 LOCAL = Check(StructureClass.LINE_LOCAL, "Y", 1e-9, fired=True, rms=1e-3)
 NOTHING_TO_MEASURE = Check(StructureClass.LACK_OF_FIT, "laser", 1e-7, fired=True, rms=1e-3)
@@ -52,3 +52,16 @@ def test_what_a_run_separates_and_from_which_size_on() -> None:
 )
 def test_what_tells_a_cause_from_its_rivals(separating: Separating, sentence: str) -> None:
     assert ascii_only(separating_run(separating)) == sentence
+
+
+def test_a_noise_that_no_repeats_tell_is_warned_of() -> None:
+    diagnosis = builders.diagnosis("explained")
+    unsure = replace(diagnosis.noise[0], origin="courses")
+    (said,) = [text for text in warnings(replace(diagnosis, noise=(unsure,))) if text.startswith("noise of the laser")]
+    assert said == "noise of the laser: nothing is repeated, from what the null model leaves; repeat runs to know it"
+
+
+def test_terms_of_second_order_of_values_that_are_all_zero_are_no_news() -> None:
+    diagnosis = builders.diagnosis("explained")
+    without = replace(diagnosis, second_order=SecondOrder(0.0, seen=False))
+    assert len(absences(diagnosis)) == len(absences(without)) + 1

@@ -17,6 +17,7 @@ from trueaxis.diagnose.report import html as page_of
 from trueaxis.diagnose.report.formula import mathml
 from trueaxis.diagnose.report.html import TEMPLATE
 from trueaxis.diagnose.report.pictures import pictures_of
+from trueaxis.diagnose.report.tables import MOST_PRINTED
 from trueaxis.diagnose.result import Absence, BoolArray, Diagnosis, Residuals, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.template_folders import template_folders
@@ -401,3 +402,13 @@ def test_a_hundred_thousand_readings_and_a_hundred_candidates_stay_a_small_file(
     )
     assert large.residuals.run.size > 3e5
     assert len(report_html(large).encode()) < 2 * MEGABYTE
+
+
+def test_on_paper_are_the_most_telling_rows_of_a_long_table() -> None:
+    diagnosis = builders.diagnosis("unexplained_structure")
+    checks = tuple(replace(diagnosis.checks[0], place=f"X{k}", p_value=0.5) for k in range(40))
+    root = read(report_html(replace(diagnosis, checks=(*checks, diagnosis.checks[1]))))
+    hidden = [row for row in root.all("tr") if row.attributes.get("class") == "screen"]
+    assert len(hidden) == 41 - MOST_PRINTED
+    assert not any("FIRED" in row.text for row in hidden)
+    assert f"{41 - MOST_PRINTED} more rows are on the page itself" in root.all("body")[0].text

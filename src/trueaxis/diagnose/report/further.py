@@ -61,7 +61,8 @@ def separating_run(separating: Separating) -> str:
 
 def absences(diagnosis: Diagnosis) -> tuple[str, ...]:
     """A sentence for each."""
-    return (*map(absence_sentence, diagnosis.absences), _second_order(diagnosis.second_order))
+    terms = [diagnosis.second_order] if diagnosis.second_order.largest > 0.0 else []
+    return (*map(absence_sentence, diagnosis.absences), *map(_second_order, terms))
 
 
 def absence_sentence(one: Absence) -> str:
@@ -81,8 +82,6 @@ def absence_sentence(one: Absence) -> str:
             return f"circles in {one.place} in one direction only: play and servo lag look like errors of the geometry"
         case "one_feed":
             return f"circles in {one.place} at one feed only: servo lag is told from play by its form alone"
-        case "repeats":
-            return f"no repeats by the {one.place}: its noise is an estimate ({noise_origin(one.origin)})"
 
 
 def _second_order(terms: SecondOrder) -> str:
