@@ -135,7 +135,7 @@ HEAD = "BEGIN PGM T MM\nTOOL CALL 5 Z S100\nL X+0 Y+0 Z+10 R0 FMAX\n"
         ("PLANE SPATIAL SPA+45 SPB+0 SPC+0 STAY", "tilts the plane"),
         ("FUNCTION TCPM F TCP AXIS POS", "moves the linear axes with the rotary ones"),
         ("L A+5 F100", "this machine has no axis A"),
-        ("L X+5 M128", "M128"),
+        ("L X+5 M128", "no rotary axis"),
         ("CYCL DEF 10.1 ROT+35", "turns the coordinates"),
         ("CYCL DEF 8.1 X", "mirrors"),
         ("CYCL DEF 11.1 SCL 0.5", "scales"),

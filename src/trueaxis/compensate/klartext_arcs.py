@@ -8,6 +8,7 @@ from trueaxis.compensate.arcs import Arc, ArcError, Vector, arc_about, arc_of_ra
 from trueaxis.compensate.commanded import Commanded
 from trueaxis.compensate.klartext_lexer import KlartextBlock
 from trueaxis.compensate.machine import LINEAR
+from trueaxis.compensate.moves import Round
 from trueaxis.compensate.nc_arc import half_unit_of
 from trueaxis.compensate.nc_state import NcState
 
@@ -114,3 +115,10 @@ def _turned(block: KlartextBlock, pole: Mapping[str, float], start: Vector, norm
 def _xyz(state: NcState, position: tuple[float, ...]) -> Vector:
     x, y, z = (position[state.row[axis]] if axis in state.row else 0.0 for axis in LINEAR)
     return (x, y, z)
+
+
+def as_arc(block: KlartextBlock) -> Round:
+    """How an arc that stays one is written: as CR, because C would need a CC before it."""
+    lead = f"{block.head}{block.optional}"
+    sign = "+" if block.direction > 0 else "-"
+    return Round(f"{lead}CR ", f"{lead}CR ", "CR ", "L ", "radius", "R+", f" DR{sign}")

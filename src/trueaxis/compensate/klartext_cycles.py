@@ -15,11 +15,13 @@ _SHIFT = re.compile(rf"(I?)([XYZABC])[ \t]*({NUMBER})[ \t]*", re.IGNORECASE)
 _NUMBERS = re.compile(r"[-+]?\d+\.?\d*|[-+]?\.\d+")
 # begin and end, blank, headings, messages; a label marks a place, and only a call makes something of it
 _TEXT = re.compile(
-    r"(?:BEGIN PGM|BLK FORM|\*|LBL[ \t]*(?:\d+|\".*\")[ \t]*$|PLANE RESET|FUNCTION RESET TCPM|TOOL DEF[ \t]+\d+[ \t]*$|"
+    r"(?:BEGIN PGM|BLK FORM|\*|LBL[ \t]*(?:\d+|\".*\")[ \t]*$|PLANE RESET|TOOL DEF[ \t]+\d+[ \t]*$|"
     r"FUNCTION MODE MILL|FUNCTION FEED|FUNCTION S-PULSE RESET|FUNCTION COUNT|FUNCTION DWELL|PATTERN DEF|"
     r"SEL TABLE|CALL SELECTED TABLE|\? )",
     re.IGNORECASE,
 )
+# the tip follows the program, rotary axes turn evenly along each block
+_CONTROL = re.compile(r"FUNCTION[ \t]+(?:(RESET[ \t]+TCPM)|TCPM F TCP AXIS POS PATHCTRL AXIS)", re.IGNORECASE)
 _FAULTY = (
     (r"CALL LBL", "calls a part of the program"), (r"CALL PGM|PGM CALL|SEL PGM", "calls a program"),
     (r"CYCLE? CALL", "calls a cycle"), (r"RND", "rounds a corner"), (r"CHF", "bevels a corner"),
@@ -43,14 +45,15 @@ _WRITTEN_OUT = "have its motions written out as L and C"
 
 class Other(NamedTuple):
     """What a block asks for. shift: axes and values of a shift of the datum, added where their letter is in added;
-    reset: no shift any more; preset: a point of the preset table; ends: whether the program ends here; stops: whether
-    the operator may act here. problem, remedy: of a fault.
+    reset: no shift any more; preset: a point of the preset table; point_control: of the tool, on or off; ends: whether
+    the program ends here; stops: whether the operator may act here. problem, remedy: of a fault.
     """
 
     shift: Mapping[str, float] = MappingProxyType({})
     added: frozenset[str] = frozenset()
     reset: bool = False
     preset: str = ""
+    point_control: bool | None = None
     ends: bool = False
     stops: bool = False
     problem: str = ""
@@ -66,8 +69,9 @@ def other_block(text: str) -> Other:
         return Other(ends=bool(halt[1]), stops=not halt[1])
     if match := re.fullmatch(r"TRANS DATUM (RESET|AXIS[ \t]+(.*))", text, re.IGNORECASE):
         return _shift(match[2]) if match[2] else Other(reset=True)
-    if not text or _TEXT.match(text):
-        return Other()
+    control = _CONTROL.fullmatch(text)
+    if control or not text or _TEXT.match(text):
+        return Other(point_control=control[1] is None if control else None)
     known = next((what for pattern, what in _FAULTY if re.match(pattern, text, re.IGNORECASE)), "")
     if known:
         return Other(problem=f"{text[:20]!r} {known}, which is not followed", remedy=_WRITTEN_OUT)

@@ -105,3 +105,11 @@ def lex_klartext(body: str) -> KlartextBlock:
         verb[1].upper(), head, optional, coordinates, direction, radius, feed, rapid, side, tuple(codes),
         tuple(others), sign + comment, problem,
     )  # fmt: skip
+
+
+def codes_alone(content: str) -> KlartextBlock | None:
+    """A block of M codes without a path function."""
+    words = content.split()
+    if not words or not all(word[0] in "Mm" and word[1:].isdigit() for word in words):
+        return None
+    return KlartextBlock(codes=tuple(int(word[1:]) for word in words), others=tuple(words))

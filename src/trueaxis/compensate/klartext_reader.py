@@ -12,14 +12,15 @@ from trueaxis.compensate.arcs import Arc, ArcError
 from trueaxis.compensate.commanded import Commanded
 from trueaxis.compensate.dialects import BYTE_ORDER_MARK
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.klartext_arcs import arc_of, polar_end, pole_of
+from trueaxis.compensate.klartext_arcs import arc_of, as_arc, polar_end, pole_of
 from trueaxis.compensate.klartext_cycles import Other, other_block
-from trueaxis.compensate.klartext_lexer import MACHINE_COORDINATES, KlartextBlock, head_of, lex_klartext
+from trueaxis.compensate.klartext_lexer import MACHINE_COORDINATES, KlartextBlock, codes_alone, head_of, lex_klartext
 from trueaxis.compensate.klartext_tools import ToolCall, tool_call
 from trueaxis.compensate.mark import COMPENSATED_ALREADY, is_marked
-from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Round, Split, Start
+from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Split, Start
 from trueaxis.compensate.nc_frames import FrameReader
 from trueaxis.compensate.nc_meaning import Meaning
+from trueaxis.compensate.nc_point_control import switch
 from trueaxis.compensate.nc_start import starts_elsewhere, unknown_position
 from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.nc_tools import ToolReader
@@ -29,6 +30,7 @@ AFTER_END = "what follows the end of the program is copied as it is: its motions
 PRESET = "the preset that CYCL DEF 247 selects is taken to be the one that --offset G54 gives"
 NO_PRESET = "no --offset G54: the preset is taken to be in machine coordinates"
 _RETRACT = 140  # M140 MB MAX: along the tool axis to the end of the travel
+_POINT_CONTROL = m_codes.POINT_CONTROL["heidenhain"]
 _ARCS = frozenset({"C", "CR", "CP"})
 _POLAR = frozenset({"LP", "CP"})
 
@@ -85,7 +87,7 @@ class KlartextReader:
             return self._path(number, text, block)
         if call := tool_call(content):
             return self._tool(number, text, call)
-        if only_codes := _codes_alone(content):
+        if only_codes := codes_alone(content):
             return self._path(number, text, only_codes)
         return self._other(number, text, content)
 
@@ -113,7 +115,7 @@ class KlartextReader:
             self._stop(number)
         if found.ends:
             state.ended = number
-        changed = self._frames.changed()
+        changed = self._switch(number, found.point_control)
         if rows or found.reset or found.preset:
             self._pole = {}
         return [text, *changed]
@@ -126,6 +128,12 @@ class KlartextReader:
             )  # fmt: skip
         self._preset = preset
         self._notes.add(number, PRESET if self._state.frames.system else NO_PRESET)
+
+    def _switch(self, number: int, control: bool | None) -> list[Item]:
+        lost = switch(number, control, self._state, self._settings, self._faults, self._notes)
+        if lost:
+            self._pole = {}
+        return [*lost, *self._frames.changed()]
 
     def _stop(self, number: int) -> None:
         self._state.commanded.stop()
@@ -152,6 +160,8 @@ class KlartextReader:
         self._codes(number, block)
         state = self._state
         item: Item = text
+        control = next((_POINT_CONTROL[code] for code in block.codes if code in _POINT_CONTROL), None)
+        items = self._switch(number, control)
         if block.feed is not None:
             state.feed = block.feed * (2.54 if state.inch else 1.0)
         if not block.problem and block.verb == "CC":
@@ -161,7 +171,7 @@ class KlartextReader:
                 self._faults.add(number, str(problem))
         elif not block.problem and block.verb:
             item = self._moved(number, text, block) or text
-        items: list[Item] = [item]
+        items.append(item)
         if _RETRACT in block.codes and "Z" in state.row:
             row = state.row["Z"]
             state.position[row] = None
@@ -175,7 +185,7 @@ class KlartextReader:
 
     def _codes(self, number: int, block: KlartextBlock) -> None:
         for code in block.codes:
-            if code == MACHINE_COORDINATES:
+            if code == MACHINE_COORDINATES or code in _POINT_CONTROL:
                 continue
             if problem := m_codes.problem_of(code, self._settings.pass_m, "heidenhain"):
                 self._faults.add(number, *problem)
@@ -186,6 +196,8 @@ class KlartextReader:
         if not block.coordinates and block.verb not in _ARCS:
             return None
         machine = MACHINE_COORDINATES in block.codes
+        if machine and self._state.point_control:
+            self._faults.add(number, "machine coordinates under tool centre point control", "end it before")
         state = self._state
         if machine:
             state.enter_frame(machine=True)
@@ -271,25 +283,9 @@ class KlartextReader:
         split = Split(lead, kept, "".join(f" {word}" for word in last) + comment)
         kind = Kind.ARC if arc else (Kind.RAPID, Kind.LINE)[motion]
         stops = any(code in m_codes.AFTER for code in block.codes)
-        rounded = self._round(block, arc)
+        rounded = None if arc is None or self._settings.arcs != "keep" else as_arc(block)
         return Move(
             number, kind, end, written, True, state.inch, lead, tail + comment, " ", eol, text if straight else "",
             again if rounded else lead, split, arc, not stops, state.feed, state.commanded.command(commands, True),
             state.commanded.elsewhere, state.shift, elsewhere, whole, 0.0, rounded,
         )  # fmt: skip
-
-    def _round(self, block: KlartextBlock, arc: Arc | None) -> Round | None:
-        """An arc that stays one is written as CR: C would need a CC before it."""
-        if arc is None or self._settings.arcs != "keep":
-            return None
-        lead = f"{block.head}{block.optional}"
-        sign = "+" if block.direction > 0 else "-"
-        return Round(f"{lead}CR ", f"{lead}CR ", "CR ", "L ", "radius", "R+", f" DR{sign}")
-
-
-def _codes_alone(content: str) -> KlartextBlock | None:
-    """A block of M codes without a path function."""
-    words = content.split()
-    if not words or not all(word[0] in "Mm" and word[1:].isdigit() for word in words):
-        return None
-    return KlartextBlock(codes=tuple(int(word[1:]) for word in words), others=tuple(words))

@@ -57,7 +57,7 @@ _MODES = "saves or restores modes, so that later blocks read differently"
 HARMFUL: dict[int, str] = {
     91: _FRAME, 92: _FRAME,
     96: _SUBPROGRAM, 97: _SUBPROGRAM, 98: _SUBPROGRAM, 99: _SUBPROGRAM, 198: _SUBPROGRAM,
-    114: _POINT_CONTROL, 128: _POINT_CONTROL, 428: _POINT_CONTROL,
+    114: _POINT_CONTROL, 128: _POINT_CONTROL, 428: _POINT_CONTROL, 429: _POINT_CONTROL, 430: _POINT_CONTROL,
     126: "changes the way on which rotary axes turn (Heidenhain)",
     130: "gives positions in an untilted frame (Heidenhain)",
     144: "changes positions by kinematics that are not in the program (Heidenhain)",
@@ -73,9 +73,13 @@ KNOWN_ON: dict[str, dict[int, MCode]] = {
         110: MCode("F at the contour of inside arcs", Timing.BEFORE),
         111: MCode("end of M109 and M110", Timing.BEFORE),
         127: MCode("rotary axes turn on the way that their positions give", Timing.BEFORE),
-        129: MCode("end of M128", Timing.BEFORE),
         137: MCode("end of M136", Timing.BEFORE),
     },
+}
+# tool centre point control on and off; LinuxCNC: as its sample machines with switchable kinematics have it
+POINT_CONTROL: dict[str, dict[int, bool]] = {
+    "heidenhain": {128: True, 129: False},
+    "linuxcnc": {428: True, 429: False},
 }
 # harmful on one control and the builder's on the others: passed unless --dialect names that control
 HARMFUL_ON: dict[str, dict[int, str]] = {

@@ -106,13 +106,15 @@ class Zero(NamedTuple):
 
 class Setup(NamedTuple):
     """What holds from here on: the work offset (empty: machine coordinates), its values and half of their ranges for
-    each axis, mm and deg; the tool in the spindle (None: not known, the tool point is that of the settings).
+    each axis, mm and deg; the tool in the spindle (None: not known, the tool point is that of the settings); whether
+    positions are those of the tip, see point_control.
     """
 
     system: str = ""
     values: tuple[float, ...] = ()
     spread: tuple[float, ...] = ()
     tool: int | None = None
+    point_control: bool = False
 
 
 class Start(NamedTuple):

@@ -97,8 +97,8 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
     elif code in codes.INCH_ON.get(dialect, {}):
         _set(meaning, "inch", codes.INCH_ON[dialect][code], name)
-    elif code in codes.MACHINE_COORDINATES_ON.get(dialect, ()):
-        meaning.codes.add(codes.MACHINE_COORDINATES)
+    elif code in codes.POINT_CONTROL_ON.get(dialect, ()):
+        meaning.length_code, meaning.point_control = codes.TAKE_LENGTH, True
     elif dialect == "siemens" and name == codes.MACHINE_FRAME:
         _set(meaning, "system", codes.MACHINE_FRAME, name)
     elif harm := codes.OTHERWISE_ON.get(dialect, {}).get(code):
@@ -107,6 +107,8 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
         meaning.complain(f"{name} {codes.FAULTY[code].why}", codes.FAULTY[code].remedy)
     elif code in _SETTING:
         what, setting = _SETTING[code]
+        if what == "length_code" and dialect in codes.POINT_CONTROL_ON:
+            meaning.point_control = False  # G43 and G49 take the place of G43.4
         _set(meaning, what, setting, name)
     elif code == codes.DWELL:
         meaning.dwell = True
@@ -116,7 +118,7 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
         meaning.exact_stop = True
     elif code not in codes.HARMLESS | codes.HARMLESS_ON.get(dialect, frozenset()) and code != codes.RESTORE_SHIFT:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
-    meaning.codes.add(code)
+    meaning.codes.add(codes.SAME_ON.get(dialect, {}).get(code, code))
 
 
 def _set(meaning: Meaning, what: str, value: int | bool | str, name: str) -> None:
@@ -130,6 +132,8 @@ def _miscellaneous(value: float, meaning: Meaning, settings: Settings) -> None:
     code = int(value)
     if code != value or code < 0:
         meaning.complain(f"M{value:g} is not a code")
+    elif code in m_codes.POINT_CONTROL.get(settings.dialect or "", {}):
+        meaning.point_control = m_codes.POINT_CONTROL[settings.dialect or ""][code]
     elif problem := m_codes.problem_of(code, settings.pass_m, settings.dialect):
         meaning.complain(*problem)
     meaning.miscellaneous.append(code)

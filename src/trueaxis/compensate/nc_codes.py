@@ -56,10 +56,13 @@ CANCELS_ALONE = frozenset({131, 150, 500, 690, 922})
 # path modes and corners (G60 G601-G603 G641-G645 G450 G451) of SINUMERIK
 HARMLESS_ON = {
     "fanuc": frozenset({150}),
-    "siemens": frozenset({600, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450, 4500, 4510}),
+    "siemens": frozenset({600, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450, 4500, 4510, 1530}),
 }
 INCH_ON = {"siemens": {700: True, 710: False, 7000: True, 7100: False}, "heidenhain": {700: True, 710: False}}
-MACHINE_COORDINATES_ON = {"siemens": frozenset({1530})}  # G153
+SAME_ON = {"siemens": {1530: MACHINE_COORDINATES}}  # G153
+
+# tool centre point control, with the length of H
+POINT_CONTROL_ON = {"fanuc": frozenset({434})}
 
 # exact path modes that take a tolerance or a number of blocks
 WITH_PARAMETERS = frozenset({610, 611, 640})

@@ -32,7 +32,9 @@ class FrameReader:
         """What holds from here on, where it differs from what held before."""
         state, frames = self._state, self._state.frames
         system = frames.system or ""
-        setup = Setup(system, frames.values if system else (), frames.spread if system else (), state.tool)
+        setup = Setup(
+            system, frames.values if system else (), frames.spread if system else (), state.tool, state.point_control
+        )
         state.enter_frame()
         if setup == self._setup:
             return []

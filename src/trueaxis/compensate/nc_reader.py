@@ -22,6 +22,7 @@ from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.nc_modes import ModeReader
 from trueaxis.compensate.nc_motion import MotionReader
 from trueaxis.compensate.nc_plain import PLAIN, plain_move
+from trueaxis.compensate.nc_point_control import switch
 from trueaxis.compensate.nc_reference import to_reference
 from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.nc_tools import ToolReader
@@ -33,6 +34,7 @@ _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand a
 _OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it
 _NAME = re.compile(r"[Oo]<[\w .+-]*+>\s*+(?:\([^()]*+\))?", re.ASCII)  # of a program, on newer Fanuc controls
 _POSITION = re.compile(r"(?<![A-Za-z])[XYZABCUVW]\s*+[-+.\d]", re.IGNORECASE)
+_MACHINE_DATA = frozenset({codes.TO_REFERENCE, codes.TO_SECOND_REFERENCE, codes.SET_POSITION, codes.WRITE_DATA})
 AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
 
 
@@ -129,7 +131,10 @@ class NcReader:
         self._tools.change(number, meaning)
         self._modes.known_numbers(number, meaning)
         self._tools.length(number, meaning)
-        items = self._frames.select(number, meaning)
+        items = switch(number, meaning.point_control, state, self._settings, self._faults, self._notes)
+        items += self._frames.select(number, meaning)
+        if state.point_control and (meaning.in_machine_coordinates or meaning.data_code in _MACHINE_DATA):
+            self._faults.add(number, "machine coordinates under tool centre point control", "end it before")
         if meaning.data_code is not None or meaning.drilling:
             items += self._data(number, line, body, block, meaning, again)
         else:

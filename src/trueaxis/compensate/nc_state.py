@@ -32,6 +32,7 @@ class NcState:
     offsets: work offsets known before the program; frames: those in force. tool: in the spindle, None: not known.
     cycle: the canned cycle in force; at_initial_level: G98; spindle: M3 or M4 while it turns. shift: position minus
     word of each axis, mm or deg; empty if 0. gap: between words, as in the last block that shows it.
+    point_control: whether positions are those of the tip.
     """
 
     axes: tuple[str, ...]
@@ -54,6 +55,7 @@ class NcState:
     spindle: str = ""
     shift: tuple[float, ...] = ()
     gap: str = " "
+    point_control: bool = False
     numbers: list[str | float | None] = field(init=False)
     frames: Frames = field(init=False)
     commanded: CommandedAxes = field(init=False)

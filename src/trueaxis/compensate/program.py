@@ -20,6 +20,7 @@ from trueaxis.compensate.moves import Item, Kind, Move, Notes, Setup, Start, Zer
 from trueaxis.compensate.orientation import ToolAxis
 from trueaxis.compensate.path import Path, follows_at_once, path_of
 from trueaxis.compensate.placed import Everywhere, Placing
+from trueaxis.compensate.point_control import PointControlled
 from trueaxis.compensate.report import CompensationReport
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.solve import solve
@@ -61,6 +62,7 @@ class Compensator:
         self._along = self._comparison()
         self._acting = acting(model, settings)
         self._model = model if self._acting is None else self._acting.model
+        self._axes_model = self._model
         self._tracker = None if self._acting is None else Tracker(self._acting, self._along, settings, notes)
         self._assumed = np.array([settings.assumed.get(axis, 0.0) for axis in model.axes])
         self._programmed = np.full(len(model.axes), np.nan)  # position programmed last
@@ -123,11 +125,15 @@ class Compensator:
         if isinstance(item, Setup):
             tools = self._settings.tools
             tool = None if tools is None or item.tool is None else tools.tools.get(item.tool)
-            self._tool_point = tool_point_of(self._model, tool, self._given_point)
+            self._tool_point = tool_point_of(self._axes_model, tool, self._given_point)
+            controlled = PointControlled(self._axes_model) if item.point_control else None
+            self._model = controlled or self._axes_model
+            if controlled is not None and self._tracker is not None:
+                self._faults.add(0, "effects under tool centre point control are not followed", "leave them out")
             self._along = self._comparison()
             if self._tracker is not None:
                 self._tracker.use(self._along)
-            self._tally.setup(item, self._tool_point)
+            self._tally.setup(item, self._tool_point, controlled)
             return ""
         stands = np.array([math.nan if value is None else value for value in item.position])
         kept = np.array([value is None for value in item.position])
@@ -153,7 +159,7 @@ class Compensator:
         if self._faults.count:  # moves may be missing: where arcs would start is not known
             moves = [move._replace(arc=None) for move in moves]
         path = path_of(moves, start, self._model.axes, self._settings.chord_tolerance)
-        note_outside(moves, path, self._model, self._faults)
+        note_outside(moves, path, self._model, self._tool_point, self._faults)
         if self._faults.count:
             return ""
         texts = self._compensated(moves, start, path, follows_at_once(batch, following), following)
@@ -201,8 +207,7 @@ class Compensator:
             parts.append(part)
             previous = part.positions[:, -1]
         done = joined(parts)
-        settled = self._settled and bool(np.isfinite(start).all())
-        before = self._written if settled else None
+        before = self._written if self._settled and np.isfinite(start).all() else None
         blocks = arc_blocks(
             moves if self._arcs_stay else (), path.owner[done.point], done.positions, solved.linear.commands, before,
             steps[:, done.point], axes, settings,

@@ -11,7 +11,7 @@ from trueaxis.compensate.siemens_lexer import ABSOLUTE_WAY, TOOL_BY_NAME, Functi
 # dynamics, look-ahead, messages, graphics: nothing of where the axes go
 _HARMLESS = frozenset(
     """SOFT BRISK SOFTA BRISKA DRIVE DRIVEA FFWON FFWOF STARTFIFO STOPFIFO FIFOCTRL STOPRE CFC CFTCP CFIN DIAMOF UPATH
-    SPATH COMPOF CUT2D CUT2DF NORM KONT TRAFOOF ORIWKS ORIMKS ORIAXES ORIVECT ORIVIRT1 DYNNORM DYNPOS DYNROUGH
+    SPATH COMPOF CUT2D CUT2DF NORM KONT ORIWKS ORIMKS ORIAXES ORIVECT ORIVIRT1 DYNNORM DYNPOS DYNROUGH
     DYNSEMIFIN DYNFINISH MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND LIMS FGROUP FNORM FLIN CPRECOF""".split()
 )
 # modes that let the control round the path within a tolerance of its own, as G64 does
@@ -25,7 +25,6 @@ _FAULTY = {
     "CIP": "is an arc through a middle point", "CT": "is a tangential arc", "INVCW": "is an involute",
     "INVCCW": "is an involute", "ASPLINE": "is a spline", "BSPLINE": "is a spline", "CSPLINE": "is a spline",
     "POLY": "is a polynomial", "CYCLE800": "tilts the plane", "TOFRAME": "turns the coordinates",
-    "TRAORI": "moves the linear axes with the rotary ones",
     "TRANSMIT": "interpolates on the face",
     "TRACYL": "interpolates on a cylinder", "TRAANG": "slants an axis",
     "MCALL": "calls a cycle at every position", "DIAMON": "reads diameters", "DIAM90": "reads diameters",
@@ -64,6 +63,10 @@ def _take(function: Function, meaning: Meaning) -> None:
         meaning.complain(f"{arguments} selects a tool by its name", "the number of a tool in --tools, as T1")
     elif name in _FAULTY:
         meaning.complain(f"{name} {_FAULTY[name]}", _WRITTEN_OUT)
+    elif name in ("TRAORI", "TRAFOOF"):
+        meaning.point_control = name == "TRAORI"
+        if arguments not in (None, "()", "(1)"):
+            meaning.complain(f"{name}{arguments} selects another transformation", "TRAORI alone, or TRAORI(1)")
     elif name not in _HARMLESS:
         what = "is a cycle or a subprogram" if arguments is not None else "is not known, and may be a subprogram"
         meaning.complain(f"{name} {what}: its motions are not in the program", _WRITTEN_OUT)
