@@ -62,6 +62,10 @@ class _Reader:
             raise NotMathsError("an empty term")
         result = self.factor()
         while self.peek() and self.peek() not in ("+", "-", ")", "}", ",", ";", r"\\", "|", r"\end", "]"):
+            if self.peek() == "/":
+                self.at += 1
+                result = result / self.factor()
+                continue
             if self.peek() == r"\times":
                 self.at += 1
                 return _crossed(result, self.product())
