@@ -62,6 +62,10 @@ class _Reader:
             raise NotMathsError("an empty term")
         result = self.factor()
         while self.peek() and self.peek() not in ("+", "-", ")", "}", ",", ";", r"\\", "|", r"\end", "]"):
+            if self.peek() == "/":
+                self.at += 1
+                result = result / self.factor()
+                continue
             if self.peek() == r"\times":
                 self.at += 1
                 return _crossed(result, self.product())
@@ -135,6 +139,14 @@ class _Reader:
         found = self.lookup(re.sub(r"[{}\s]", "", name), self.index)
         if found is None:
             raise NotMathsError(f"{name} stands for nothing")
+        if callable(found):
+            self.take("(")
+            arguments = [self.sum()]
+            while self.peek() == ",":
+                self.at += 1
+                arguments.append(self.sum())
+            self.take(")")
+            return found(*arguments)
         return found
 
     def _inside(self, ahead: int) -> str:
@@ -224,6 +236,8 @@ def _crossed(left: Any, right: Any) -> Any:
 
 
 def _added(left: Any, right: Any) -> Any:
+    if isinstance(left, float) and left == 1 and np.shape(right) == (4, 4):
+        left = np.eye(4)  # the unit matrix is written 1
     if np.shape(left) != np.shape(right):
         raise NotMathsError("a sum of shapes that differ")
     return left + right

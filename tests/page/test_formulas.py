@@ -163,7 +163,7 @@ def test_errata_stand_beside_the_equations_that_they_concern() -> None:
     stated: dict[int | str, set[int]] = {}
     for erratum in ERRATA:
         for mend in erratum.mends:
-            source = {47: None, "Sect. 2.1": None, "Table 7": None, 45: None}.get(mend.source, mend.source)
+            source = None if mend.source in (45, 47, "Sect. 2.1", "Sect. 5.1", "Table 7") else mend.source
             if source is not None:
                 stated.setdefault(source, set()).add(erratum.number)
     for source, numbers in BESIDE.items():

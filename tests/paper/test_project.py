@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+import re
 import tomllib
 
 import numpy as np
 import pytest
 import sympy as sp
 
+from trueaxis.demo import inputs
 from trueaxis.derive.chain import chains, matrix
 from trueaxis.derive.first_order import first_order
 from trueaxis.derive.systems import RunPattern, identification
@@ -22,7 +25,9 @@ from .errata import ERRATA
 from .notation import DIRECTIONS, MOTION_ERRORS, POSITION, SQUARENESS, Formula
 from .numeric import mended
 from .printed import PRINTED
-from .printed.tables import POINTS_LINKAGE, POINTS_SINGLE
+from .printed.compensation import STROKES
+from .printed.conditions import TEST_CONDITIONS
+from .printed.tables import POINTS_LINKAGE, POINTS_SINGLE, SQUARENESS_VALUES
 
 DERIVED = [
     (n, part)
@@ -149,3 +154,22 @@ def test_measuring_plan_has_the_printed_points() -> None:
     }
     printed = {tuple(map(float, p)) for t in (POINTS_SINGLE, *POINTS_LINKAGE.values()) for p in t.values()}
     assert planned == printed
+
+
+def test_demonstration_is_under_the_conditions_of_table_7() -> None:
+    """Plane, bar, feed and both directions; the whole circle only as far as the stroke of X allows (E42)."""
+    assert inputs.BAR == TEST_CONDITIONS.bar == TEST_CONDITIONS.radius
+    for word, direction in (("G2", "Clockwise"), ("G3", "Counterclockwise")):
+        program = inputs.circle(clockwise=direction == "Clockwise")
+        arcs = re.findall(r"^(G[23]) X(\S+) Y(\S+) I(\S+) J(\S+) F(\S+)$", program, re.MULTILINE)
+        assert {arc[0] for arc in arcs} == {word}
+        assert direction in TEST_CONDITIONS.directions
+        assert {float(arc[5]) for arc in arcs} == {TEST_CONDITIONS.feed}
+        assert "G17" in program
+        assert TEST_CONDITIONS.plane == "XY"
+    assert inputs.STROKE_X == STROKES["X"] < 2 * TEST_CONDITIONS.radius
+
+
+def test_example_errors_have_the_squareness_of_table_6() -> None:
+    errors = json.loads((project.MACHINE_FILE.parent / "dmu60p_errors.json").read_text(encoding="utf-8"))
+    assert {n.replace("eps", "epsilon"): v for n, v in errors["parameters"].items() if "eps" in n} == SQUARENESS_VALUES
