@@ -5,15 +5,55 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.diagnose.prepared import SMALL, prepared
+from tests.diagnose.report.builders import cause, diagnosis
 from tests.generator.dmu60p import PARAMETERS, coefficients, cubic_errors, dmu60p
 from tests.generator.machine import Generator, polynomial
+from tests.hidden_effects.case import Case
 from tests.identify.data import TRAVEL, line, moving, observed, paper_runs
 from tests.machines import DMU60P, ROOT
-from trueaxis.diagnose.extend import changed, reidentified
-from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.extend import changed, kept_readings, named_effects, reidentified, start_values
+from trueaxis.diagnose.result import Evidence, FloatArray, Verdict
+from trueaxis.diagnose.temperature import smoothed
+from trueaxis.effects.kind import Effect
 from trueaxis.runtime.curves import PolynomialCurve, TableCurve
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 from trueaxis.runtime.model import load_model
+
+
+class TestNamed:
+    RIVAL = Evidence(Effect("servo_lag", "EXX"), 5.0, 1e-6, 1.0, 100)
+
+    def test_causes_that_were_named_extend_the_machine(self) -> None:
+        causes = (cause(Effect("backlash", "EXX")), cause(Effect("drift", "EYY"), rivals=(self.RIVAL,)))
+        found = replace(diagnosis("ambiguous"), causes=causes)
+        assert named_effects(found) == (Effect("backlash", "EXX"),)
+        assert named_effects(replace(found, verdict="explained", causes=causes[:1])) == (Effect("backlash", "EXX"),)
+
+    @pytest.mark.parametrize("verdict", ["no_discrepancy", "recalibrate", "unexplained_structure"])
+    def test_nothing_does_where_nothing_was_named(self, verdict: Verdict) -> None:
+        found = replace(diagnosis("explained"), verdict=verdict, causes=(cause(Effect("backlash", "EXX")),))
+        assert named_effects(found) == ()
+
+    def test_the_fit_starts_at_what_the_diagnosis_found(self) -> None:
+        found = replace(diagnosis("explained"), causes=(cause(Effect("backlash", "EXX")),))
+        (one,) = start_values(found)
+        assert one.effect == Effect("backlash", "EXX")
+        assert one.parameters == {each.name: each.value for each in found.causes[0].parameters}
+        assert one.parameters.keys() == {"width"}
+
+
+def test_readings_are_those_that_were_taken_without_flicker() -> None:
+    given = prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
+    rows = given.rows.only(given.rows.run != 0)
+    found = diagnosis("explained")
+    observed = kept_readings(given.data, replace(found, residuals=replace(found.residuals, row=rows.row)), "here")
+    assert observed.context is not None
+    order = np.argsort(rows.row)
+    np.testing.assert_array_equal(observed.reading, rows.reading[order])
+    temperature = smoothed(given.data).readings.temperature
+    assert temperature is not None
+    np.testing.assert_array_equal(observed.context.temperature, temperature[np.sort(rows.row)])
 
 
 class TestChanged:

@@ -1,6 +1,5 @@
 """A set-up whose zero or slope is many times that of the others is a cause of the instrument; usual ones are none."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -10,17 +9,13 @@ import pytest
 from tests.diagnose.prepared import SIGMA, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnose.extend import errors_now
+from trueaxis.diagnose.extend import named_effects, start_values
 from trueaxis.diagnose.instruments import Off, _chance, _Unknown, instruments_off
 from trueaxis.diagnose.null import null_of
-from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose
-from trueaxis.diagnose.result import ErrorNow
-from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.procedure import diagnose
 from trueaxis.diagnose.signatures import parameter_signature, readings_of
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.instruments import SET_UP_FACTOR, STATED_FACTOR
-from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.runtime.errors import Fit
 
 USUAL = 2e-3  # mm, of the zeros of runs
 
@@ -79,24 +74,12 @@ def test_the_diagnosis_names_the_instrument_and_extends_no_machine() -> None:
     case = prepared.__wrapped__(Case(seed=3, design=Design(lines=3, repeats=2, targets=15, samples=36), given="exact"))
     data = case.data
     shifted = data.readings.reading + 0.15 * (data.readings.run == data.readings.run_ids.index("Z1-2"))
-    extending: list[EffectValues] = []
-
-    def identify(
-        rows: Rows, signal: FloatArray, effects: Sequence[EffectValues]
-    ) -> tuple[tuple[ErrorNow, ...], Fit | None]:
-        extending.extend(effects)
-        return errors_now(case.model, rows, signal)
-
-    said = diagnose(
-        case.model,
-        replace(data, readings=replace(data.readings, reading=shifted)),
-        DiagnoseOptions(identify=identify),
-    )
+    said = diagnose(case.model, replace(data, readings=replace(data.readings, reading=shifted)))
     assert said.verdict == "explained"
     assert [one.effect for one in said.causes] == [Effect("reading_zero", runs=("Z1-2",))]
     assert said.causes[0].parameters[0].value == pytest.approx(0.15, abs=0.02)
-    assert extending == []
-    assert {one.name for one in said.errors} >= {"EXX", "EYY", "EZZ"}
+    assert named_effects(said) == ()
+    assert start_values(said) == ()
 
 
 @cache

@@ -2,18 +2,18 @@
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from trueaxis.commands.arguments import noise
 from trueaxis.commands.beside import beside, cores
 from trueaxis.commands.derive import identification_runs
 from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import named, overwritten
-from trueaxis.commands.progress import Progress, progress
+from trueaxis.commands.progress import progress
 from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.fit_quality import NotConvergedError
@@ -22,10 +22,7 @@ from trueaxis.measure.active_compensation import active_file
 from trueaxis.measure.data import MeasuredData
 from trueaxis.reporting.reliance import misfit_sentence
 from trueaxis.runtime.covariance import Covariance
-from trueaxis.runtime.curves import FloatArray
-from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, Fit, dump_errors
-from trueaxis.runtime.kernels import numpy_kernels
 from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.runtime.model import MachineModel
 from trueaxis.runtime.uncertainty import load_uncertainty
@@ -33,10 +30,10 @@ from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.read import parse_machine
 
 if TYPE_CHECKING:
+    from trueaxis.commands.drawn_and_derived import Extended
     from trueaxis.derive.systems import RunPattern
-    from trueaxis.diagnose.extend import Identify
-    from trueaxis.diagnose.result import ErrorNow
-    from trueaxis.diagnose.rows import Rows
+    from trueaxis.diagnose.report.picture import Pictures
+    from trueaxis.diagnose.result import Diagnosis, ErrorNow
 
 DESCRIPTION = """\
 Name what a machine's model lacks: of the causes that the effect library knows (backlash, cyclic errors, thermal growth,
@@ -91,35 +88,46 @@ class _Given:
 
 def run(args: argparse.Namespace) -> int:
     """Diagnose, extend, write; raises InputError with the faults of every file and option."""
-    # the report is drawn by a second process, which gets ready for it meanwhile
-    with progress() as show, beside("trueaxis.diagnose.report.html") as start:
+    # figures are drawn and a machine is derived by a second process, which gets ready for it meanwhile
+    with progress() as show, beside("trueaxis.commands.drawn_and_derived") as start:
         show("reading")
         given = _read(args)
         # only this command needs them, and not for wrong input
+        from trueaxis.commands.drawn_and_derived import drawn_and_derived  # noqa: PLC0415
         from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
+        from trueaxis.diagnose.report.html import report_html  # noqa: PLC0415
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
 
-        extension: dict[Path, bytes | str] = {}
-        identify = _identify(args, given, extension, show)
+        with ThreadPoolExecutor(cores()) as pool:
+            options = DiagnoseOptions(args.noise_um, given.covariance, progress=show, each=pool.map)
+            diagnosis = diagnose(given.model, given.data, options)
+        show("extending")
+        extended = _extended(args.out, given, diagnosis)
+        second = start("drawn_and_derived", diagnosis, extended)
         try:
-            with ThreadPoolExecutor(cores()) as pool:
-                options = DiagnoseOptions(args.noise_um, given.covariance, show, pool.map, identify)
-                diagnosis = diagnose(given.model, given.data, options)
+            values, errors, fit = _values(args, given, diagnosis, extended)
         except NotConvergedError as failure:
             show("")
             print(f"trueaxis: values of the extended machine: {failure}; nothing was written", file=sys.stderr)
             return 1
-        if diagnosis.misfits:
-            extension.clear()
-        report = start("report_html", diagnosis)
         show("report")
-        machine_file = f"{given.model.name}.toml" if extension else None
+        pictures, files = cast("tuple[Pictures, Mapping[str, bytes]]", second())
+        diagnosis = replace(diagnosis, errors=errors)
+        if fit is not None and fit.state == "misfit" and not set(fit.runs) <= set(diagnosis.misfits):
+            show("runs that no errors fit")
+            again = replace(options, each=map, misfits=fit.runs)
+            diagnosis, extended = replace(diagnose(given.model, given.data, again), errors=errors), None
+            pictures, _ = drawn_and_derived(diagnosis, None)
+        machine_file = None if extended is None else extended.spec
         contents: dict[Path, bytes | str] = {
-            args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extension else None),
-            args.out / REPORT: str(report()),
-            **extension,
+            args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extended else None),
+            args.out / REPORT: report_html(diagnosis, pictures),
         }
+        if extended is not None:
+            contents[args.out / extended.spec] = extended.text
+            contents[args.out / ERRORS] = values
+            contents |= {args.out / KERNELS / given.model.name / name: content for name, content in files.items()}
         write_files(contents)
     of_values = given.model.errors.fit
     if of_values is not None and of_values.state == "misfit":
@@ -189,33 +197,37 @@ def _outputs(out: Path, name: str) -> list[Path]:
     return [out / DIAGNOSIS, out / REPORT, out / f"{name}.toml", out / ERRORS, *kernels]
 
 
-def _identify(args: argparse.Namespace, given: _Given, files: "dict[Path, bytes | str]", show: Progress) -> "Identify":
-    """All errors beside the effects that were named, as the extended machine has them; its files go into `files`."""
-    from trueaxis.diagnose.extend import errors_now, reidentified  # noqa: PLC0415
+def _extended(out: Path, given: _Given, diagnosis: "Diagnosis") -> "Extended | None":
+    """The machine with the causes that were named; None where none was."""
+    from trueaxis.commands.drawn_and_derived import Extended  # noqa: PLC0415
+    from trueaxis.diagnose.extend import named_effects  # noqa: PLC0415
+    from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
 
-    def identify(
-        rows: "Rows", signal: FloatArray, effects: Sequence[EffectValues]
-    ) -> "tuple[tuple[ErrorNow, ...], Fit | None]":
-        if not effects:
-            return errors_now(given.model, rows, signal)
-        show("extending")
-        # SymPy and Jinja2: only where a machine is extended
-        from trueaxis.derive.model import derive_model  # noqa: PLC0415
-        from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
-        from trueaxis.emit.render import render  # noqa: PLC0415
+    effects = named_effects(diagnosis)
+    if not effects:
+        return None
+    path = out / f"{given.model.name}.toml"
+    text = extended_spec(given.spec, effects)
+    return Extended(parse_machine(text, Faults(str(path))), given.runs, path.name, text)
 
-        path = args.out / f"{given.model.name}.toml"
-        text = extended_spec(given.spec, [one.effect for one in effects])
-        machine = parse_machine(text, Faults(str(path)))
-        kernels = render(derive_model(machine, given.runs), path.name)
-        compiled = numpy_kernels(kernels["kernels.py"], path)  # run too briefly to be worth compiling
-        model = MachineModel(machine, compiled, ErrorValues(machine.name))
-        values, table, fit = reidentified(model, given.model.errors, rows.less(signal), effects)
-        files[path] = text
-        files[args.out / ERRORS] = dump_errors(
-            values, components=machine.components, parameters=machine.parameters, effects=machine.effects
-        )
-        files.update({args.out / KERNELS / machine.name / name: content for name, content in kernels.items()})
-        return table, fit
 
-    return identify
+def _values(
+    args: argparse.Namespace, given: _Given, diagnosis: "Diagnosis", extended: "Extended | None"
+) -> "tuple[str, tuple[ErrorNow, ...], Fit | None]":
+    """errors.json of the extended machine, empty where there is none; all errors as these readings have them, and
+    whether any errors fit these readings.
+    """
+    from trueaxis.diagnose.extend import kept_readings, reidentified, start_values  # noqa: PLC0415
+
+    kept = kept_readings(given.data, diagnosis, str(args.data))
+    if extended is None:
+        try:
+            return "", *reidentified(given.model, given.model.errors, kept)[1:]
+        except (NotConvergedError, InputError):
+            return "", (), None  # the diagnosis stands without it
+    machine = extended.machine
+    # the kernels of a machine are those of any other machine that has the same bodies: effects have theirs apart
+    model = MachineModel(machine, given.model.kernels, ErrorValues(machine.name))
+    values, table, fit = reidentified(model, given.model.errors, kept, start_values(diagnosis))
+    errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
+    return errors, table, fit

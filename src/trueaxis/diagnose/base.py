@@ -20,6 +20,7 @@ from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
 from trueaxis.estimation.instruments import SharedUnknown, own_kinds
 from trueaxis.estimation.jacobian import Derivative, derivatives
 from trueaxis.estimation.layout import layout_of
+from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.runtime.bases import LegendreBasis
 from trueaxis.runtime.errors import ErrorValues
@@ -100,7 +101,9 @@ def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
     dimensions = {name: model.errors.parameters.get(name, 0.0) for name in model.dimensions}
     known = ErrorValues(model.name, dimensions)
     bare = model.with_values(known)
-    observed = rows.less(0.0)
+    observed = Observations(
+        "", rows.runs, rows.run, rows.positions, rows.reading, rows.seq, rows.directions.astype(np.int8), rows.context
+    )
     layout = layout_of(bare, observed, known, degree=degree)
     runs = measured_runs(observed)
     parts = [list(derivatives(layout, one.rows)) for one in runs]

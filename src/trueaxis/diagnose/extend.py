@@ -1,4 +1,4 @@
-"""Error values found anew from the readings that were kept, of the machine as it is or extended by causes.
+"""The extended model: which causes it takes over, and its error values found anew from the readings that were kept.
 
 Values change from those given by as little as the readings ask for: what they do not hold, and how squareness was
 told from straightness, stays as it was given.
@@ -6,20 +6,21 @@ told from straightness, stays as it was given.
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Protocol
 
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from trueaxis.diagnose.result import ErrorNow, FloatArray
-from trueaxis.diagnose.rows import Rows
+from trueaxis.diagnose.instruments import NOT_OF_THE_MACHINE
+from trueaxis.diagnose.result import Diagnosis, ErrorNow, FloatArray
+from trueaxis.diagnose.temperature import smoothed
+from trueaxis.effects.kind import Effect
+from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.judgement import SAMPLES
-from trueaxis.estimation.observations import Observations
-from trueaxis.faults import InputError
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
-from trueaxis.identify.fit_quality import NotConvergedError
+from trueaxis.estimation.observations import Observations, observations
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.report import Identification
 from trueaxis.identify.words import enumerated
+from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.curves import Curve, LegendreCurve, PolynomialCurve, TableCurve, polynomial_of
 from trueaxis.runtime.effect_values import EffectValues
@@ -27,24 +28,32 @@ from trueaxis.runtime.errors import ErrorValues, Fit, Undetermined
 from trueaxis.runtime.model import MachineModel
 
 
-class Identify(Protocol):
-    """All errors anew, beside effects that the machine is to have: `errors_now`, or of an extended machine."""
+def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
+    """The effects that the extended machine has besides: causes that were named.
 
-    def __call__(
-        self, rows: Rows, signal: FloatArray, effects: Sequence[EffectValues], /
-    ) -> tuple[tuple[ErrorNow, ...], Fit | None]:
-        """The table of errors and how the fit ended. signal: (n,), mm, of all causes that are no such effects; effects:
-        with the values that were found.
-        """
-        ...
+    What cannot be told from a rival is not among them, nor is anything where structure is left unexplained, nor what
+    an instrument had while it measured.
+    """
+    if diagnosis.verdict not in ("explained", "ambiguous"):
+        return ()
+    named = (cause.effect for cause in diagnosis.causes if not cause.rivals)
+    return tuple(effect for effect in named if effect.kind not in NOT_OF_THE_MACHINE)
 
 
-def errors_now(model: MachineModel, rows: Rows, signal: FloatArray) -> tuple[tuple[ErrorNow, ...], Fit | None]:
-    """Of the machine as it is, signal: (n,), mm, of all causes; nothing where the estimate does not stand still."""
-    try:
-        return reidentified(model, model.errors, rows.less(signal))[1:]
-    except (NotConvergedError, InputError):
-        return (), None
+def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
+    """The causes found, as the diagnosis fitted them: where their fit beside all error values starts."""
+    return tuple(
+        EffectValues(one.effect, {each.name: each.value for each in one.parameters})
+        for one in diagnosis.causes
+        if one.effect.kind not in NOT_OF_THE_MACHINE
+    )
+
+
+def kept_readings(data: MeasuredData, diagnosis: Diagnosis, source: str) -> Observations:
+    """The readings that the diagnosis worked on; source: named in faults."""
+    taken = np.flatnonzero(~data.readings.planned)
+    everything = observations(source, data.setup.runs, smoothed(data).readings)
+    return everything.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
 
 
 def reidentified(
@@ -61,7 +70,7 @@ def reidentified(
     dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
     bare = ErrorValues(model.name, dimensions)
     before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
-    options = EstimateOptions(known=bare, start=tuple(start))
+    options = IdentifyOptions(known=bare, estimation=EstimationOptions(start=tuple(start)))
     found = identify_estimated(model, replace(observed, reading=observed.reading - before), options)
     values = changed(given, found.values, model.location_errors)
     return values, _table(model, given, values, found), found.values.fit

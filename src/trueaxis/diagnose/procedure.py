@@ -10,18 +10,17 @@ from trueaxis.diagnose.audit import audit
 from trueaxis.diagnose.candidates import candidates
 from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.contest import contest
-from trueaxis.diagnose.extend import Identify, errors_now
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.gain import fit, gain_of, held_out, predicted
 from trueaxis.diagnose.given import given_by_chance
 from trueaxis.diagnose.imperfection import imperfection, imperfections
-from trueaxis.diagnose.instruments import NOT_OF_THE_MACHINE, Off, instruments_off
+from trueaxis.diagnose.instruments import Off, instruments_off
 from trueaxis.diagnose.misfit import misfits
 from trueaxis.diagnose.null import Null, again, null_of
 from trueaxis.diagnose.projection import Projection, spanned
 from trueaxis.diagnose.prospect import prospect_of
 from trueaxis.diagnose.refit import Fitted, refit
-from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, ErrorNow, FloatArray, NoiseOf
+from trueaxis.diagnose.result import AmplitudeOf, Check, Diagnosis, FloatArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, rows_of
 from trueaxis.diagnose.search import (
     Each,
@@ -43,7 +42,6 @@ from trueaxis.diagnose.write_up import Outcome, diagnosis_of
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
 from trueaxis.runtime.covariance import Covariance
-from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.model import MachineModel
 
 AGAIN = 0.03  # relative change of the noise, causes taken away, from which the search is done again
@@ -53,15 +51,15 @@ AGAIN = 0.03  # relative change of the noise, causes taken away, from which the 
 class DiagnoseOptions:
     """noise_um: of a reading, where it is known, else from repeats. covariance: of the model's error values, see
     `load_uncertainty`; None: they are exact. progress: told each stage. each: how candidates are gone through, one
-    after another or by several threads; what is found is the same, to the last digit. identify: see `Identify`,
-    `errors_now` by default.
+    after another or by several threads; what is found is the same, to the last digit. misfits: runs that are known
+    to fit no errors of the machine, by an estimate of these.
     """
 
     noise_um: float | None = None
     covariance: Covariance | None = None
     progress: Callable[[str], None] = lambda _: None
     each: Each = map
-    identify: Identify | None = None
+    misfits: tuple[str, ...] = ()
 
 
 def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions | None = None) -> Diagnosis:
@@ -92,8 +90,8 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     judged = _judged(ground, null, found, causes, standing)
     options.progress("values given")
     judged, changes = _values_judged(ground, null, judged, standing)
-    options.progress("errors")
-    judged, changes = _runs_judged(ground, null, judged, changes, options)
+    options.progress("runs")
+    judged, changes = _runs_judged(ground, null, judged, changes, options.misfits)
     causes = judged.causes
     options.progress("gain")
     held, split = held_out(null.rows)
@@ -120,7 +118,6 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             stale=changes.stale,
             stale_p=changes.p_value,
             report=data.setup.report,
-            errors=judged.errors,
             misfits=judged.misfits,
         )
     )
@@ -139,7 +136,6 @@ class _Judged:
     stand: bool
     off: tuple[Off, ...] = ()
     misfits: tuple[str, ...] = ()
-    errors: tuple[ErrorNow, ...] = ()
 
 
 def _judged(
@@ -191,33 +187,18 @@ def _values_judged(ground: Ground, null: Null, judged: _Judged, standing: Sequen
 
 
 def _runs_judged(
-    ground: Ground, null: Null, judged: _Judged, changes: Changes, options: DiagnoseOptions
+    ground: Ground, null: Null, judged: _Judged, changes: Changes, known: Sequence[str]
 ) -> tuple[_Judged, Changes]:
     """Runs that no errors of the machine fit, and no name beside them: they are of the wrong sign, or belong elsewhere.
-    All errors as these readings have them.
+
+    known: of these.
     """
-    model, kinds = ground.readings.model, ground.readings.model.machine.kinds
-    verdict = verdict_of(judged.search, judged.stand, judged.checks, (), judged.off)
-    sets = {one.scan.effect for one in judged.search.causes if one.rivals}
-    named, beside, whole = list[EffectValues](), np.zeros(null.rows.size), np.zeros(null.rows.size)
-    found: list[Fitted | Off] = [*judged.causes, *judged.off]
-    for one in found:
-        whole = whole + one.signal
-        if one.effect in sets or one.effect.kind in NOT_OF_THE_MACHINE or verdict == "unexplained_structure":
-            beside = beside + one.signal
-        else:
-            parameters = [each.name for each in kinds[one.effect.kind].parameters]
-            named.append(EffectValues(one.effect, dict(zip(parameters, one.values.tolist(), strict=True))))
-    wrong = misfits(null, whole)
-    if wrong or options.identify is None:
-        errors, ended = errors_now(model, null.rows, whole)
-    else:
-        errors, ended = options.identify(null.rows, beside, named)
-    if ended is not None and ended.state == "misfit":
-        wrong = tuple(dict.fromkeys([*wrong, *ended.runs]))
-    if wrong:
-        judged, changes = _without_names(ground, judged), replace(changes, stale=())
-    return replace(judged, misfits=wrong, errors=errors), changes
+    signals = [*(one.signal for one in judged.causes), *(one.signal for one in judged.off)]
+    found = misfits(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
+    wrong = tuple(dict.fromkeys([*found, *known]))
+    if not wrong:
+        return judged, changes
+    return replace(_without_names(ground, judged), misfits=wrong), replace(changes, stale=())
 
 
 def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tuple[Check, ...]:

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray
-from trueaxis.estimation.observations import Observations
 from trueaxis.measure.context import context_of
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.setup import Run
@@ -56,11 +55,6 @@ class Rows:
     def present(self) -> list[int]:
         """Indices of the runs that have readings."""
         return [int(index) for index in np.unique(self.run)]
-
-    def less(self, signal: FloatArray | float) -> Observations:
-        """As the estimator takes them, less a signal, (n,), mm."""
-        reading, ways = self.reading - signal, self.directions.astype(np.int8)
-        return Observations("", self.runs, self.run, self.positions, reading, self.seq, ways, self.context)
 
     def only(self, keep: BoolArray) -> "Rows":
         """Those of some rows, (n,)."""
