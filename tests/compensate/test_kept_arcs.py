@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from tests.compensate.analytic_machine import XyzMachine, paper_sized, polynomial
 from tests.compensate.control import Bench
 from tests.compensate.path_distance import apart, sampled
+from trueaxis.faults import InputError
 
 PLANES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 ALONG = 0.00101  # mm: the tolerance of points, which an arc keeps everywhere
@@ -111,6 +112,22 @@ def test_strongly_bent_errors_cut_arcs_further(bench: Bench) -> None:
     assert after < 0.0016  # lines, where three chords are left
     assert 30 < written.count(b"\n") < 400
     assert b"G1 X" in written
+
+
+def test_turns_of_linuxcnc_are_made_one_by_one(bench: Bench) -> None:
+    """P3: two whole turns and the rest; other controls mean otherwise by P, or nothing."""
+    program = HEAD + "G2 X320. Y-220. Z94. I20. J0. P3\n"
+    written = bench.run(program, MACHINE, "nc", arcs="keep", dialect="linuxcnc")
+    sweeps = len(re.findall(rb"G2 ", written))
+    assert sweeps == math.ceil((2.0 + 0.75) * 4)
+    assert b"P3" not in written
+    points = executed(written)
+    assert points[2, -1] == pytest.approx(94.0, abs=0.1)
+    heights = [points[2, np.argmin(np.abs(points[0] - 300.0) + np.abs(points[1] + 200.0))]]
+    assert heights[0] == pytest.approx(100.0, abs=0.1)
+    assert "P3" not in bench.run(program, MACHINE, "nc", arcs="chords", dialect="linuxcnc").decode()
+    with pytest.raises(InputError, match="P3"):
+        bench.run(program, MACHINE)
 
 
 def test_chords_when_asked(bench: Bench) -> None:

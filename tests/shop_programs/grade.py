@@ -82,8 +82,8 @@ def kind_of(text: str, ran: Ran) -> str:
     return "beyond the travel" if np.abs(ran.ends[:, :3]).max() > TRAVEL else "plain"
 
 
-def grade(program: Path, package: Path, folder: Path) -> Grade:
-    """Grade one program; what is written goes into the folder."""
+def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grade:
+    """Grade one program; what is written goes into the folder; via: by way of --via-linuxcnc."""
     text = program.read_bytes().decode("latin-1")
     source = run(program, package, LENGTHS, OFFSETS)
     kind = kind_of(text, source)
@@ -92,9 +92,12 @@ def grade(program: Path, package: Path, folder: Path) -> Grade:
     out = folder / "out.ngc"
     out.unlink(missing_ok=True)
     settings, start = settings_of(text), ""
+    via_linuxcnc = package if via else None
     try:
-        report = compensate_file(program, out, machine(), settings, language="nc")
-    except InputError:
+        report = compensate_file(program, out, machine(), settings, language="nc", via_linuxcnc=via_linuxcnc)
+    except InputError as error:
+        if via:
+            return Grade(program.name, kind, "refused", "; ".join(fault.problem for fault in error.faults[:3]))
         settings, start = replace(settings, start=dict.fromkeys("XYZ", 0.0)), "with --start"
         try:
             report = compensate_file(program, out, machine(), settings, language="nc")
@@ -152,7 +155,7 @@ def _runs(ran: Ran) -> list[Run]:
     return found
 
 
-def all_grades(programs: list[Path], package: Path, folder: Path) -> Iterator[Grade]:
+def all_grades(programs: list[Path], package: Path, folder: Path, via: bool) -> Iterator[Grade]:
     """Grades of many programs, the same text once."""
     seen: set[bytes] = set()
     for program in programs:
@@ -161,4 +164,4 @@ def all_grades(programs: list[Path], package: Path, folder: Path) -> Iterator[Gr
             continue
         seen.add(content)
         with contextlib.suppress(UnicodeError):
-            yield grade(program, package, folder)
+            yield grade(program, package, folder, via)

@@ -124,9 +124,13 @@ def _motions(lines: list[str], tools: Mapping[int, float]) -> Ran:
             return Ran("more than two million motions")
     if not ends:
         return Ran("no motion", frozenset(features))
+    joined = np.concatenate(ends)
+    moving = np.linalg.norm(np.diff(joined, axis=0, prepend=np.full((1, 6), np.inf)), axis=1) > 1e-6
+    if moving.sum() < 2:
+        return Ran("no motion", frozenset(features))
     return Ran(
-        "", frozenset(features), np.concatenate(ends), np.concatenate(feed), np.concatenate(number),
-        np.concatenate(tool), moves,
+        "", frozenset(features), joined[moving], np.concatenate(feed)[moving], np.concatenate(number)[moving],
+        np.concatenate(tool)[moving], moves,
     )  # fmt: skip
 
 
