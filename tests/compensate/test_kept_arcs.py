@@ -123,8 +123,10 @@ def test_turns_of_linuxcnc_are_made_one_by_one(bench: Bench) -> None:
     assert b"P3" not in written
     points = executed(written)
     assert points[2, -1] == pytest.approx(94.0, abs=0.1)
-    heights = [points[2, np.argmin(np.abs(points[0] - 300.0) + np.abs(points[1] + 200.0))]]
-    assert heights[0] == pytest.approx(100.0, abs=0.1)
+    turned = np.unwrap(np.arctan2(points[1] + 200.0, points[0] - 320.0))
+    assert turned[-1] - turned[0] == pytest.approx(-2.75 * 2.0 * math.pi, abs=0.01)
+    share = (turned - turned[0]) / (turned[-1] - turned[0])
+    assert np.abs(points[2] - points[2, 0] - share * (points[2, -1] - points[2, 0])).max() < 0.01
     assert "P3" not in bench.run(program, MACHINE, "nc", arcs="chords", dialect="linuxcnc").decode()
     with pytest.raises(InputError, match="P3"):
         bench.run(program, MACHINE)

@@ -70,7 +70,7 @@ def fake(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> FakePackage:
 
 def test_calls_become_blocks_in_their_order(fake: FakePackage) -> None:
     fake.calls = [
-        "USE_LENGTH_UNITS(CANON_UNITS_MM)", "CHANGE_TOOL(3)", "SET_SPINDLE_SPEED(0, 1200.0000)",
+        "USE_LENGTH_UNITS(CANON_UNITS_MM)", "CHANGE_TOOL(2)", "SET_SPINDLE_SPEED(0, 1200.0000)",
         "START_SPINDLE_CLOCKWISE(0)", "FLOOD_ON()", "STRAIGHT_TRAVERSE(1, 2)", "SET_FEED_RATE(150.0000)",
         "STRAIGHT_FEED(1)", "DWELL(0.5000)", "ARC_FEED(1)", "USE_LENGTH_UNITS(CANON_UNITS_INCHES)",
         "SET_FEED_RATE(2.0000)", "STRAIGHT_FEED(1)", "SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, 0.0200)",
@@ -79,7 +79,7 @@ def test_calls_become_blocks_in_their_order(fake: FakePackage) -> None:
     found = fake.unroll([
         motion("rapid", 1, [10.0, 20.0, 5.0]), motion("feed", 2, [10.0, 20.0, -1.0]),
         motion("arc", 3, [10.0, 20.0, -2.0], 1, -2, [15.0, 20.0]), motion("feed", 4, [11.0, 20.0, -2.0]), END,
-    ])  # fmt: skip
+    ], tools=ToolTable({9: Tool(), 3: Tool()}))  # fmt: skip
     assert found == [
         "T3 M6", "S1200.0000", "M3", "M8", "N1 G0 X10.0000000 Y20.0000000 Z5.0000000", "N2 G1 Z-1.0000000 F150.0000",
         "G4 P0.5000", "N3 G2 Z-2.0000000 I5.0000000 J0.0000000 P2 F150.0000", "N4 G1 X11.0000000 F50.8000",
@@ -168,6 +168,18 @@ def test_macros_and_cutter_compensation_are_right_along_the_path(tmp_path: Path)
     written = (tmp_path / "out.ngc").read_text()
     assert "T1 M6" in written
     assert "M3" in written
+
+
+@pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
+def test_tools_keep_their_numbers_and_lengths(tmp_path: Path) -> None:
+    """The interpreter names tools by their place in the table."""
+    program = tmp_path / "in.ngc"
+    program.write_text("G21 G90\nT7 M6\nG43 H7\nG0 Z5\nT3 M6\nG43 H3\nG0 Z6\nM2\n")
+    tools = ToolTable({7: Tool(length=70.0), 3: Tool(length=30.0)})
+    text = unrolled(program, PACKAGE, Offsets(), tools, "in")
+    assert [line for line in text.splitlines() if line[0] in "TN"] == [
+        "T7 M6", "N4 G0 Z75.0000000", "T3 M6", "N7 G0 Z36.0000000",
+    ]  # fmt: skip
 
 
 @pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")

@@ -50,7 +50,8 @@ _SILENT = frozenset({
     "USE_LENGTH_UNITS", "SET_G5X_OFFSET", "SET_G92_OFFSET", "SET_XY_ROTATION", "SET_FEED_REFERENCE", "ON_RESET",
     "SELECT_PLANE", "SELECT_TOOL", "START_CHANGE", "SET_CUTTER_RADIUS_COMPENSATION", "START_CUTTER_RADIUS_COMPENSATION",
     "STOP_CUTTER_RADIUS_COMPENSATION", "COMMENT", "MESSAGE", "LOG", "SET_NAIVECAM_TOLERANCE", "USE_TOOL_LENGTH_OFFSET",
-    "ORIENT_SPINDLE_OFF", "FINISH",
+    "ORIENT_SPINDLE_OFF", "PALLET_SHUTTLE",  # M30
+    "FINISH",
 })  # fmt: skip
 _HEAD = "G21 G90 G94 G17 G40 G49 G80\nG92.1\nG10 L2 P9 X0 Y0 Z0\nG59.3\n"
 NOT_INSTALLED = (
@@ -102,7 +103,7 @@ def unrolled(program: Path, package: Path, offsets: Offsets, tools: ToolTable | 
         ]
     motions = _motions(rounds, name)
     try:
-        return _HEAD + "".join(f"{line}\n" for line in _blocks(calls.splitlines(), motions, bool(lengths)))
+        return _HEAD + "".join(f"{line}\n" for line in _blocks(calls.splitlines(), motions, [0, *lengths]))
     except ValueError as problem:
         raise InputError([Fault(name, "", f"{problem}, which is not unrolled")]) from None
 
@@ -158,8 +159,9 @@ def _motions(rounds: Sequence[str], name: str) -> list[Motion]:
     return motions
 
 
-def _blocks(calls: Sequence[str], motions: Sequence[Motion], with_tools: bool) -> Iterator[str]:
-    """Blocks of the program: the calls of rs274 in order, with the motions in their places.
+def _blocks(calls: Sequence[str], motions: Sequence[Motion], tools: Sequence[int]) -> Iterator[str]:
+    """Blocks of the program: the calls of rs274 in order, with the motions in their places; tools: numbers in the order
+    of the table, by which rs274 names them.
 
     Raises ValueError with what a call does that is not written.
     """
@@ -185,11 +187,11 @@ def _blocks(calls: Sequence[str], motions: Sequence[Motion], with_tools: bool) -
         elif function == "SET_FEED_RATE":
             feed = f" F{float(arguments) * unit:.4f}"
         elif function == "USE_TOOL_LENGTH_OFFSET":
-            if with_tools and not changed and any(float(value) for value in re.findall(r"[-\d.]+", arguments)):
+            if len(tools) > 1 and not changed and any(float(value) for value in re.findall(r"[-\d.]+", arguments)):
                 raise ValueError("the length of a tool is in force before a tool change")
         elif function == "CHANGE_TOOL":
             changed = True
-            yield f"T{int(float(arguments))} M6"
+            yield f"T{tools[int(float(arguments))]} M6"
         else:
             yield from _words(function, arguments)
     if next(remaining, None) is not None:
