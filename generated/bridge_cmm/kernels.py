@@ -11,7 +11,7 @@ Equations after: Prediction and compensation of geometric error for translationa
 
 import numpy as np
 
-ABI = 2
+ABI = 3
 SPEC_HASH = "316443eb7e27d6b078d5a40b3776dd9c4bae13a4f2e33b47e425a6d867458069"
 
 META = {

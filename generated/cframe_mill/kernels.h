@@ -28,7 +28,7 @@
 #endif
 #endif
 
-#define TRUEAXIS_KERNEL_ABI 2
+#define TRUEAXIS_KERNEL_ABI 3
 
 #ifdef __cplusplus
 extern "C" {

@@ -11,7 +11,7 @@ Equations after: Prediction and compensation of geometric error for translationa
 
 import numpy as np
 
-ABI = 2
+ABI = 3
 SPEC_HASH = "e0bab1439083d465e60d898b33f648fd88b066b0d41217ad88014752dc9315ad"
 
 META = {

@@ -2181,9 +2181,10 @@ void dmu60p_motion_YZ(
 }
 
 /*
- * EXX, EBX, ECX from the readings X-1, X-2, X-3.
- * Source: Sects. 3.2-3.5, closed form. Operations: 38 per point, 22 once per call.
- * in readings: 3 rows of stride, mm; readings of X-1, X-2, X-3 (L1 L2 L3)
+ * EXX, ECX, EBX from the readings X-1, X-2, X-3.
+ * Source: Sects. 3.2-3.5, closed form. Operations: 39 per point, 22 once per call.
+ * in readings: 3 rows of stride, mm; displacements read in X-1, X-2, X-3, less those of the error-free machine (L1 L2
+ *     L3)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
@@ -2191,7 +2192,7 @@ void dmu60p_motion_YZ(
  *     eps_xz)
  * in points: 9 values, mm; xyz of tool point 1, xyz of tool point 2, xyz of tool point 3 (rT1x rT1y rT1z rT2x rT2y
  *     rT2z rT3x rT3y rT3z)
- * out unknowns: 3 rows of stride, mm, rad; EXX, EBX, ECX (found_EXX found_EBX found_ECX)
+ * out unknowns: 3 rows of stride, mm, rad; EXX, ECX, EBX (identified_EXX identified_ECX identified_EBX)
  */
 void dmu60p_system_1(
     size_t n, size_t stride,
@@ -2214,15 +2215,15 @@ void dmu60p_system_1(
     const double rT3y = points[7];
     const double rT3z = points[8];
     const double w0 = q_Ty*rT2z;
-    const double w1 = rT2z*rT3y;
-    const double w2 = q_Tz*rT2y;
+    const double w1 = q_Tz*rT2y;
+    const double w2 = rT2y*rT3z;
     const double w3 = -q_Ty*rT3z + q_Tz*rT3y;
-    const double w4 = rT1z*rT2y;
+    const double w4 = rT1y*rT2z;
     const double w5 = -rT1y*rT3z + rT1z*rT3y;
-    const double w6 = (1.0/(rT1y*rT2z + rT2y*rT3z - w1 - w4 + w5));
+    const double w6 = (1.0/(rT1z*rT2y + rT2z*rT3y - w2 - w4 - w5));
     const double w8 = q_Ty*rT1z - q_Tz*rT1y;
-    const double w11 = -rT3y;
-    const double w12 = -rT3z;
+    const double w11 = -rT3z;
+    const double w12 = -rT3y;
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2232,17 +2233,18 @@ void dmu60p_system_1(
         const double w7 = L1*w6;
         const double w9 = L2*w6;
         const double w10 = L3*w6;
-        unknowns[0 * stride + i] = w10*(rT1y*rT2z + w0 - w2 - w4 - w8) + w7*(rT2y*rT3z - w0 - w1 + w2 - w3) + w9*(w3
-            + w5 + w8);
-        unknowns[1 * stride + i] = w10*(-rT1y + rT2y) + w7*(-rT2y - w11) + w9*(rT1y + w11);
-        unknowns[2 * stride + i] = w10*(-rT1z + rT2z) + w7*(-rT2z - w12) + w9*(rT1z + w12);
+        unknowns[0 * stride + i] = w10*(rT1z*rT2y - w0 + w1 - w4 + w8) + w7*(rT2z*rT3y + w0 - w1 - w2 + w3) +
+            w9*(-w3 - w5 - w8);
+        unknowns[1 * stride + i] = w10*(rT1z - rT2z) + w7*(rT2z + w11) + w9*(-rT1z - w11);
+        unknowns[2 * stride + i] = w10*(rT1y - rT2y) + w7*(rT2y + w12) + w9*(-rT1y - w12);
     }
 }
 
 /*
- * EYY, EAY, ECY from the readings Y-4, Y-5, Y-6.
- * Source: Sects. 3.2-3.5, closed form. Operations: 38 per point, 22 once per call.
- * in readings: 3 rows of stride, mm; readings of Y-4, Y-5, Y-6 (L1 L2 L3)
+ * EYY, ECY, EAY from the readings Y-4, Y-5, Y-6.
+ * Source: Sects. 3.2-3.5, closed form. Operations: 39 per point, 22 once per call.
+ * in readings: 3 rows of stride, mm; displacements read in Y-4, Y-5, Y-6, less those of the error-free machine (L1 L2
+ *     L3)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
@@ -2250,7 +2252,7 @@ void dmu60p_system_1(
  *     eps_xz)
  * in points: 9 values, mm; xyz of workpiece point 1, xyz of workpiece point 2, xyz of workpiece point 3 (rW1x rW1y
  *     rW1z rW2x rW2y rW2z rW3x rW3y rW3z)
- * out unknowns: 3 rows of stride, mm, rad; EYY, EAY, ECY (found_EYY found_EAY found_ECY)
+ * out unknowns: 3 rows of stride, mm, rad; EYY, ECY, EAY (identified_EYY identified_ECY identified_EAY)
  */
 void dmu60p_system_2(
     size_t n, size_t stride,
@@ -2273,15 +2275,15 @@ void dmu60p_system_2(
     const double rW3x = points[6];
     const double rW3z = points[8];
     const double w0 = q_wx*rW2z;
-    const double w1 = rW2z*rW3x;
-    const double w2 = q_wz*rW2x;
+    const double w1 = q_wz*rW2x;
+    const double w2 = rW2x*rW3z;
     const double w3 = -q_wx*rW3z + q_wz*rW3x;
-    const double w4 = rW1z*rW2x;
+    const double w4 = rW1x*rW2z;
     const double w5 = -rW1x*rW3z + rW1z*rW3x;
-    const double w6 = (1.0/(rW1x*rW2z + rW2x*rW3z - w1 - w4 + w5));
+    const double w6 = (1.0/(rW1z*rW2x + rW2z*rW3x - w2 - w4 - w5));
     const double w8 = q_wx*rW1z - q_wz*rW1x;
-    const double w11 = -rW3x;
-    const double w12 = -rW3z;
+    const double w11 = -rW3z;
+    const double w12 = -rW3x;
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2291,17 +2293,18 @@ void dmu60p_system_2(
         const double w7 = L1*w6;
         const double w9 = L2*w6;
         const double w10 = L3*w6;
-        unknowns[0 * stride + i] = w10*(rW1x*rW2z + w0 - w2 - w4 - w8) + w7*(rW2x*rW3z - w0 - w1 + w2 - w3) + w9*(w3
-            + w5 + w8);
-        unknowns[1 * stride + i] = w10*(rW1x - rW2x) + w7*(rW2x + w11) + w9*(-rW1x - w11);
-        unknowns[2 * stride + i] = w10*(rW1z - rW2z) + w7*(rW2z + w12) + w9*(-rW1z - w12);
+        unknowns[0 * stride + i] = w10*(rW1z*rW2x - w0 + w1 - w4 + w8) + w7*(rW2z*rW3x + w0 - w1 - w2 + w3) +
+            w9*(-w3 - w5 - w8);
+        unknowns[1 * stride + i] = w10*(-rW1z + rW2z) + w7*(-rW2z - w11) + w9*(rW1z + w11);
+        unknowns[2 * stride + i] = w10*(-rW1x + rW2x) + w7*(-rW2x - w12) + w9*(rW1x + w12);
     }
 }
 
 /*
- * EZZ, EAZ, EBZ from the readings Z-7, Z-8, Z-9.
- * Source: Sects. 3.2-3.5, closed form. Operations: 38 per point, 22 once per call.
- * in readings: 3 rows of stride, mm; readings of Z-7, Z-8, Z-9 (L1 L2 L3)
+ * EZZ, EBZ, EAZ from the readings Z-7, Z-8, Z-9. At the points of these runs the rank is 2: division by zero there.
+ * Source: Sects. 3.2-3.5, closed form. Operations: 39 per point, 22 once per call.
+ * in readings: 3 rows of stride, mm; displacements read in Z-7, Z-8, Z-9, less those of the error-free machine (L1 L2
+ *     L3)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
@@ -2309,7 +2312,7 @@ void dmu60p_system_2(
  *     eps_xz)
  * in points: 9 values, mm; xyz of tool point 1, xyz of tool point 2, xyz of tool point 3 (rT4x rT4y rT4z rT5x rT5y
  *     rT5z rT6x rT6y rT6z)
- * out unknowns: 3 rows of stride, mm, rad; EZZ, EAZ, EBZ (found_EZZ found_EAZ found_EBZ)
+ * out unknowns: 3 rows of stride, mm, rad; EZZ, EBZ, EAZ (identified_EZZ identified_EBZ identified_EAZ)
  */
 void dmu60p_system_3(
     size_t n, size_t stride,
@@ -2332,15 +2335,15 @@ void dmu60p_system_3(
     const double rT6x = points[6];
     const double rT6y = points[7];
     const double w0 = q_Tx*rT5y;
-    const double w1 = rT5y*rT6x;
-    const double w2 = q_Ty*rT5x;
+    const double w1 = q_Ty*rT5x;
+    const double w2 = rT5x*rT6y;
     const double w3 = -q_Tx*rT6y + q_Ty*rT6x;
-    const double w4 = rT4y*rT5x;
+    const double w4 = rT4x*rT5y;
     const double w5 = -rT4x*rT6y + rT4y*rT6x;
-    const double w6 = (1.0/(rT4x*rT5y + rT5x*rT6y - w1 - w4 + w5));
+    const double w6 = (1.0/(rT4y*rT5x + rT5y*rT6x - w2 - w4 - w5));
     const double w8 = q_Tx*rT4y - q_Ty*rT4x;
-    const double w11 = -rT6x;
-    const double w12 = -rT6y;
+    const double w11 = -rT6y;
+    const double w12 = -rT6x;
     /* per point */
     POINTS_ARE_INDEPENDENT
     for (size_t i = 0; i < n; ++i) {
@@ -2350,24 +2353,24 @@ void dmu60p_system_3(
         const double w7 = L1*w6;
         const double w9 = L2*w6;
         const double w10 = L3*w6;
-        unknowns[0 * stride + i] = w10*(rT4x*rT5y + w0 - w2 - w4 - w8) + w7*(rT5x*rT6y - w0 - w1 + w2 - w3) + w9*(w3
-            + w5 + w8);
-        unknowns[1 * stride + i] = w10*(-rT4x + rT5x) + w7*(-rT5x - w11) + w9*(rT4x + w11);
-        unknowns[2 * stride + i] = w10*(-rT4y + rT5y) + w7*(-rT5y - w12) + w9*(rT4y + w12);
+        unknowns[0 * stride + i] = w10*(rT4y*rT5x - w0 + w1 - w4 + w8) + w7*(rT5y*rT6x + w0 - w1 - w2 + w3) +
+            w9*(-w3 - w5 - w8);
+        unknowns[1 * stride + i] = w10*(rT4y - rT5y) + w7*(rT5y + w11) + w9*(-rT4y - w11);
+        unknowns[2 * stride + i] = w10*(rT4x - rT5x) + w7*(rT5x + w12) + w9*(-rT4x - w12);
     }
 }
 
 /*
  * EXZ, ECZ from the readings XZ-1x, XZ-2x.
  * Source: Sects. 3.2-3.5, closed form. Operations: 25 per point, 7 once per call.
- * in readings: 2 rows of stride, mm; readings of XZ-1x, XZ-2x (L1 L2)
+ * in readings: 2 rows of stride, mm; displacements read in XZ-1x, XZ-2x, less those of the error-free machine (L1 L2)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of tool point 1, xyz of tool point 2 (rT7x rT7y rT7z rT8x rT8y rT8z)
- * out unknowns: 2 rows of stride, mm, rad; EXZ, ECZ (found_EXZ found_ECZ)
+ * out unknowns: 2 rows of stride, mm, rad; EXZ, ECZ (identified_EXZ identified_ECZ)
  */
 void dmu60p_system_4(
     size_t n, size_t stride,
@@ -2412,14 +2415,14 @@ void dmu60p_system_4(
 /*
  * EZX, EAX from the readings XZ-1z, XZ-2z.
  * Source: Sects. 3.2-3.5, closed form. Operations: 21 per point, 8 once per call.
- * in readings: 2 rows of stride, mm; readings of XZ-1z, XZ-2z (L1 L2)
+ * in readings: 2 rows of stride, mm; displacements read in XZ-1z, XZ-2z, less those of the error-free machine (L1 L2)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of tool point 1, xyz of tool point 2 (rT7x rT7y rT7z rT8x rT8y rT8z)
- * out unknowns: 2 rows of stride, mm, rad; EZX, EAX (found_EZX found_EAX)
+ * out unknowns: 2 rows of stride, mm, rad; EZX, EAX (identified_EZX identified_EAX)
  */
 void dmu60p_system_5(
     size_t n, size_t stride,
@@ -2462,7 +2465,7 @@ void dmu60p_system_5(
 /*
  * EXY, EBY from the readings XY-1x, XY-2x.
  * Source: Sects. 3.2-3.5, closed form. Operations: 34 per point, 2 once per call.
- * in readings: 2 rows of stride, mm; readings of XY-1x, XY-2x (L1 L2)
+ * in readings: 2 rows of stride, mm; displacements read in XY-1x, XY-2x, less those of the error-free machine (L1 L2)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
@@ -2470,7 +2473,7 @@ void dmu60p_system_5(
  *     eps_xz)
  * in points: 12 values, mm; xyz of workpiece point 1, xyz of tool point 2, xyz of workpiece point 3, xyz of tool point
  *     4 (rW4x rW4y rW4z rT9x rT9y rT9z rW5x rW5y rW5z rT10x rT10y rT10z)
- * out unknowns: 2 rows of stride, mm, rad; EXY, EBY (found_EXY found_EBY)
+ * out unknowns: 2 rows of stride, mm, rad; EXY, EBY (identified_EXY identified_EBY)
  */
 void dmu60p_system_6(
     size_t n, size_t stride,
@@ -2516,14 +2519,14 @@ void dmu60p_system_6(
 /*
  * EYX from the readings XY-1y.
  * Source: Sects. 3.2-3.5, closed form. Operations: 17 per point.
- * in readings: 1 rows of stride, mm; readings of XY-1y (L1)
+ * in readings: 1 rows of stride, mm; displacements read in XY-1y, less those of the error-free machine (L1)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW4x rW4y rW4z rT9x rT9y rT9z)
- * out unknowns: 1 rows of stride, mm, rad; EYX (found_EYX)
+ * out unknowns: 1 rows of stride, mm, rad; EYX (identified_EYX)
  */
 void dmu60p_system_7(
     size_t n, size_t stride,
@@ -2562,14 +2565,14 @@ void dmu60p_system_7(
 /*
  * EYZ from the readings YZ-1y.
  * Source: Sects. 3.2-3.5, closed form. Operations: 17 per point.
- * in readings: 1 rows of stride, mm; readings of YZ-1y (L1)
+ * in readings: 1 rows of stride, mm; displacements read in YZ-1y, less those of the error-free machine (L1)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW6x rW6y rW6z rT11x rT11y rT11z)
- * out unknowns: 1 rows of stride, mm, rad; EYZ (found_EYZ)
+ * out unknowns: 1 rows of stride, mm, rad; EYZ (identified_EYZ)
  */
 void dmu60p_system_8(
     size_t n, size_t stride,
@@ -2608,14 +2611,14 @@ void dmu60p_system_8(
 /*
  * EZY from the readings YZ-1z.
  * Source: Sects. 3.2-3.5, closed form. Operations: 15 per point.
- * in readings: 1 rows of stride, mm; readings of YZ-1z (L1)
+ * in readings: 1 rows of stride, mm; displacements read in YZ-1z, less those of the error-free machine (L1)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW6x rW6y rW6z rT11x rT11y rT11z)
- * out unknowns: 1 rows of stride, mm, rad; EZY (found_EZY)
+ * out unknowns: 1 rows of stride, mm, rad; EZY (identified_EZY)
  */
 void dmu60p_system_9(
     size_t n, size_t stride,

@@ -28,7 +28,7 @@
 #endif
 #endif
 
-#define TRUEAXIS_KERNEL_ABI 2
+#define TRUEAXIS_KERNEL_ABI 3
 
 #ifdef __cplusplus
 extern "C" {
@@ -557,9 +557,10 @@ void dmu60p_motion_YZ(
     double *TRUEAXIS_RESTRICT displacement);
 
 /*
- * EXX, EBX, ECX from the readings X-1, X-2, X-3.
- * Source: Sects. 3.2-3.5, closed form. Operations: 38 per point, 22 once per call.
- * in readings: 3 rows of stride, mm; readings of X-1, X-2, X-3 (L1 L2 L3)
+ * EXX, ECX, EBX from the readings X-1, X-2, X-3.
+ * Source: Sects. 3.2-3.5, closed form. Operations: 39 per point, 22 once per call.
+ * in readings: 3 rows of stride, mm; displacements read in X-1, X-2, X-3, less those of the error-free machine (L1 L2
+ *     L3)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
@@ -567,7 +568,7 @@ void dmu60p_motion_YZ(
  *     eps_xz)
  * in points: 9 values, mm; xyz of tool point 1, xyz of tool point 2, xyz of tool point 3 (rT1x rT1y rT1z rT2x rT2y
  *     rT2z rT3x rT3y rT3z)
- * out unknowns: 3 rows of stride, mm, rad; EXX, EBX, ECX (found_EXX found_EBX found_ECX)
+ * out unknowns: 3 rows of stride, mm, rad; EXX, ECX, EBX (identified_EXX identified_ECX identified_EBX)
  */
 void dmu60p_system_1(
     size_t n, size_t stride,
@@ -579,9 +580,10 @@ void dmu60p_system_1(
     double *TRUEAXIS_RESTRICT unknowns);
 
 /*
- * EYY, EAY, ECY from the readings Y-4, Y-5, Y-6.
- * Source: Sects. 3.2-3.5, closed form. Operations: 38 per point, 22 once per call.
- * in readings: 3 rows of stride, mm; readings of Y-4, Y-5, Y-6 (L1 L2 L3)
+ * EYY, ECY, EAY from the readings Y-4, Y-5, Y-6.
+ * Source: Sects. 3.2-3.5, closed form. Operations: 39 per point, 22 once per call.
+ * in readings: 3 rows of stride, mm; displacements read in Y-4, Y-5, Y-6, less those of the error-free machine (L1 L2
+ *     L3)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
@@ -589,7 +591,7 @@ void dmu60p_system_1(
  *     eps_xz)
  * in points: 9 values, mm; xyz of workpiece point 1, xyz of workpiece point 2, xyz of workpiece point 3 (rW1x rW1y
  *     rW1z rW2x rW2y rW2z rW3x rW3y rW3z)
- * out unknowns: 3 rows of stride, mm, rad; EYY, EAY, ECY (found_EYY found_EAY found_ECY)
+ * out unknowns: 3 rows of stride, mm, rad; EYY, ECY, EAY (identified_EYY identified_ECY identified_EAY)
  */
 void dmu60p_system_2(
     size_t n, size_t stride,
@@ -601,9 +603,10 @@ void dmu60p_system_2(
     double *TRUEAXIS_RESTRICT unknowns);
 
 /*
- * EZZ, EAZ, EBZ from the readings Z-7, Z-8, Z-9.
- * Source: Sects. 3.2-3.5, closed form. Operations: 38 per point, 22 once per call.
- * in readings: 3 rows of stride, mm; readings of Z-7, Z-8, Z-9 (L1 L2 L3)
+ * EZZ, EBZ, EAZ from the readings Z-7, Z-8, Z-9. At the points of these runs the rank is 2: division by zero there.
+ * Source: Sects. 3.2-3.5, closed form. Operations: 39 per point, 22 once per call.
+ * in readings: 3 rows of stride, mm; displacements read in Z-7, Z-8, Z-9, less those of the error-free machine (L1 L2
+ *     L3)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
@@ -611,7 +614,7 @@ void dmu60p_system_2(
  *     eps_xz)
  * in points: 9 values, mm; xyz of tool point 1, xyz of tool point 2, xyz of tool point 3 (rT4x rT4y rT4z rT5x rT5y
  *     rT5z rT6x rT6y rT6z)
- * out unknowns: 3 rows of stride, mm, rad; EZZ, EAZ, EBZ (found_EZZ found_EAZ found_EBZ)
+ * out unknowns: 3 rows of stride, mm, rad; EZZ, EBZ, EAZ (identified_EZZ identified_EBZ identified_EAZ)
  */
 void dmu60p_system_3(
     size_t n, size_t stride,
@@ -625,14 +628,14 @@ void dmu60p_system_3(
 /*
  * EXZ, ECZ from the readings XZ-1x, XZ-2x.
  * Source: Sects. 3.2-3.5, closed form. Operations: 25 per point, 7 once per call.
- * in readings: 2 rows of stride, mm; readings of XZ-1x, XZ-2x (L1 L2)
+ * in readings: 2 rows of stride, mm; displacements read in XZ-1x, XZ-2x, less those of the error-free machine (L1 L2)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of tool point 1, xyz of tool point 2 (rT7x rT7y rT7z rT8x rT8y rT8z)
- * out unknowns: 2 rows of stride, mm, rad; EXZ, ECZ (found_EXZ found_ECZ)
+ * out unknowns: 2 rows of stride, mm, rad; EXZ, ECZ (identified_EXZ identified_ECZ)
  */
 void dmu60p_system_4(
     size_t n, size_t stride,
@@ -646,14 +649,14 @@ void dmu60p_system_4(
 /*
  * EZX, EAX from the readings XZ-1z, XZ-2z.
  * Source: Sects. 3.2-3.5, closed form. Operations: 21 per point, 8 once per call.
- * in readings: 2 rows of stride, mm; readings of XZ-1z, XZ-2z (L1 L2)
+ * in readings: 2 rows of stride, mm; displacements read in XZ-1z, XZ-2z, less those of the error-free machine (L1 L2)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of tool point 1, xyz of tool point 2 (rT7x rT7y rT7z rT8x rT8y rT8z)
- * out unknowns: 2 rows of stride, mm, rad; EZX, EAX (found_EZX found_EAX)
+ * out unknowns: 2 rows of stride, mm, rad; EZX, EAX (identified_EZX identified_EAX)
  */
 void dmu60p_system_5(
     size_t n, size_t stride,
@@ -667,7 +670,7 @@ void dmu60p_system_5(
 /*
  * EXY, EBY from the readings XY-1x, XY-2x.
  * Source: Sects. 3.2-3.5, closed form. Operations: 34 per point, 2 once per call.
- * in readings: 2 rows of stride, mm; readings of XY-1x, XY-2x (L1 L2)
+ * in readings: 2 rows of stride, mm; displacements read in XY-1x, XY-2x, less those of the error-free machine (L1 L2)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
@@ -675,7 +678,7 @@ void dmu60p_system_5(
  *     eps_xz)
  * in points: 12 values, mm; xyz of workpiece point 1, xyz of tool point 2, xyz of workpiece point 3, xyz of tool point
  *     4 (rW4x rW4y rW4z rT9x rT9y rT9z rW5x rW5y rW5z rT10x rT10y rT10z)
- * out unknowns: 2 rows of stride, mm, rad; EXY, EBY (found_EXY found_EBY)
+ * out unknowns: 2 rows of stride, mm, rad; EXY, EBY (identified_EXY identified_EBY)
  */
 void dmu60p_system_6(
     size_t n, size_t stride,
@@ -689,14 +692,14 @@ void dmu60p_system_6(
 /*
  * EYX from the readings XY-1y.
  * Source: Sects. 3.2-3.5, closed form. Operations: 17 per point.
- * in readings: 1 rows of stride, mm; readings of XY-1y (L1)
+ * in readings: 1 rows of stride, mm; displacements read in XY-1y, less those of the error-free machine (L1)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW4x rW4y rW4z rT9x rT9y rT9z)
- * out unknowns: 1 rows of stride, mm, rad; EYX (found_EYX)
+ * out unknowns: 1 rows of stride, mm, rad; EYX (identified_EYX)
  */
 void dmu60p_system_7(
     size_t n, size_t stride,
@@ -710,14 +713,14 @@ void dmu60p_system_7(
 /*
  * EYZ from the readings YZ-1y.
  * Source: Sects. 3.2-3.5, closed form. Operations: 17 per point.
- * in readings: 1 rows of stride, mm; readings of YZ-1y (L1)
+ * in readings: 1 rows of stride, mm; displacements read in YZ-1y, less those of the error-free machine (L1)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW6x rW6y rW6z rT11x rT11y rT11z)
- * out unknowns: 1 rows of stride, mm, rad; EYZ (found_EYZ)
+ * out unknowns: 1 rows of stride, mm, rad; EYZ (identified_EYZ)
  */
 void dmu60p_system_8(
     size_t n, size_t stride,
@@ -731,14 +734,14 @@ void dmu60p_system_8(
 /*
  * EZY from the readings YZ-1z.
  * Source: Sects. 3.2-3.5, closed form. Operations: 15 per point.
- * in readings: 1 rows of stride, mm; readings of YZ-1z (L1)
+ * in readings: 1 rows of stride, mm; displacements read in YZ-1z, less those of the error-free machine (L1)
  * in positions: 3 rows of stride, mm; commanded positions of X Y Z (x y z)
  * in errors: 18 rows of stride, mm, rad; component errors at the point (EXX EYX EZX EAX EBX ECX EXY EYY EZY EAY EBY
  *     ECY EXZ EYZ EZZ EAZ EBZ ECZ)
  * in parameters: 9 values, mm, rad; home positions and location errors (q_wx q_wy q_wz q_Tx q_Ty q_Tz eps_xy eps_yz
  *     eps_xz)
  * in points: 6 values, mm; xyz of workpiece point 1, xyz of tool point 2 (rW6x rW6y rW6z rT11x rT11y rT11z)
- * out unknowns: 1 rows of stride, mm, rad; EZY (found_EZY)
+ * out unknowns: 1 rows of stride, mm, rad; EZY (identified_EZY)
  */
 void dmu60p_system_9(
     size_t n, size_t stride,

@@ -11,7 +11,7 @@ Equations after: Prediction and compensation of geometric error for translationa
 
 import numpy as np
 
-ABI = 2
+ABI = 3
 SPEC_HASH = "0190651706d05e74f47ba63b348c7b25aa718138f26d87af62dcbb754cacd8ee"
 
 META = {
@@ -367,7 +367,7 @@ META = {
                 {'name': 'points', 'shape': [3, 3], 'per_point': False, 'unit': 'mm'},
             ],
             'outputs': [{'name': 'unknowns', 'shape': [3], 'per_point': True, 'unit': 'mm, rad'}],
-            'operations': 38,
+            'operations': 39,
             'operations_per_call': 22,
         },
         'system_2': {
@@ -379,7 +379,7 @@ META = {
                 {'name': 'points', 'shape': [3, 3], 'per_point': False, 'unit': 'mm'},
             ],
             'outputs': [{'name': 'unknowns', 'shape': [3], 'per_point': True, 'unit': 'mm, rad'}],
-            'operations': 38,
+            'operations': 39,
             'operations_per_call': 22,
         },
         'system_3': {
@@ -391,7 +391,7 @@ META = {
                 {'name': 'points', 'shape': [3, 3], 'per_point': False, 'unit': 'mm'},
             ],
             'outputs': [{'name': 'unknowns', 'shape': [3], 'per_point': True, 'unit': 'mm, rad'}],
-            'operations': 38,
+            'operations': 39,
             'operations_per_call': 22,
         },
         'system_4': {
@@ -2545,12 +2545,12 @@ def motion_YZ(positions, errors, parameters, workpiece_point, tool_point):
 
 
 def system_1(readings, positions, errors, parameters, points):
-    """EXX, EBX, ECX from the readings X-1, X-2, X-3.
+    """EXX, ECX, EBX from the readings X-1, X-2, X-3.
 
-    Source: Sects. 3.2-3.5, closed form. Operations: 38 per point, 22 per call.
+    Source: Sects. 3.2-3.5, closed form. Operations: 39 per point, 22 per call.
 
     Arguments (float64):
-        readings (3, n): readings of X-1, X-2, X-3 [mm]
+        readings (3, n): displacements read in X-1, X-2, X-3, less those of the error-free machine [mm]
             rows: L1 L2 L3
         positions (3, n): commanded positions of X Y Z [mm]
             rows: x y z
@@ -2562,8 +2562,8 @@ def system_1(readings, positions, errors, parameters, points):
             rows: rT1x rT1y rT1z rT2x rT2y rT2z rT3x rT3y rT3z
 
     Returns:
-        unknowns (3, n): EXX, EBX, ECX [mm, rad]
-            rows: found_EXX found_EBX found_ECX
+        unknowns (3, n): EXX, ECX, EBX [mm, rad]
+            rows: identified_EXX identified_ECX identified_EBX
     """
     n, readings, positions, errors = _points(readings=(readings, 3), positions=(positions, 3), errors=(errors, 18))
     parameters = _constant("parameters", parameters, (9,))
@@ -2580,15 +2580,15 @@ def system_1(readings, positions, errors, parameters, points):
     rT3z = float(points[2, 2])
     # once per call
     w0 = q_Ty*rT2z
-    w1 = rT2z*rT3y
-    w2 = q_Tz*rT2y
+    w1 = q_Tz*rT2y
+    w2 = rT2y*rT3z
     w3 = -q_Ty*rT3z + q_Tz*rT3y
-    w4 = rT1z*rT2y
+    w4 = rT1y*rT2z
     w5 = -rT1y*rT3z + rT1z*rT3y
-    w6 = 1.0/(rT1y*rT2z + rT2y*rT3z - w1 - w4 + w5)
+    w6 = 1.0/(rT1z*rT2y + rT2z*rT3y - w2 - w4 - w5)
     w8 = q_Ty*rT1z - q_Tz*rT1y
-    w11 = -rT3y
-    w12 = -rT3z
+    w11 = -rT3z
+    w12 = -rT3y
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2598,19 +2598,19 @@ def system_1(readings, positions, errors, parameters, points):
         w7 = L1*w6
         w9 = L2*w6
         w10 = L3*w6
-        unknowns[0, at] = w10*(rT1y*rT2z + w0 - w2 - w4 - w8) + w7*(rT2y*rT3z - w0 - w1 + w2 - w3) + w9*(w3 + w5 + w8)
-        unknowns[1, at] = w10*(-rT1y + rT2y) + w7*(-rT2y - w11) + w9*(rT1y + w11)
-        unknowns[2, at] = w10*(-rT1z + rT2z) + w7*(-rT2z - w12) + w9*(rT1z + w12)
+        unknowns[0, at] = w10*(rT1z*rT2y - w0 + w1 - w4 + w8) + w7*(rT2z*rT3y + w0 - w1 - w2 + w3) + w9*(-w3 - w5 - w8)
+        unknowns[1, at] = w10*(rT1z - rT2z) + w7*(rT2z + w11) + w9*(-rT1z - w11)
+        unknowns[2, at] = w10*(rT1y - rT2y) + w7*(rT2y + w12) + w9*(-rT1y - w12)
     return unknowns
 
 
 def system_2(readings, positions, errors, parameters, points):
-    """EYY, EAY, ECY from the readings Y-4, Y-5, Y-6.
+    """EYY, ECY, EAY from the readings Y-4, Y-5, Y-6.
 
-    Source: Sects. 3.2-3.5, closed form. Operations: 38 per point, 22 per call.
+    Source: Sects. 3.2-3.5, closed form. Operations: 39 per point, 22 per call.
 
     Arguments (float64):
-        readings (3, n): readings of Y-4, Y-5, Y-6 [mm]
+        readings (3, n): displacements read in Y-4, Y-5, Y-6, less those of the error-free machine [mm]
             rows: L1 L2 L3
         positions (3, n): commanded positions of X Y Z [mm]
             rows: x y z
@@ -2622,8 +2622,8 @@ def system_2(readings, positions, errors, parameters, points):
             rows: rW1x rW1y rW1z rW2x rW2y rW2z rW3x rW3y rW3z
 
     Returns:
-        unknowns (3, n): EYY, EAY, ECY [mm, rad]
-            rows: found_EYY found_EAY found_ECY
+        unknowns (3, n): EYY, ECY, EAY [mm, rad]
+            rows: identified_EYY identified_ECY identified_EAY
     """
     n, readings, positions, errors = _points(readings=(readings, 3), positions=(positions, 3), errors=(errors, 18))
     parameters = _constant("parameters", parameters, (9,))
@@ -2640,15 +2640,15 @@ def system_2(readings, positions, errors, parameters, points):
     rW3z = float(points[2, 2])
     # once per call
     w0 = q_wx*rW2z
-    w1 = rW2z*rW3x
-    w2 = q_wz*rW2x
+    w1 = q_wz*rW2x
+    w2 = rW2x*rW3z
     w3 = -q_wx*rW3z + q_wz*rW3x
-    w4 = rW1z*rW2x
+    w4 = rW1x*rW2z
     w5 = -rW1x*rW3z + rW1z*rW3x
-    w6 = 1.0/(rW1x*rW2z + rW2x*rW3z - w1 - w4 + w5)
+    w6 = 1.0/(rW1z*rW2x + rW2z*rW3x - w2 - w4 - w5)
     w8 = q_wx*rW1z - q_wz*rW1x
-    w11 = -rW3x
-    w12 = -rW3z
+    w11 = -rW3z
+    w12 = -rW3x
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2658,19 +2658,19 @@ def system_2(readings, positions, errors, parameters, points):
         w7 = L1*w6
         w9 = L2*w6
         w10 = L3*w6
-        unknowns[0, at] = w10*(rW1x*rW2z + w0 - w2 - w4 - w8) + w7*(rW2x*rW3z - w0 - w1 + w2 - w3) + w9*(w3 + w5 + w8)
-        unknowns[1, at] = w10*(rW1x - rW2x) + w7*(rW2x + w11) + w9*(-rW1x - w11)
-        unknowns[2, at] = w10*(rW1z - rW2z) + w7*(rW2z + w12) + w9*(-rW1z - w12)
+        unknowns[0, at] = w10*(rW1z*rW2x - w0 + w1 - w4 + w8) + w7*(rW2z*rW3x + w0 - w1 - w2 + w3) + w9*(-w3 - w5 - w8)
+        unknowns[1, at] = w10*(-rW1z + rW2z) + w7*(-rW2z - w11) + w9*(rW1z + w11)
+        unknowns[2, at] = w10*(-rW1x + rW2x) + w7*(-rW2x - w12) + w9*(rW1x + w12)
     return unknowns
 
 
 def system_3(readings, positions, errors, parameters, points):
-    """EZZ, EAZ, EBZ from the readings Z-7, Z-8, Z-9.
+    """EZZ, EBZ, EAZ from the readings Z-7, Z-8, Z-9. At the points of these runs the rank is 2: division by zero there.
 
-    Source: Sects. 3.2-3.5, closed form. Operations: 38 per point, 22 per call.
+    Source: Sects. 3.2-3.5, closed form. Operations: 39 per point, 22 per call.
 
     Arguments (float64):
-        readings (3, n): readings of Z-7, Z-8, Z-9 [mm]
+        readings (3, n): displacements read in Z-7, Z-8, Z-9, less those of the error-free machine [mm]
             rows: L1 L2 L3
         positions (3, n): commanded positions of X Y Z [mm]
             rows: x y z
@@ -2682,8 +2682,8 @@ def system_3(readings, positions, errors, parameters, points):
             rows: rT4x rT4y rT4z rT5x rT5y rT5z rT6x rT6y rT6z
 
     Returns:
-        unknowns (3, n): EZZ, EAZ, EBZ [mm, rad]
-            rows: found_EZZ found_EAZ found_EBZ
+        unknowns (3, n): EZZ, EBZ, EAZ [mm, rad]
+            rows: identified_EZZ identified_EBZ identified_EAZ
     """
     n, readings, positions, errors = _points(readings=(readings, 3), positions=(positions, 3), errors=(errors, 18))
     parameters = _constant("parameters", parameters, (9,))
@@ -2700,15 +2700,15 @@ def system_3(readings, positions, errors, parameters, points):
     rT6y = float(points[2, 1])
     # once per call
     w0 = q_Tx*rT5y
-    w1 = rT5y*rT6x
-    w2 = q_Ty*rT5x
+    w1 = q_Ty*rT5x
+    w2 = rT5x*rT6y
     w3 = -q_Tx*rT6y + q_Ty*rT6x
-    w4 = rT4y*rT5x
+    w4 = rT4x*rT5y
     w5 = -rT4x*rT6y + rT4y*rT6x
-    w6 = 1.0/(rT4x*rT5y + rT5x*rT6y - w1 - w4 + w5)
+    w6 = 1.0/(rT4y*rT5x + rT5y*rT6x - w2 - w4 - w5)
     w8 = q_Tx*rT4y - q_Ty*rT4x
-    w11 = -rT6x
-    w12 = -rT6y
+    w11 = -rT6y
+    w12 = -rT6x
     for start in range(0, n, BLOCK):
         at = slice(start, start + BLOCK)
         L1 = readings[0, at]
@@ -2718,9 +2718,9 @@ def system_3(readings, positions, errors, parameters, points):
         w7 = L1*w6
         w9 = L2*w6
         w10 = L3*w6
-        unknowns[0, at] = w10*(rT4x*rT5y + w0 - w2 - w4 - w8) + w7*(rT5x*rT6y - w0 - w1 + w2 - w3) + w9*(w3 + w5 + w8)
-        unknowns[1, at] = w10*(-rT4x + rT5x) + w7*(-rT5x - w11) + w9*(rT4x + w11)
-        unknowns[2, at] = w10*(-rT4y + rT5y) + w7*(-rT5y - w12) + w9*(rT4y + w12)
+        unknowns[0, at] = w10*(rT4y*rT5x - w0 + w1 - w4 + w8) + w7*(rT5y*rT6x + w0 - w1 - w2 + w3) + w9*(-w3 - w5 - w8)
+        unknowns[1, at] = w10*(rT4y - rT5y) + w7*(rT5y + w11) + w9*(-rT4y - w11)
+        unknowns[2, at] = w10*(rT4x - rT5x) + w7*(rT5x + w12) + w9*(-rT4x - w12)
     return unknowns
 
 
@@ -2730,7 +2730,7 @@ def system_4(readings, positions, errors, parameters, points):
     Source: Sects. 3.2-3.5, closed form. Operations: 25 per point, 7 per call.
 
     Arguments (float64):
-        readings (2, n): readings of XZ-1x, XZ-2x [mm]
+        readings (2, n): displacements read in XZ-1x, XZ-2x, less those of the error-free machine [mm]
             rows: L1 L2
         positions (3, n): commanded positions of X Y Z [mm]
             rows: x y z
@@ -2743,7 +2743,7 @@ def system_4(readings, positions, errors, parameters, points):
 
     Returns:
         unknowns (2, n): EXZ, ECZ [mm, rad]
-            rows: found_EXZ found_ECZ
+            rows: identified_EXZ identified_ECZ
     """
     n, readings, positions, errors = _points(readings=(readings, 2), positions=(positions, 3), errors=(errors, 18))
     parameters = _constant("parameters", parameters, (9,))
@@ -2787,7 +2787,7 @@ def system_5(readings, positions, errors, parameters, points):
     Source: Sects. 3.2-3.5, closed form. Operations: 21 per point, 8 per call.
 
     Arguments (float64):
-        readings (2, n): readings of XZ-1z, XZ-2z [mm]
+        readings (2, n): displacements read in XZ-1z, XZ-2z, less those of the error-free machine [mm]
             rows: L1 L2
         positions (3, n): commanded positions of X Y Z [mm]
             rows: x y z
@@ -2800,7 +2800,7 @@ def system_5(readings, positions, errors, parameters, points):
 
     Returns:
         unknowns (2, n): EZX, EAX [mm, rad]
-            rows: found_EZX found_EAX
+            rows: identified_EZX identified_EAX
     """
     n, readings, positions, errors = _points(readings=(readings, 2), positions=(positions, 3), errors=(errors, 18))
     parameters = _constant("parameters", parameters, (9,))
@@ -2841,7 +2841,7 @@ def system_6(readings, positions, errors, parameters, points):
     Source: Sects. 3.2-3.5, closed form. Operations: 34 per point, 2 per call.
 
     Arguments (float64):
-        readings (2, n): readings of XY-1x, XY-2x [mm]
+        readings (2, n): displacements read in XY-1x, XY-2x, less those of the error-free machine [mm]
             rows: L1 L2
         positions (3, n): commanded positions of X Y Z [mm]
             rows: x y z
@@ -2854,7 +2854,7 @@ def system_6(readings, positions, errors, parameters, points):
 
     Returns:
         unknowns (2, n): EXY, EBY [mm, rad]
-            rows: found_EXY found_EBY
+            rows: identified_EXY identified_EBY
     """
     n, readings, positions, errors = _points(readings=(readings, 2), positions=(positions, 3), errors=(errors, 18))
     parameters = _constant("parameters", parameters, (9,))
@@ -2898,7 +2898,7 @@ def system_7(readings, positions, errors, parameters, points):
     Source: Sects. 3.2-3.5, closed form. Operations: 17 per point.
 
     Arguments (float64):
-        readings (1, n): readings of XY-1y [mm]
+        readings (1, n): displacements read in XY-1y, less those of the error-free machine [mm]
             rows: L1
         positions (3, n): commanded positions of X Y Z [mm]
             rows: x y z
@@ -2911,7 +2911,7 @@ def system_7(readings, positions, errors, parameters, points):
 
     Returns:
         unknowns (1, n): EYX [mm, rad]
-            rows: found_EYX
+            rows: identified_EYX
     """
     n, readings, positions, errors = _points(readings=(readings, 1), positions=(positions, 3), errors=(errors, 18))
     parameters = _constant("parameters", parameters, (9,))
@@ -2947,7 +2947,7 @@ def system_8(readings, positions, errors, parameters, points):
     Source: Sects. 3.2-3.5, closed form. Operations: 17 per point.
 
     Arguments (float64):
-        readings (1, n): readings of YZ-1y [mm]
+        readings (1, n): displacements read in YZ-1y, less those of the error-free machine [mm]
             rows: L1
         positions (3, n): commanded positions of X Y Z [mm]
             rows: x y z
@@ -2960,7 +2960,7 @@ def system_8(readings, positions, errors, parameters, points):
 
     Returns:
         unknowns (1, n): EYZ [mm, rad]
-            rows: found_EYZ
+            rows: identified_EYZ
     """
     n, readings, positions, errors = _points(readings=(readings, 1), positions=(positions, 3), errors=(errors, 18))
     parameters = _constant("parameters", parameters, (9,))
@@ -2996,7 +2996,7 @@ def system_9(readings, positions, errors, parameters, points):
     Source: Sects. 3.2-3.5, closed form. Operations: 15 per point.
 
     Arguments (float64):
-        readings (1, n): readings of YZ-1z [mm]
+        readings (1, n): displacements read in YZ-1z, less those of the error-free machine [mm]
             rows: L1
         positions (3, n): commanded positions of X Y Z [mm]
             rows: x y z
@@ -3009,7 +3009,7 @@ def system_9(readings, positions, errors, parameters, points):
 
     Returns:
         unknowns (1, n): EZY [mm, rad]
-            rows: found_EZY
+            rows: identified_EZY
     """
     n, readings, positions, errors = _points(readings=(readings, 1), positions=(positions, 3), errors=(errors, 18))
     parameters = _constant("parameters", parameters, (9,))

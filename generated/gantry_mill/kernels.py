@@ -11,7 +11,7 @@ Equations after: Prediction and compensation of geometric error for translationa
 
 import numpy as np
 
-ABI = 2
+ABI = 3
 SPEC_HASH = "436048e019673a322f57c00f796d232113d4f9b52648375eb9f68dfede1c3920"
 
 META = {

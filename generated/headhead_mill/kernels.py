@@ -12,7 +12,7 @@ Equations after: Prediction and compensation of geometric error for translationa
 
 import numpy as np
 
-ABI = 2
+ABI = 3
 SPEC_HASH = "0ad0abbfc8d51366123f481bf464ef2a99342c0dbb5431fe1300b173adc7b15c"
 
 META = {

@@ -12,7 +12,7 @@ Equations after: Prediction and compensation of geometric error for translationa
 
 import numpy as np
 
-ABI = 2
+ABI = 3
 SPEC_HASH = "fff68e3a25ed33ff02fbf9ab6e0875735d9de644fc7b3d9d269b461961e2d9f2"
 
 META = {

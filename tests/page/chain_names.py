@@ -55,7 +55,7 @@ class ChainNames:
         if row.section == "The chain":
             return self._of_chain(row)
         if row.section.startswith("The tool point"):
-            return self.base | self.tool_point
+            return self.base | self.tool_point | _error_factor()
         if row.section == "Ball bar":
             return self._ball_bar()
         if row.section == "Motion equations":
@@ -72,7 +72,7 @@ class ChainNames:
             return self.factors | {name: self._product(self._joints(end)) for name, end in ends}
         if " on body " in row.title:
             return self.base | self._joint_names()
-        return self.base | self.steps
+        return self.base | self.steps | _error_factor()
 
     def _joints(self, end: str) -> list[str]:
         return [f"[S{self.chain.bodies[b]['lower']}{b}]" for b in self.chain.branch(self.chain.ends[end])]
@@ -122,7 +122,11 @@ class ChainNames:
         names |= {r"\Theta": _rotation(twist), "D": twist[:3, 3]}
         names |= {name: vector for name, vector in self.steps.items() if re.fullmatch(r"(\\Theta|D)_\d+", name)}
         names |= _vector("P_", tool @ self.point) | _twist("", twist)
-        names |= _vector("d_", deviation) | _vector("P^W_T", ideal + deviation)
+        names |= (
+            {"R_W": work[:3, :3], "d": deviation[:3, 0]}
+            | _vector("d_", deviation)
+            | _vector("P^W_T", ideal + deviation)
+        )
         return names
 
     def _ball_bar(self) -> Names:
@@ -153,6 +157,19 @@ class ChainNames:
         effect = np.array(columns).T @ moves
         names: Names = {rf"\Delta{axis}": moves[i] for i, axis in enumerate(linear)}
         return names | {f"d_{a}": effect[i] for i, a in enumerate(AXES)}
+
+
+def _error_factor() -> Names:
+    """Twist that an error factor behind a pose adds in the bed frame: S N S^-1, by matrices."""
+    rng = np.random.default_rng(11)
+    pose, small = np.eye(4), np.zeros((4, 4))
+    pose[:3, :3], pose[:3, 3] = np.linalg.qr(rng.uniform(-1, 1, (3, 3)))[0], rng.uniform(0.3, 1.7, 3)
+    pose[:3, :3] *= np.linalg.det(pose[:3, :3])
+    about, displacement = rng.uniform(0.3, 1.7, (2, 3))
+    small[:3, :3], small[:3, 3] = np.cross(about, np.eye(3)).T, displacement
+    added = pose @ small @ np.linalg.inv(pose)
+    names: Names = {"R": pose[:3, :3], "p": pose[:3, 3], r"\varepsilon": about, r"\delta": displacement}
+    return names | {r"\Delta\Theta": _rotation(added), r"\DeltaD": added[:3, 3]}
 
 
 def elements(head: str, matrix: Matrix) -> Names:

@@ -15,7 +15,7 @@ _TOKEN = re.compile(r"\\[a-zA-Z]+|\\.|\d+(?:\.\d+)?|[a-zA-Z]'?|\S", re.DOTALL)
 _SKIPPED = {r"\,", "&", r"\quad", r"\left", r"\right", r"\bigl", r"\bigr"}
 _ARGUMENT = re.compile(r"\\(?:varepsilon|delta)_[xyz]")
 SAMPLES = 4
-"""What the upper limits of sums stand for."""
+"""Samples of a sum: what n stands for."""
 
 
 class NotMathsError(ValueError):
@@ -62,6 +62,13 @@ class _Reader:
             raise NotMathsError("an empty term")
         result = self.factor()
         while self.peek() and self.peek() not in ("+", "-", ")", "}", ",", ";", r"\\", "|", r"\end", "]"):
+            if self.peek() == "/":
+                self.at += 1
+                result = result / self.factor()
+                continue
+            if self.peek() == r"\times":
+                self.at += 1
+                return _crossed(result, self.product())
             result = _times(result, self.factor())
         return result
 
@@ -71,7 +78,7 @@ class _Reader:
             self.at += 1
             power = self.script()
             if power == "T":
-                return np.reshape(result, (-1, 1))
+                return np.transpose(result) if np.shape(result) == (3, 3) else np.reshape(result, (-1, 1))
             if not re.fullmatch(r"-?\d+", power):
                 raise NotMathsError(f"no power: {power}")
             return np.linalg.inv(result) if power == "-1" and np.ndim(result) == 2 else result ** int(power)
@@ -132,6 +139,14 @@ class _Reader:
         found = self.lookup(re.sub(r"[{}\s]", "", name), self.index)
         if found is None:
             raise NotMathsError(f"{name} stands for nothing")
+        if callable(found):
+            self.take("(")
+            arguments = [self.sum()]
+            while self.peek() == ",":
+                self.at += 1
+                arguments.append(self.sum())
+            self.take(")")
+            return found(*arguments)
         return found
 
     def _inside(self, ahead: int) -> str:
@@ -160,10 +175,11 @@ class _Reader:
         if (self.take("_"), self.script()) != ("_", "i:1"):
             raise NotMathsError("a sum begins at i = 1")
         self.take("^")
-        if self.script() not in ("h", "n"):
-            raise NotMathsError("a sum ends at h or n")
+        last = self.lookup(self.script(), 0)
+        if not isinstance(last, int):
+            raise NotMathsError("no number where a sum ends")
         start, total = self.at, None
-        for self.index in range(1, SAMPLES + 1):
+        for self.index in range(1, last + 1):
             self.at = start
             term = self.factor()
             while self.peek() and self.peek() not in ("+", "-", ")", "}", r"\sum"):
@@ -214,7 +230,14 @@ def _times(left: Any, right: Any) -> Any:
     return left * right
 
 
+def _crossed(left: Any, right: Any) -> Any:
+    """The vector product; of a point its three coordinates."""
+    return np.cross(np.ravel(left)[:3], np.ravel(right)[:3])
+
+
 def _added(left: Any, right: Any) -> Any:
+    if isinstance(left, float) and left == 1 and np.shape(right) == (4, 4):
+        left = np.eye(4)  # the unit matrix is written 1
     if np.shape(left) != np.shape(right):
         raise NotMathsError("a sum of shapes that differ")
     return left + right

@@ -16,8 +16,10 @@ _SIX = ("EX", "EY", "EZ", "EA", "EB", "EC")
 
 
 def _error(six: list[Any]) -> Matrix:
-    x, y, z, a, b, c = six
-    return np.array([[1, -c, b, x], [c, 1, -a, y], [-b, a, 1, z], [0, 0, 0, 1]])
+    x, y, z, a, b, c = np.broadcast_arrays(*six)
+    one, none = np.ones_like(x), np.zeros_like(x)
+    rows = ((one, -c, b, x), (c, one, -a, y), (-b, a, one, z), (none, none, none, one))
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
 def _motion(axis: str, at: float) -> Matrix:
@@ -33,7 +35,9 @@ def _motion(axis: str, at: float) -> Matrix:
 
 
 class NumericChain:
-    """values: axis positions (x .. c), dimensions, errors by their names, all real."""
+    """values: axis positions (x .. c), dimensions, errors by their names, all real; errors may be arrays of one shape,
+    which stands in front of the matrices' then.
+    """
 
     def __init__(self, tree: Mapping[str, Any]) -> None:
         self.bodies = {body["number"]: body for body in tree["body"]}

@@ -35,7 +35,10 @@ class PaperNames(ChainNames):
 
     def of(self, row: Row) -> Names:
         if row.section.startswith("General motion"):
-            return self._carriages() if row.title.startswith("Table 3") or row.text[0] in "r[" else self._general()
+            if row.title.startswith("Table 3") or row.text[0] in "r[":
+                return self._carriages()
+            alone = re.match(r"P_\{([lk])h\} - P_\{\1", row.text) if r"\Delta" not in row.text[:8] else None
+            return self._general(alone[1] if alone else "")
         if row.section.startswith("Sect. 3."):
             number = int(re.findall(r"\((\d+)\)", row.title)[0])
             if number in LINES:
@@ -43,8 +46,11 @@ class PaperNames(ChainNames):
             return self._run(RUNS[number], number) if number in RUNS else self._squareness(number)
         return super().of(row)
 
-    def _general(self) -> Names:
-        """Eqs. (7)-(11): factors any matrices, multiplied in the order of the bodies of Table 3."""
+    def _general(self, alone: str) -> Names:
+        """Eqs. (7)-(11): factors any matrices, multiplied in the order of the bodies of Table 3.
+
+        alone: l or k where the other point stands still.
+        """
         rng = np.random.default_rng(5)
         names: Names = {f"[{j}]_{part}": rng.uniform(-1, 1, (4, 4)) for j in ("SIL", "SIJ", "SJK") for part in PARTS}
         names |= {"r_l": column(*rng.uniform(-1, 1, 3), 1), "r_k": column(*rng.uniform(-1, 1, 3), 1)}
@@ -55,6 +61,8 @@ class PaperNames(ChainNames):
                     for part in parts:
                         at = at @ names[f"[{joint}]_{part}"]
                 names[f"P_{point}{pose}"] = at @ names[f"r_{point}"]
+        for still in set("lk") - {alone} if alone else ():
+            names[f"P_{still}h"] = names[f"P_{still}0"]
         moved = {p: names[f"P_{p}h"] - names[f"P_{p}0"] for p in "lk"}
         return names | {r"\DeltaP": moved["l"] - moved["k"], "h": 0.0}
 
@@ -157,9 +165,9 @@ class PaperNames(ChainNames):
             angles = rng.uniform(0.2, 1, (SAMPLES, 3))
             names |= {f"{axis}_i": at[1:], f"{axis}_i-1": at[:-1]}
             names |= {rf"\varepsilon_{d}({axis}_i)": angles[:, k] for k, d in enumerate(AXES)}
-            turned = np.cross(angles, np.eye(3)[n])
-            names |= {f"P_{d}{axis}": float(turned[:, k] @ np.diff(at)) for k, d in enumerate(AXES) if d != axis}
-        return names
+            steps = (np.cross(angles, np.eye(3)[n]).T * np.diff(at)).T[: SAMPLES - 1]  # up to position h
+            names |= {f"P_{d}{axis}": float(steps[:, k].sum()) for k, d in enumerate(AXES) if d != axis}
+        return names | {"h": SAMPLES - 1, "n": SAMPLES}
 
 
 def _cosine(a: tuple[float, ...], b: tuple[float, ...]) -> float:

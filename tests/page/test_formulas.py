@@ -72,7 +72,7 @@ def test_sensitivities_are_derivatives() -> None:
 def test_symbols_name_what_they_are(name: str) -> None:
     own = names(name)
     _, *table = cells_of(page(name), "## Symbols")
-    listed = {cells[1].split("`")[1]: cells for cells in table}
+    listed = {cells[1].split('"')[1]: cells for cells in table}
     for file_name in (*own.chain.components, *own.chain.located, *own.chain.dimensions):
         latex, _, unit, meaning = listed[file_name]
         assert own.base[re.sub(r"[{}$]", "", latex)] == own.values[file_name], latex
@@ -163,7 +163,7 @@ def test_errata_stand_beside_the_equations_that_they_concern() -> None:
     stated: dict[int | str, set[int]] = {}
     for erratum in ERRATA:
         for mend in erratum.mends:
-            source = {47: None, "Sect. 2.1": None, "Table 7": None, 45: None}.get(mend.source, mend.source)
+            source = None if mend.source in (45, 47, "Sect. 2.1", "Sect. 5.1", "Table 7") else mend.source
             if source is not None:
                 stated.setdefault(source, set()).add(erratum.number)
     for source, numbers in BESIDE.items():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import numpy as np
@@ -11,7 +12,8 @@ from . import chain
 from .claims_systems import single_axis_matrices
 from .notation import DIRECTIONS, Formula
 from .printed import EQUATIONS
-from .printed.compensation import BAR_LENGTH, PLANE, STROKES
+from .printed.compensation import FIGURES, STROKES
+from .printed.conditions import TEST_CONDITIONS
 from .printed.polynomials import MODEL_NAMES
 from .printed.tables import MOTIONS, TRANSFORMS
 
@@ -115,7 +117,8 @@ def follows() -> dict[tuple[int | str, str], object]:
         (3, "expanded product"): branch(TOOL),
         ("Sect. 2.1", "axes that carry C and B"): _carriers(),
         (47, "matrix that it defines"): MODEL_NAMES[1],
-        ("Table 7", "full circle of the bar within the strokes"): _circle_fits(),
+        ("Table 7", "radius of a whole circle, mm"): largest_radius(),
+        ("Sect. 5.1", "figures that show the vectors"): _figures_of_vectors(),
         (36, "projections named in the text"): _left_sides(36, "L_"),
     }
     for table, cells in (("Table 1", _table_1()), ("Table 2", _table_2()), ("Table 3", _table_3())):
@@ -130,9 +133,14 @@ def _carriers() -> tuple[str, ...]:
     return tuple(axis[lower[end]] for end in (WORKPIECE, TOOL))
 
 
-def _circle_fits() -> bool:
-    """A whole circle of the bar's length about one ball needs twice that length in both axes of its plane."""
-    return all(STROKES[axis] >= 2 * BAR_LENGTH for axis in PLANE)
+def largest_radius() -> float:
+    """Radius of the largest whole circle: its diameter is the shorter stroke in its plane."""
+    return min(STROKES[axis] for axis in TEST_CONDITIONS.plane) / 2
+
+
+def _figures_of_vectors() -> tuple[int, ...]:
+    """Figures whose captions speak of the vector between the balls and of the frames that it is taken to."""
+    return tuple(number for number, caption in FIGURES.items() if re.search("vector|coordinate system", caption))
 
 
 def _left_sides(equation: int, head: str) -> tuple[str, ...]:

@@ -166,7 +166,7 @@ OF_SQUARENESS_AND_DATA: tuple[Erratum, ...] = (
         "Table 7",
         Kind.CONFLICT,
         "a whole circle of 300 mm radius needs 600 mm, X has 540 mm",
-        (Mend("Table 7", "full circle of the bar within the strokes", instead=False),),
+        (Mend("Table 7", "radius of a whole circle, mm", instead=270.0),),
     ),
     Erratum(
         43,
@@ -174,5 +174,12 @@ OF_SQUARENESS_AND_DATA: tuple[Erratum, ...] = (
         Kind.CONFLICT,
         '25.1 µm is not "little worse" than 0.53 µm',
         shown_by="test_measured_circle_is_far_from_the_simulation",
+    ),
+    Erratum(
+        44,
+        "Sect. 5.1",
+        Kind.MISPRINT,
+        "the vectors of the bar are in Figs. 4 and 16, not 2 and 16",
+        (Mend("Sect. 5.1", "figures that show the vectors", instead=(4, 16)),),
     ),
 )

@@ -20,7 +20,7 @@ class Kind(StrEnum):
     MISPRINT = "misprint"
     SIGN = "wrong sign"
     FORMULA = "wrong formula"
-    CONFLICT = "conflict between two equations"
+    CONFLICT = "conflict within the paper"
 
 
 @dataclass(frozen=True, slots=True)

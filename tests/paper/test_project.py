@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+import re
 import tomllib
 
 import numpy as np
 import pytest
 import sympy as sp
 
+from trueaxis.demo import inputs
 from trueaxis.derive.chain import chains, matrix
 from trueaxis.derive.first_order import first_order
 from trueaxis.derive.systems import RunPattern, identification
@@ -22,7 +25,9 @@ from .errata import ERRATA
 from .notation import DIRECTIONS, MOTION_ERRORS, POSITION, SQUARENESS, Formula
 from .numeric import mended
 from .printed import PRINTED
-from .printed.tables import POINTS_LINKAGE, POINTS_SINGLE
+from .printed.compensation import STROKES
+from .printed.conditions import TEST_CONDITIONS
+from .printed.tables import POINTS_LINKAGE, POINTS_SINGLE, SQUARENESS_VALUES
 
 DERIVED = [
     (n, part)
@@ -117,14 +122,11 @@ def test_systems_of_the_project_at_the_published_points() -> None:
     """Same order of solution as Sects. 3.2-3.5, and E33: the project's Z system is singular there, no other."""
     systems = identification(project.machine(), _runs()).systems
     renamed = project.names()
-    order = [{str(renamed[sp.Symbol(u, real=True)]) for u in system.unknowns} for system in systems]
-    assert order[:3] == [set(unknowns) for _, _, _, unknowns in SYSTEMS[:3]]
-    # The project takes Eqs. (25) and (38) apart into the blocks that they consist of.
-    assert order[3] | order[4] == set(SYSTEMS[3][3])
-    assert order[5:7] == [set(SYSTEMS[4][3]), set(SYSTEMS[5][3])]
-    assert order[7] | order[8] == set(SYSTEMS[6][3])
+    order = [tuple(str(renamed[sp.Symbol(u, real=True)]) for u in system.unknowns) for system in systems]
+    # Unknowns stand in the paper's order; Eqs. (25) and (38) are taken apart into the blocks that they consist of.
+    assert [*order[:3], order[3] + order[4], *order[5:7], order[7] + order[8]] == [each[3] for each in SYSTEMS]
     singular = [system.unknowns for system in systems if system.numeric_matrix().det() == 0]
-    assert singular == [("EZZ", "EAZ", "EBZ")]
+    assert singular == [("EZZ", "EBZ", "EAZ")]
 
 
 def test_open_combinations_of_the_project() -> None:
@@ -152,3 +154,22 @@ def test_measuring_plan_has_the_printed_points() -> None:
     }
     printed = {tuple(map(float, p)) for t in (POINTS_SINGLE, *POINTS_LINKAGE.values()) for p in t.values()}
     assert planned == printed
+
+
+def test_demonstration_is_under_the_conditions_of_table_7() -> None:
+    """Plane, bar, feed and both directions; the whole circle only as far as the stroke of X allows (E42)."""
+    assert inputs.BAR == TEST_CONDITIONS.bar == TEST_CONDITIONS.radius
+    for word, direction in (("G2", "Clockwise"), ("G3", "Counterclockwise")):
+        program = inputs.circle(clockwise=direction == "Clockwise")
+        arcs = re.findall(r"^(G[23]) X(\S+) Y(\S+) I(\S+) J(\S+) F(\S+)$", program, re.MULTILINE)
+        assert {arc[0] for arc in arcs} == {word}
+        assert direction in TEST_CONDITIONS.directions
+        assert {float(arc[5]) for arc in arcs} == {TEST_CONDITIONS.feed}
+        assert "G17" in program
+        assert TEST_CONDITIONS.plane == "XY"
+    assert inputs.STROKE_X == STROKES["X"] < 2 * TEST_CONDITIONS.radius
+
+
+def test_example_errors_have_the_squareness_of_table_6() -> None:
+    errors = json.loads((project.MACHINE_FILE.parent / "dmu60p_errors.json").read_text(encoding="utf-8"))
+    assert {n.replace("eps", "epsilon"): v for n, v in errors["parameters"].items() if "eps" in n} == SQUARENESS_VALUES

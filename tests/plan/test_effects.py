@@ -12,16 +12,21 @@ import pytest
 from tests.estimation.test_effects import BACKLASH, COSINE, CYCLIC, KNOWN, LAG, LINEAR, THERMAL, WARM, cyclic
 from tests.identify.effect_data import Term, measured, model_with
 from tests.kept import derived
-from tests.plan.data import ROOT
+from tests.plan.data import ROOT, folder
 from tests.plan.promise import NOISE, prior_sizes, readings
 from trueaxis.cli import main
 from trueaxis.effects.kind import Effect
+from trueaxis.error_name import ErrorName
 from trueaxis.estimation.estimate import EstimationOptions, estimate
+from trueaxis.estimation.judgement import judged_component
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
+from trueaxis.identify.estimated import ORIGIN
 from trueaxis.identify.estimated_effects import with_uncertainty
+from trueaxis.identify.weighting import NoiseModel
 from trueaxis.plan.effects import expected_with_effects
-from trueaxis.plan.report import ExpectedEffect
+from trueaxis.plan.method import PlanOptions, judged_plan, proposed
+from trueaxis.plan.report import ExpectedEffect, ProposalReport
 from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues
 
@@ -175,6 +180,25 @@ def test_the_command_says_it_in_words(
     assert list(states.values()) == ["errors", "data", "lacking", "silent"]
     assert "EB0X" in [one["name"] for one in tree["expected"]["locations"]], "a squareness is a location error"
     assert [one["effect"] for one in tree["proposal"]["after"]["effects"]] == list(states)
+
+
+EXX = ErrorName("EXX")
+
+
+def test_runs_are_chosen_beside_unknown_effects() -> None:
+    """u of EXX before and after each run is that of the estimate to expect, lost motion of X among its unknowns."""
+    plan = folder("dmu60p_regular_runs")
+    mill = model_with(BACKLASH)
+    found: dict[bool, ProposalReport] = {}
+    for unknown in (True, False):
+        given = KNOWN if unknown else replace(KNOWN, effects=(EffectValues(BACKLASH, {"width": 0.0}),))
+        options = PlanOptions(given=given, noise=NoiseModel(0.3), tools=(ORIGIN,), wanted="EXX")
+        proposal = proposed(mill, options, plan, 1, ("laser",))
+        found[unknown] = proposal.report
+        for planned, u in ((plan, proposal.report.before), (proposal.planned, proposal.report.added[-1].u)):
+            _, after = judged_plan(mill, options, planned)
+            assert u == pytest.approx(judged_component(after.levelled(), EXX).u_rms, rel=1e-3)
+    assert found[True].before > 1.2 * found[False].before, "lines in one direction: a step at home may be lost motion"
 
 
 def test_values_to_plan_for_are_read_and_checked(

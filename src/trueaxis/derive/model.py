@@ -82,15 +82,19 @@ def _system_routines(machine: Machine, found: Identification) -> Iterator[Routin
 def _system_routine(machine: Machine, index: int, system: IdentificationSystem, inverse: sp.Matrix) -> Routine:
     readings = tuple(f"L{number + 1}" for number in range(len(system.runs)))
     left = sp.Matrix([symbols.named(row) - known for row, known in zip(readings, system.known, strict=True)])
-    rows = tuple(f"found_{name}" for name in system.unknowns)
+    rows = tuple(f"identified_{name}" for name in system.unknowns)
     points = tuple(symbol.name for triple, _, _ in system.points for symbol in triple)
     what = ", ".join(f"xyz of {on} point {number + 1}" for number, (_, on, _) in enumerate(system.points))
+    summary = f"{', '.join(system.unknowns)} from the readings {', '.join(system.runs)}."
+    if system.rank < len(system.unknowns):
+        summary += f" At the points of these runs the rank is {system.rank}: division by zero there."
+    measured = f"displacements read in {', '.join(system.runs)}, less those of the error-free machine"
     return build(
         system_name(index),
-        f"{', '.join(system.unknowns)} from the readings {', '.join(system.runs)}.",
+        summary,
         "Sects. 3.2-3.5, closed form",
         (
-            Argument("readings", readings, (len(readings),), True, "mm", f"readings of {', '.join(system.runs)}"),
+            Argument("readings", readings, (len(readings),), True, "mm", measured),
             library.positions_argument(machine),
             library.errors_argument(machine),
             library.parameters_argument(machine),

@@ -5,7 +5,7 @@ move (first order). Which unknown each equation holds decides the blocks and the
 Location errors are taken as known here, as in Sects. 3.3-3.5 of the paper; `undetermined` says what that hides.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -14,6 +14,7 @@ from trueaxis.blocks import solution_order
 from trueaxis.derive import symbols
 from trueaxis.derive.chain import Vector
 from trueaxis.derive.motion import MotionEquation, motion_equation
+from trueaxis.error_name import DIRECTIONS, ErrorName
 from trueaxis.spec.machine import ROTARY, Machine
 from trueaxis.view import Carrier, Frame
 
@@ -79,13 +80,23 @@ def identification(machine: Machine, runs: Sequence[RunPattern]) -> Identificati
     order = solution_order(held, len(unknowns))
     labels, _ = _labels(runs)  # of all runs together: a point has one name in all systems
     systems = tuple(
-        _system(machine, [runs[e] for e in block.equations], [unknowns[u] for u in block.unknowns], labels)
+        _system(machine, [runs[e] for e in block.equations], in_order(unknowns[u] for u in block.unknowns), labels)
         for block in order.blocks
     )
     seen = {name for reading in readings for name in reading}
     unreached = tuple(unknowns[u] for u in order.undetermined if unknowns[u] in seen)
     unseen = tuple(name for name in machine.components if name not in seen)
     return Identification(systems, unreached, unseen, undetermined(machine, runs))
+
+
+def in_order(unknowns: Iterable[ErrorName]) -> list[ErrorName]:
+    """Unknowns in the paper's order, Eqs. (15)-(34): displacements along X, Y, Z, then rotations about Z, Y, X."""
+    return sorted(unknowns, key=lambda name: (name.is_rotation, _rank(name)))
+
+
+def _rank(name: ErrorName) -> int:
+    rank = DIRECTIONS.index(name.direction)
+    return -rank if name.is_rotation else rank
 
 
 def undetermined(machine: Machine, runs: Sequence[RunPattern]) -> tuple[dict[str, sp.Rational], ...]:

@@ -8,11 +8,11 @@ import sympy as sp
 from trueaxis.derive import symbols
 from trueaxis.derive.branch_steps import BranchStep, Columns, branch_steps
 from trueaxis.derive.chain import Joint, Vector, chains, matrix
-from trueaxis.derive.first_order import first_order
+from trueaxis.derive.first_order import FirstOrder, first_order
 from trueaxis.derive.views import view
 from trueaxis.emit.latex import Latex
 from trueaxis.emit.rows import WIDEST, block_width, broken
-from trueaxis.spec.machine import Machine
+from trueaxis.spec.machine import ROTARY, Machine
 
 AXES = ("x", "y", "z")
 _PARTS = ("p", "pe", "s", "se")
@@ -58,6 +58,7 @@ class ChainTexts:
     relative: tuple[Row, ...]
     in_bed: tuple[Row, ...]
     turned: tuple[Row, ...]
+    workpiece_turns: bool
     position: tuple[Row, ...]
 
 
@@ -78,14 +79,24 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
         tuple(matrix_rows("M", _pose(main.ideal), latex, "M_{{{}}}")),
         tuple(broken(f"P_{row}", latex.terms(point[i])) for i, row in enumerate(AXES)),
         tuple(_turned(ends[0][:3, :3].T, latex)),
-        tuple(
-            broken(
-                f"P^W_{{T{row}}}",
-                latex.terms(main.ideal[i]) + latex.linear({n: c[i] for n, c in main.columns.items()}),
-            )
-            for i, row in enumerate(AXES)
-        ),
+        ends[0][:3, :3] != sp.eye(3),
+        tuple(_position(machine, main, latex)),
     )
+
+
+def _position(machine: Machine, main: FirstOrder, latex: Latex) -> Iterator[Row]:
+    """The tool point with its deviation; by M and d where an axis turns: written out it would fill two pages."""
+    turning = any(axis in ROTARY for axis in machine.axes)
+    ideal = _pose(main.ideal)
+    for i, row in enumerate(AXES):
+        if turning:
+            held = [k for k in range(4) if ideal[i, k] != 0]
+            terms = [f"M_{{{i + 1}{k + 1}}} r_{{{AXES[k]}}}" if k < 3 else f"M_{{{i + 1}4}}" for k in held]
+            terms.append(f"d_{{{row}}}")
+            yield f"P^W_{{T{row}}} &= " + " + ".join(terms)
+        else:
+            deviation = latex.linear({name: column[i] for name, column in main.columns.items()})
+            yield broken(f"P^W_{{T{row}}}", latex.terms(main.ideal[i]) + deviation)
 
 
 def _pose(ideal: Vector) -> sp.Matrix:

@@ -1,6 +1,7 @@
 """equations.md: the derivation of one machine as a person reads it, on a page that GitHub renders."""
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -10,17 +11,19 @@ from trueaxis.derive.first_order import first_order
 from trueaxis.derive.model import DerivedModel
 from trueaxis.derive.views import view
 from trueaxis.emit.chain_section import Row, chain_texts
-from trueaxis.emit.dropped_terms import dropped_terms
+from trueaxis.emit.dropped_terms import DRAWS, dropped_terms
 from trueaxis.emit.effect_section import effect_symbols, effect_texts
 from trueaxis.emit.latex import Latex, joined
 from trueaxis.emit.meta import ABI, spec_name
-from trueaxis.emit.paper_layout import TITLE
+from trueaxis.emit.notation import notation
+from trueaxis.emit.paper_layout import TITLE, beside
 from trueaxis.emit.paper_section import is_the_papers, paper_part
+from trueaxis.emit.paper_tables import kinds_of_table_1
 from trueaxis.emit.rows import WIDEST, broken, width
 from trueaxis.emit.system_section import motion_text, system_text
 from trueaxis.emit.templates import environment
 from trueaxis.emit.undetermined import combination_text
-from trueaxis.spec.machine import Body, Machine
+from trueaxis.spec.machine import ROTARY, Body, Machine
 from trueaxis.topology import lower_body_array
 
 _NAMES = 9.0  # em, of the first two columns of the table of sensitivities
@@ -35,16 +38,23 @@ def page_context(model: DerivedModel, spec: str = "") -> dict[str, Any]:
     """The variables of equations.md.j2."""
     machine = model.machine
     latex = Latex(machine)
+    paper = is_the_papers(model)
     return {
         "spec": spec or spec_name(machine),
         "digest": machine.digest,
         "abi": ABI,
         "title": machine.title,
         "paper_title": TITLE,
-        "paper": paper_part(model) if is_the_papers(model) else None,
+        "paper": paper_part(model) if paper else None,
+        "beside": partial(beside, linked=paper),
+        "turning": any(axis in ROTARY for axis in machine.axes),
         "bodies": list(lower_body_array(machine)),
         "body_rows": [_body_row(body) for body in machine.bodies],
-        "symbols": [(t.latex, name, t.unit, t.description) for name, t in symbols.describe(machine).items()],
+        "symbols": _symbols(machine, paper=paper),
+        "not_in_files": [
+            s(axis).name for axis in machine.axes if axis in ROTARY for s in (symbols.cosine, symbols.sine)
+        ],
+        "notation": list(notation(model, paper=paper)),
         "true_rotation": machine.true_rotation,
         "chain": chain_texts(machine, latex),
         "dropped": _dropped(model),
@@ -68,6 +78,15 @@ def _systems(model: DerivedModel, latex: Latex) -> dict[str, Any]:
         "undetermined": [combination_text(machine, c) for c in found.combinations] if found else [],
         "unseen": ", ".join((*found.unseen, *found.unreached)) if found else "",
     }
+
+
+def _symbols(machine: Machine, *, paper: bool) -> list[tuple[str, str, str, str]]:
+    """Rows of LaTeX, name, unit and meaning; pitch and yaw of the paper's machine are told apart by its Table 1."""
+    kinds = kinds_of_table_1() if paper else {}
+    return [
+        (text.latex, name, text.unit, kinds.get(name, text.description))
+        for name, text in symbols.describe(machine).items()
+    ]
 
 
 def _body_row(body: Body) -> tuple[object, ...]:
@@ -102,7 +121,7 @@ def _correction(model: DerivedModel, latex: Latex) -> list[Row]:
 def _dropped(model: DerivedModel) -> Mapping[str, str]:
     found = dropped_terms(model.machine, model.routines)
     sizes = {"deviation": found.deviation, "rms": found.rms, "largest": found.largest}
-    return {name: f"{float(f'{size:.2g}'):g}" for name, size in sizes.items()}
+    return {name: f"{float(f'{size:.2g}'):g}" for name, size in sizes.items()} | {"draws": str(DRAWS)}
 
 
 def _operations(per_point: int, per_call: int) -> str:

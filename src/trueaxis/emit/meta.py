@@ -13,7 +13,7 @@ from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import context_of
 from trueaxis.spec.machine import ROTARY, Machine
 
-ABI = 2  # raised whenever the signature, layout or meaning of a kernel changes
+ABI = 3  # raised whenever the signature, layout or meaning of a kernel changes
 
 
 # What a comment of C, Python and Markdown may hold: no end of a comment, no second line.

@@ -134,9 +134,10 @@ ERRATA: dict[int | str, tuple[int, ...]] = {
     10: (8,),
     11: (8, 9),
     13: (10,),
+    17: (33,),
     18: (10, 11),
     19: (12,),
-    20: (12,),
+    20: (12, 33),
     21: (13,),
     22: (14, 15),
     23: (16,),
@@ -155,8 +156,11 @@ ERRATA: dict[int | str, tuple[int, ...]] = {
     37: (10, 14, 15),
     38: (10,),
     39: (27, 28, 29, 30),
-    41: (31,),
+    40: (30,),
+    41: (30, 31),
+    42: (30,),
     43: (30, 32),
+    53: (39,),
     54: (39,),
     55: (40,),
     56: (41,),
@@ -164,8 +168,8 @@ ERRATA: dict[int | str, tuple[int, ...]] = {
 """Errata of docs/errata.md by equation or table."""
 
 
-def beside(*sources: int | str) -> str:
-    """Links to the errata of equations or tables, for behind their numbers; empty where they agree."""
+def beside(*sources: int | str, linked: bool = True) -> str:
+    """Errata of equations or tables, for behind their numbers, as links or as numbers; empty where there are none."""
     numbers = sorted({number for source in sources for number in ERRATA.get(source, ())})
-    links = ", ".join(f"[E{number}]({ERRATA_PAGE}#e{number})" for number in numbers)
-    return f" (differs: {links})" if links else ""
+    texts = ", ".join(f"[E{number}]({ERRATA_PAGE}#e{number})" if linked else f"E{number}" for number in numbers)
+    return f" (errata: {texts})" if texts else ""

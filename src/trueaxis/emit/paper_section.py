@@ -7,6 +7,7 @@ import sympy as sp
 
 from trueaxis.derive.model import DerivedModel
 from trueaxis.emit.latex import Latex, is_negative, joined
+from trueaxis.emit.paper_kernels import kernel_lines, reduced
 from trueaxis.emit.paper_layout import ERRATA_PAGE, PATTERNS, RUNS, Pattern, Reading, System, beside
 from trueaxis.emit.paper_notation import AXES, Form, form, monomial_terms, motion, paper_latex
 from trueaxis.emit.paper_tables import Table1, points, position_errors, table_1, table_3
@@ -19,7 +20,9 @@ Row = str
 
 @dataclass(frozen=True)
 class Block:
-    """One numbered equation: a title, a sentence before it, plain maths or rows or both, a warning behind it."""
+    """One numbered equation: a title, a sentence before it, plain maths or rows or both, behind it a warning and
+    what its kernels take and return.
+    """
 
     number: int
     title: str
@@ -27,6 +30,7 @@ class Block:
     maths: str = ""
     rows: tuple[Row, ...] = ()
     warning: str = ""
+    kernels: tuple[str, ...] = ()
 
     @property
     def beside(self) -> str:
@@ -124,8 +128,11 @@ def _motion_block(machine: Machine, pattern: Pattern, latex: Latex) -> Block:
         left = " - ".join(_difference(text, axis, bracket=n > 0) for n, text in enumerate(differences))
         column = {name: entry[i] for name, entry in equation.motion.columns.items()}
         rows.append(broken(left, latex.terms(equation.motion.ideal[i]) + monomial_terms(column, latex)))
-    views = " less ".join(f"`{view_of(seen, 'bed')}`" for _, seen, _ in equation.terms)
-    text = f"Eq. (11) with the columns {pattern.axes} of Table 3; to first order the view {views}, there less at home:"
+    views = " less that of ".join(f"the view `{view_of(seen, 'bed')}`" for _, seen, _ in equation.terms)
+    sign = "" if "Y" in pattern.axes else "The negative of "
+    text = (
+        f"{sign}Eq. (11) with the columns {pattern.axes} of Table 3; to first order the change since home of {views}:"
+    )
     return Block(pattern.motion, f"motion of {pattern.title}", text, rows=tuple(rows))
 
 
@@ -152,7 +159,8 @@ def _reading_blocks(machine: Machine, pattern: Pattern, latex: Latex) -> Iterato
         rows = tuple(_reading_row(machine, pattern, Reading("i", d), latex) for d in directions)
         yield Block(number, "readings", text, rows=rows)
     for number, readings in pattern.special:
-        text = f"The same at the points of Table 5, rows of Eq. ({pattern.motion}):"
+        projected = f"; their projections are those of Eq. ({pattern.projected[0]})" if pattern.projected else ""
+        text = f"The same at the points of Table 5, rows of Eq. ({pattern.motion}){projected}:"
         rows = tuple(_reading_row(machine, pattern, reading, latex) for reading in readings)
         yield Block(number, "readings at the measured points", text, rows=rows)
 
@@ -169,20 +177,24 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
     unknowns = r"\begin{bmatrix}" + r"\\".join(latex.symbol(name) for name in system.unknowns) + r"\end{bmatrix}"
     known = [{n: c for n, c in f.columns.items() if n not in system.unknowns} for f in forms]
     warning = _rank_warning(model, system)
+    kernels = tuple(kernel_lines(model, pattern, system, forms, latex))
+    assumed = _assumed(machine, forms, latex)
     if not system.rows:
         left = r"\begin{bmatrix}" + r"\\".join(
-            _reduced(r, f, latex) for r, f in zip(system.readings, forms, strict=True)
+            reduced(r, f, latex) for r, f in zip(system.readings, forms, strict=True)
         )
         left += r"\end{bmatrix}"
         text = f"The rows of Eq. ({pattern.motion}) that are read at the three points of Table 4:"
         maths = f"{left} = {latex(matrix)} {unknowns}"
         yield Block(system.number, f"system of {pattern.title}", text, maths, warning=warning)
         maths = f"{unknowns} = {latex(matrix)}^{{-1}} {left}"
-        yield Block(system.solution, f"solution of {pattern.title}", _kernel_text(model, system), maths)
+        title, text = f"solution of {pattern.title}", f"Eq. ({system.number}) solved:"
+        yield Block(system.solution, title, text, maths, warning=warning, kernels=kernels)
         return
     if system.number:
         sources = " and ".join(f"({number})" for number, rows in pattern.special if set(rows) & set(system.readings))
-        text = f"Eq. {sources} as a system; what is known by now is on the right, in $b_k$:"
+        right = f"On the right, in $b_k$, are the readings and the errors identified before{assumed}:"
+        text = f"Eq. {sources} as a system. {right}"
         names = [f"b_{{{k + 1}}}" for k in range(len(forms))]
         stack = r"\begin{bmatrix}" + r"\\".join(names) + r"\end{bmatrix}"
         rows = tuple(
@@ -191,11 +203,15 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
         )
         yield Block(system.number, "system", text, f"{latex(matrix)} {unknowns} = {stack}", rows)
     rows = tuple(_closed_forms(system, forms, latex))
-    yield Block(system.solution, "solution", _kernel_text(model, system), rows=rows)
+    source = system.number or next(number for number, rows in pattern.special if set(rows) >= set(system.readings))
+    yield Block(system.solution, "solution", f"Eq. ({source}) solved{assumed}:", rows=rows, kernels=kernels)
 
 
-def _reduced(reading: Reading, found: Form, latex: Latex) -> str:
-    return joined([f"+ {reading.latex}", *latex.terms(-found.ideal)])
+def _assumed(machine: Machine, forms: list[Form], latex: Latex) -> str:
+    """`; eps_xz is assumed to be known`: no reading gives the location errors that these have."""
+    names = [name for name in machine.location_errors if any(name in form.columns for form in forms)]
+    listed = ", ".join(f"${latex.symbol(name)}$" for name in names)
+    return f"; {listed} is assumed to be known ([E30]({ERRATA_PAGE}#e30))" if names else ""
 
 
 def _known_terms(reading: Reading, found: Form, known: dict[str, sp.Expr], latex: Latex) -> list[str]:
@@ -244,15 +260,6 @@ def _rotation_row(
     return f"{latex.symbol(rotation)} &= \\frac{{{top}}}{{{joined(latex.terms(base))}}}"
 
 
-def _kernel_text(model: DerivedModel, system: System) -> str:
-    found = model.identification
-    assert found is not None
-    kernels = [
-        f"`system_{k + 1}`" for k, each in enumerate(found.systems) if set(each.unknowns) <= set(system.unknowns)
-    ]
-    return f"In the kernels {' and '.join(kernels)}:"
-
-
 def _rank_warning(model: DerivedModel, system: System) -> str:
     found = model.identification
     assert found is not None
@@ -260,6 +267,6 @@ def _rank_warning(model: DerivedModel, system: System) -> str:
         if set(each.unknowns) == set(system.unknowns) and each.rank < len(each.unknowns):
             return (
                 f"**At these points the rank is {each.rank}, less than the {len(each.unknowns)} unknowns: this system "
-                f"has no single solution** ([E33]({ERRATA_PAGE}#e33))."
+                f"has no unique solution** ([E33]({ERRATA_PAGE}#e33))."
             )
     return ""

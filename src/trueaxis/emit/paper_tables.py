@@ -31,6 +31,12 @@ class Table1:
     rows: tuple[tuple[str, ...], ...]
 
 
+def kinds_of_table_1() -> dict[str, str]:
+    """`yaw error of X` for each rotation of an axis."""
+    turns = [(kind, errors) for kind, errors in _TABLE_1 if kind in ("roll error", "pitch error", "yaw error")]
+    return {name: f"{kind} of {axis}" for kind, errors in turns for axis, name in zip("XYZ", errors, strict=True)}
+
+
 def table_1(machine: Machine) -> Iterator[tuple[str, ...]]:
     """Rows of Table 1: a name, then the errors of the axes X, Y, Z, linked to the table of symbols."""
     texts = symbols.describe(machine)

@@ -10,7 +10,6 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import Datum
 from trueaxis.identify.weighting import NoiseModel
-from trueaxis.identify.words import enumerated
 from trueaxis.measure.setup import Device, Instrument, Run, Vector
 from trueaxis.plan.candidates import LENGTHS, Candidate, Kit
 from trueaxis.plan.choice import LEAST_FALL, Chosen
@@ -68,7 +67,7 @@ def judged_plan(model: MachineModel, options: PlanOptions, planned: PlannedRuns)
         blocks_fault=blocks.fault if blocks else "",
         free_of_order=blocks.left_out if blocks else tuple(run.id for run in observed.runs),
         location_sets=location_sets(model, options.given),
-        notes=(*_effect_notes(model), *_travel_notes(model, observed)),
+        notes=_travel_notes(model, observed),
     )
     return report, found
 
@@ -152,19 +151,13 @@ def _kit_of(runs: Sequence[Run], options: PlanOptions, instruments: Sequence[Ins
 
 def _wish(options: PlanOptions, kit: Kit) -> Wish:
     noise = noise_of_instruments(kit.instruments, kit.devices, options.noise)
-    return Wish(wanted=options.wanted, datum=options.datum, tools=options.tools, noise=noise)
+    return Wish(wanted=options.wanted, datum=options.datum, tools=options.tools, noise=noise, effects=options.effects)
 
 
 def _unit(model: MachineModel, wanted: str) -> str:
     if wanted in model.components:
         return ErrorName(wanted).unit
     return model.machine.parameter_unit(wanted) if wanted in model.location_errors else "mm"
-
-
-def _effect_notes(model: MachineModel) -> tuple[str, ...]:
-    if not model.effects:
-        return ()
-    return (f"{enumerated([one.label for one in model.effects])}: --propose chooses runs as if they were known",)
 
 
 def _travel_notes(model: MachineModel, observed: Observations) -> tuple[str, ...]:

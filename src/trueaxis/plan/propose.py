@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trueaxis.estimation.effects.planned import planned_effects
 from trueaxis.estimation.expected import expected_posterior, informing_rows
 from trueaxis.estimation.gauge import levelling
 from trueaxis.estimation.judgement import SAMPLES
@@ -17,6 +18,7 @@ from trueaxis.plan.candidates import Candidate, Kit, candidates
 from trueaxis.plan.choice import Chosen, Offer, choose
 from trueaxis.plan.measuring_time import SET_UP_MINUTES, run_minutes, set_up_of
 from trueaxis.plan.runs import PlannedRuns
+from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues
 from trueaxis.runtime.model import MachineModel
 
@@ -27,13 +29,15 @@ LEAST_FREEDOM = 20  # degrees of freedom of repeats: the noise of an instrument 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wish:
     """What proposed runs are for. wanted: VOLUME, a component or a location error; tools: points in the tool frame
-    whose place against the datum counts, mm; noise: standard deviation of readings by instrument, mm.
+    whose place against the datum counts, mm; noise: standard deviation of readings by instrument, mm; effects: values
+    at which effects of the spec are linearised.
     """
 
     wanted: str
     datum: Datum
     tools: tuple[Vector, ...]
     noise: dict[str, float]
+    effects: tuple[EffectValues, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,7 +75,8 @@ def propose(
     first = len(there.runs)
     offered = candidates(model.with_values(given), kit)
     everything = there.with_added(offered).observed
-    layout = layout_of(model.with_values(given), everything, given)
+    effects = planned_effects(model, everything, given, wish.effects).unknowns
+    layout = layout_of(model.with_values(given), everything, given, effects)
     before, _ = expected_posterior(layout, everything.of(np.flatnonzero(everything.run < first)), noise)
     scale = before.scale * layout.sizes
     rows = [one.rows for one in measured_runs(everything) if one.rows.index >= first]

@@ -21,7 +21,7 @@ Kernel = Callable[..., Any]
 
 _LOG = logging.getLogger(__name__)
 
-ABI = 2  # of the kernels that this runtime calls
+ABI = 3  # of the kernels that this runtime calls
 BACKENDS = ("auto", "c", "numpy")
 
 

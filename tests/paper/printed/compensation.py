@@ -58,8 +58,12 @@ COMPENSATION: tuple[Printed, ...] = (
     Printed(56, "end of the iteration", "5.1", (Definition("accepted", sp.Symbol("accepted"), ACCEPTED),)),
 )
 
-PLANE, BAR_LENGTH = "XY", 300.0
-"""Table 7, "XY 360 deg 300 mm": plane of the circle and length of the ball bar, mm."""
+FIGURES = {
+    2: "The topology structure of the MAMT",
+    4: "The relative motion path vector map between two ends of DBB",
+    16: "The schematic diagram of the coordinate system transformation",
+}
+"""Captions of the figures that Sects. 2.3 and 5.1 refer to for vectors."""
 STROKES = {"X": 540.0, "Y": 700.0, "Z": 600.0}
 """Sect. 4.1, mm."""
 LARGEST_ERROR_SIMULATED, LARGEST_ERROR_MEASURED = 0.53, 25.1

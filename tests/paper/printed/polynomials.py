@@ -78,7 +78,20 @@ POLYNOMIALS: tuple[Printed, ...] = (
             for i in range(ORDER)
         ),
     ),
-    Printed(47, "powers of the positions", "4.3", (Entry("matrix that it defines", "x"),)),
+    Printed(
+        47,
+        "powers of the positions",
+        "4.3",
+        (
+            Entry("matrix that it defines", "x"),
+            # Below Eq. (47): X is got from x by letting X_ij be x_j to the power i.
+            *(
+                Definition(f"X_{i}{j}", regressor(i, j), position(j) ** i)
+                for i in range(1, ORDER + 1)
+                for j in range(1, SAMPLES + 1)
+            ),
+        ),
+    ),
     Printed(
         48,
         "polynomial as a linear model",

@@ -59,9 +59,9 @@ V, P = positions("v"), sp.IndexedBase("P_uv", real=True)
 DENOMINATOR = COUNT * total(V[INDEX] ** 2) - total(V[INDEX]) ** 2
 
 
-def _ratio(pair: str) -> Definition:
+def _ratio(pair: str) -> Formula:
     axis = sp.Symbol(pair[1], real=True)
-    return Definition(f"P'_{pair}", axis, (fitted(pair) - intercept(pair)) / slope(pair))
+    return Formula(f"P'_{pair}", axis, (fitted(pair) - intercept(pair)) / slope(pair), "fitted lines")
 
 
 def _cosine(dot: sp.Expr, first: tuple[str, str], second: tuple[str, str]) -> sp.Expr:

@@ -1,10 +1,11 @@
-"""Tables 1-6 as printed (4-6 are the data that Sect. 3 is judged by), and the figures of Sect. 5 that are ratios."""
+"""Tables 1-7 as printed (4-6 are the data that Sect. 3 is judged by), and the figures of Sect. 5 that are ratios."""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from ..notation import DIRECTIONS, EPS_XY, EPS_XZ, EPS_YZ, X_H, Y_H, Z_H, Entry, Printed, delta, eps
+from ..notation import DIRECTIONS, EPS_XY, EPS_XZ, EPS_YZ, X_H, Y_H, Z_H, Definition, Entry, Printed, delta, eps
+from .conditions import TEST_CONDITIONS
 
 IDENTITY = sp.ImmutableDenseMatrix.eye(4)
 
@@ -179,12 +180,19 @@ TABLES: tuple[Printed, ...] = (
         "Table 6",
         "squareness values",
         "4.2",
-        (),
+        tuple(Definition(name, sp.Symbol(name, real=True), sp.Float(v)) for name, v in SQUARENESS_VALUES.items()),
     ),
     Printed(
         "Table 7",
         "test conditions",
         "5.3",
-        (Entry("full circle of the bar within the strokes", True),),
+        (Entry("radius of a whole circle, mm", TEST_CONDITIONS.radius),),
+    ),
+    Printed(
+        "Sect. 5.1",
+        "figures of the vectors of the bar",
+        "5.1",
+        # "coincident with the vector difference of P_Ti ideal^W and P_W at any moment, as shown in Figs. 2 and 16"
+        (Entry("figures that show the vectors", (2, 16)),),
     ),
 )
