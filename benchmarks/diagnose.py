@@ -3,7 +3,8 @@
 The standard campaign of the tests' generator (three axes, twelve laser lines three times each, circles by ball bar, one
 effect hidden, the whole library) with more and more targets and samples. Each size in a process of its own, all stages
 in one thread: seconds of the processor, and the largest memory of the process, Python and libraries included. Then the
-whole command by the clock, on so many cores, where the system lets a process choose them (Linux).
+whole command by the clock, on so many cores, where the system lets a process choose them (Linux). With two of them a
+second process does the stages with a star.
 """
 
 import argparse
@@ -54,7 +55,9 @@ STAGES = (  # functions, and the stage that their time counts for; of one within
     ("diagnose.procedure", "prospect_of", "next runs"),
     ("diagnose.write_up", "ahead_of", "next runs"),
     ("diagnose.write_up", "next_runs", "next runs"),
-    ("commands.diagnose", "_extension", "extension"),
+    ("commands.diagnose", "_values", "values anew"),
+    ("commands.drawn_and_derived", "drawn_and_derived", "kernels *"),
+    ("commands.drawn_and_derived", "pictures_of", "figures *"),
     ("diagnose.report.html", "report_html", "writing"),
     ("diagnose.report.json_file", "diagnosis_json", "writing"),
 )
@@ -105,9 +108,9 @@ class InTurn:
 
 
 @contextmanager
-def _here(_: str):  # type: ignore[no-untyped-def]
+def _here(module: str):  # type: ignore[no-untyped-def]
     """Takes the place of a second process: the call is made here."""
-    yield lambda function, *given: lambda: getattr(import_module("trueaxis.diagnose.report.html"), function)(*given)
+    yield lambda function, *given: lambda: getattr(import_module(module), function)(*given)
 
 
 def made(folder: Path, readings: int) -> None:

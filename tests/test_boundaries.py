@@ -21,6 +21,7 @@ SYMBOLIC = {"sympy", "jinja2"}
 # The HTML report is a template too. It loads Jinja2 when a report is written, never when it is imported
 # (test_a_fresh_interpreter_runs_without_symbolic_libraries holds it to that); SymPy stays forbidden to it.
 REPORT = "trueaxis.diagnose.report."
+PAGES = (REPORT, "trueaxis.certificate.page")
 
 
 @cache
@@ -94,7 +95,7 @@ def test_what_lies_right_of_the_generated_files_does_not_import_what_lies_left()
             continue
         for name in imported(module, lazily=package_of(module) not in ("commands", "demo")):
             assert package_of(name) not in LEFT or not name.startswith("trueaxis."), f"{module} imports {name}"
-            allowed = {"jinja2"} if module.startswith(REPORT) else set()
+            allowed = {"jinja2"} if module.startswith(PAGES) else set()
             assert name.split(".")[0] not in SYMBOLIC - allowed, f"{module} imports {name}"
 
 
@@ -122,6 +123,17 @@ def test_effects_import_nothing_of_the_project_but_faults_and_names() -> None:
         if package_of(module) == "effects":
             found = {package_of(name) for name in imported(module, lazily=True) if name in modules()}
             assert found <= {"effects", "faults", "error_name"}, module
+
+
+def test_what_computes_a_diagnosis_writes_no_sentences() -> None:
+    computing = [name for name in modules() if name.startswith("trueaxis.diagnose.") and not name.startswith(REPORT)]
+    found = [
+        f"{module} imports {name}"
+        for module in computing
+        for name in imported(module, lazily=True)
+        if name.startswith((REPORT, "trueaxis.reporting."))
+    ]
+    assert found == []
 
 
 def test_a_fresh_interpreter_runs_without_symbolic_libraries() -> None:

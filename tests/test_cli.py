@@ -95,6 +95,23 @@ def test_wrong_usage_is_2_on_standard_error(words: list[str], capsys: pytest.Cap
     assert shown.err.startswith("usage: trueaxis")
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["diagnose", "m.toml", "--dat", "d", "--out", "o"], "there is no option --dat, did you mean --data?"),
+        (["diagnose", "m.toml", "--data=d", "--outt=o"], "there is no option --outt, did you mean --out?"),
+        (["identify", "m.toml", "--noise", "1"], "there is no option --noise, did you mean --noise-um?"),
+    ],
+)
+def test_options_are_typed_in_full_and_the_nearest_is_named(
+    words: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as stop:
+        main(words)
+    assert stop.value.code == 2
+    assert said in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("command", TAKE_A_MACHINE)
 def test_every_fault_of_a_spec_is_told_and_nothing_is_written(
     command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -173,9 +190,10 @@ class TestDerive:
         shown = paper.shown
         assert "L^1  0  1  2  1  5  6" in shown
         assert "4. XZ-1x, XZ-2x -> EXZ, ECZ" in shown
-        assert "\nX+ commands move the tool to X+ of the workpiece\n" in shown
+        assert "\nX+ commands move the tool to X+ of the workpiece, from 0 to 540 mm there\n" in shown
         told = (
-            "\nY+ commands move the tool to Y- of the workpiece: Y slide carriage moves to Y+ (`sense = -1` where the "
+            "\nY+ commands move the tool to Y- of the workpiece, from 0 to -700 mm there: "
+            "Y slide carriage moves to Y+ (`sense = -1` where the "
         )
         assert f"{told}control counts the other way)\n" in shown
 

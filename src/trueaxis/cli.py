@@ -1,6 +1,7 @@
 """The command line: one parser, one module per command, one place where wrong input becomes exit code 2."""
 
 import argparse
+import difflib
 import importlib
 import keyword
 import logging
@@ -8,7 +9,7 @@ import os
 import re
 import sys
 from collections.abc import Sequence
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from trueaxis import __version__
 from trueaxis.faults import Fault, InputError
@@ -29,6 +30,7 @@ COMMANDS = (
     "evaluate",
     "import",
     "export",
+    "report",
     "demo",
 )
 WRONG_INPUT = 2
@@ -116,11 +118,30 @@ class _Warnings(logging.Handler):
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser whose errors are one line that is safe to show, whatever was typed."""
+    """A parser whose errors are one line that is safe to show, whatever was typed; options are typed in full."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__(*args, **{**kwargs, "allow_abbrev": False})
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """As argparse does, after a look at every option of a command: what is not one is named with the nearest."""
+        if self._subparsers is None and args is not None:
+            known = [name for name in self._option_string_actions if name.startswith("--")]
+            typed = [word.partition("=")[0] for word in args[: args.index("--") if "--" in args else None]]
+            unknown = [word for word in typed if word.startswith("--") and word not in known]
+            if unknown:
+                self.error("; ".join(f"there is no option {word}{_nearest(word, known)}" for word in unknown))
+        return super().parse_known_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong and how the command is used; ends with exit code 2."""
         super().error(shown(message))
+
+
+def _nearest(word: str, known: Sequence[str]) -> str:
+    """`, did you mean --out?`; empty where none is near."""
+    near = [name for name in known if name.startswith(word)] or difflib.get_close_matches(word, known)
+    return f", did you mean {' or '.join(near)}?" if near else ""
 
 
 def _joined(words: Sequence[str]) -> list[str]:

@@ -70,7 +70,7 @@ class Bench:
             self.program,
             self.out,
             XyzMachine() if machine is None else machine,  # type: ignore[arg-type]
-            Settings(**settings),  # type: ignore[arg-type]
+            Settings(**({"arcs": "chords"} | settings)),  # type: ignore[arg-type]  # `execute` knows lines alone
             language=language,
             name="in.nc",
         )

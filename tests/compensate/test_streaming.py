@@ -55,7 +55,9 @@ def test_many_circles_are_taken_in_parts(bench: Bench) -> None:
     for circles in (10, 60):
         bench.program.write_text("G0 X100. Y0. Z0.\nF100\n" + "G3 I-100. J0.\n" * circles)
         tracemalloc.start()
-        compensate_file(bench.program, bench.out, paper_sized(), Settings(batch_points=2000), language="nc")
+        compensate_file(
+            bench.program, bench.out, paper_sized(), Settings(batch_points=2000, arcs="chords"), language="nc"
+        )
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     assert bench.out.read_bytes().count(b"\n") > 59_000

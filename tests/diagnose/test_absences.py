@@ -4,28 +4,26 @@ from dataclasses import replace
 
 import numpy as np
 
-from tests.diagnose.prepared import SIGMA, SMALL, field_of, prepared
+from tests.diagnose.prepared import SMALL, field_of, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnose.absences import absences
 from trueaxis.diagnose.audit import audit
-from trueaxis.diagnose.result import NoiseOf
+from trueaxis.diagnose.report.further import absence_sentence
 from trueaxis.diagnose.rounds_at_hand import both_ways, rounds_at_hand
 
-NOISE = NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 100.0, "repeats")
 
-
-def said(design: Design, *, one_way: bool = False, noise: NoiseOf = NOISE) -> tuple[str, ...]:
+def said(design: Design, *, one_way: bool = False) -> tuple[str, ...]:
     case = prepared(Case(seed=1, design=design, noise="none", given="exact"))
     rows = case.rows
     if one_way:
         rows = rows.only((rows.directions >= 0.0).all(axis=0) & np.isnan(rows.feed if rows.feed is not None else 0.0))
     one = field_of(case.model, rows)
     ground = one.ground(np.zeros(rows.size))
-    return absences(one.readings, audit(ground), [noise])
+    return tuple(map(absence_sentence, absences(one.readings, audit(ground))))
 
 
-def test_nothing_of_columns_directions_feeds_or_repeats_lacks_in_a_whole_campaign() -> None:
+def test_nothing_of_columns_directions_or_feeds_lacks_in_a_whole_campaign() -> None:
     for text in said(SMALL):
         assert text.startswith("in these runs: "), text
 
@@ -47,12 +45,9 @@ def test_instruments() -> None:
     assert "servo_lag" not in bars
 
 
-def test_one_direction_one_feed_and_no_repeats() -> None:
+def test_one_direction_and_one_feed() -> None:
     assert sum("from one side only" in text for text in said(SMALL, one_way=True)) == 3
     assert sum("at one feed only" in text for text in said(replace(SMALL, feeds=(1000.0,)))) == 3
-    unsure = replace(NOISE, origin="courses")
-    (repeats,) = [text for text in said(SMALL, noise=unsure) if text.startswith("no repeats by the laser")]
-    assert repeats.endswith("(nothing is repeated, from what the null model leaves)")
 
 
 def test_a_bar_that_goes_there_and_back_shows_both_directions() -> None:

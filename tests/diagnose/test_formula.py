@@ -16,7 +16,6 @@ from tests.fuzz import expressions as exact
 from tests.machines import DMU60P, machine_at
 from trueaxis.derive import symbols
 from trueaxis.derive.effect_terms import symbolic
-from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.report.formula import mathml
 from trueaxis.effects.expression import FUNCTIONS, parse
 from trueaxis.effects.kind import Effect, Kind, Parameter
@@ -55,7 +54,7 @@ EXPECTED = {
 
 @pytest.mark.parametrize("effect", EXPECTED, ids=lambda effect: effect.label)
 def test_formulas(effect: Effect) -> None:
-    assert formula_of(MACHINE, effect) == EXPECTED[effect]
+    assert effect_latex(MACHINE.kinds[effect.kind], effect) == EXPECTED[effect]
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)

@@ -1,6 +1,5 @@
 """What a further run would add is what it adds; the run that is proposed separates."""
 
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -16,7 +15,6 @@ from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.next_runs import Ahead, next_runs, separating_run
 from trueaxis.diagnose.procedure import diagnose
 from trueaxis.diagnose.prospect import TIMES, Outlook, Placed, Prospect, inverse_roots, outlooks_of, prospect_of
-from trueaxis.diagnose.report.quantity import ascii_only
 from trueaxis.diagnose.result import Check, Diagnosis, NoiseOf, StructureClass
 from trueaxis.diagnose.separation import separation, told
 from trueaxis.diagnose.signatures import signature_of
@@ -132,8 +130,9 @@ def test_no_run_tells_apart_what_is_one_displacement_of_tool_against_workpiece()
     assert separation(prospect, mine, [rival]) is None
     kinds = prospect.ground.readings.model.machine.kinds
     said = separating_run(kinds, Ahead(Effect("drift", "EXX"), (Effect("drift", "EXY"),), 1e-8, None))
-    assert said.startswith("none of the runs considered")
-    assert kinds["drift"].broken_by in said
+    assert said is not None
+    assert (said.run, said.told, said.left) == ("", None, (Effect("drift", "EXY"),))
+    assert said.broken_by == kinds["drift"].broken_by
 
 
 def test_a_cause_too_small_for_one_run_is_told_how_many() -> None:
@@ -141,9 +140,15 @@ def test_a_cause_too_small_for_one_run_is_told_how_many() -> None:
     mine, rival = (outlook(prospect, effect) for effect in PAIR)
     best, kinds = separation(prospect, mine, [rival]), prospect.ground.readings.model.machine.kinds
     large, small = (separating_run(kinds, Ahead(PAIR[0], PAIR[1:], size, best)) for size in (1e-2, 1e-7))
-    assert "straightness of X in Y" in large
-    assert re.search(r": with this run 0\.\d+ um of backlash EYX would do; now \d+ um are needed$", ascii_only(large))
-    assert "has to be taken about" in small
+    assert large is not None
+    assert small is not None
+    assert "straightness of X in Y" in large.run
+    assert (large.apart, large.left, large.needed) == (PAIR[1:], (), large.times)
+    assert large.told is not None
+    assert large.told.effect == PAIR[0]
+    assert 1e-4 < large.told.with_run < 1e-3
+    assert large.told.without > 1e-2
+    assert small.needed > 1000 * small.times
 
 
 def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() -> None:
@@ -156,19 +161,14 @@ def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() ->
     )
     noise = (NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 10.0, "courses"),)
     found = next_runs(prospect, nothing, (), checks, noise)
-    assert ["line of Y" in found[0].run, "circle in XY" in found[1].run] == [True, True]
-    assert len(found) == 3
-    assert "three times" in found[2].run
-    assert "1.00" in found[0].gain
+    assert [one.check for one in found] == [*checks[:2], None]
+    assert found[2].instrument == "laser"
     courses = (
         Check(StructureClass.LINE_TEMPERATURE, "Z", 1e-9, fired=True, rms=1e-3),
         Check(StructureClass.CIRCLE_COURSE, "XY", 1e-8, fired=True, rms=1e-3),
         Check(StructureClass.LACK_OF_FIT, "laser", 1e-7, fired=True, rms=1e-3),  # nothing in particular to measure
     )
-    proposed = [one.run for one in next_runs(prospect, nothing, (), courses, ())]
-    assert len(proposed) == 2
-    assert "a line of Z again over a swing of the temperature" in proposed[0]
-    assert "two turns" in proposed[1]
+    assert [one.check for one in next_runs(prospect, nothing, (), courses, ())] == [*courses]
     repeated = (
         NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 100.0, "repeats"),
         NoiseOf("probe", SIGMA, 0, 0, 0, 1e6, "given"),
@@ -198,7 +198,9 @@ def test_the_run_that_is_proposed_leaves_one_name(kind: str, size: float, run: s
     before = _diagnosed(Case(4, effects=(effect,)))
     assert before.verdict == "ambiguous"
     assert names(before) == {Effect(kind, "EYX"), Effect(kind, "EAX")}
-    assert run in before.causes[0].separating
+    separating = before.causes[0].separating
+    assert separating is not None
+    assert run in separating.run
     assert run in before.next_runs[0].run
     after = _diagnosed(Case(4, design=measured, effects=(effect,)))
     assert after.verdict == "explained"

@@ -11,6 +11,7 @@ from tests.diagnose.prepared import SMALL, prepared
 from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.hidden import Hidden
+from tests.identify.data import with_estimation
 from tests.identify.effect_data import SIGMA, Row, Term, five_axis, measured, model_with, plan
 from tests.kernels import kernels_of
 from tests.machines import machine_of
@@ -22,7 +23,7 @@ from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.faults import InputError
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.identify.report import Identification
@@ -36,7 +37,7 @@ from trueaxis.runtime.kernels import Kernels
 from trueaxis.runtime.model import MachineModel
 
 KNOWN = ErrorValues("dmu60p", PARAMETERS)
-OPTIONS = EstimateOptions("known", KNOWN)
+OPTIONS = IdentifyOptions("known", KNOWN)
 BACKLASH, THERMAL, LAG = Effect("backlash", "EXX"), Effect("thermal_expansion", "EYY"), Effect("servo_lag", "EXX")
 CYCLIC, WARM = Effect("cyclic", "EZZ"), Effect("warm_up", "EXX")
 COSINE, LENGTH, LOBES = Effect("laser_cosine", runs=("X-1",)), Effect("ballbar_length"), Effect("ballbar_lobes")
@@ -194,10 +195,10 @@ def squareness(angle: float) -> tuple[MachineModel, Observations]:
     return model, observations("readings.csv", given.data.setup.runs, given.data.readings)
 
 
-def at_home(model: MachineModel, *known: EffectValues) -> EstimateOptions:
+def at_home(model: MachineModel, *known: EffectValues) -> IdentifyOptions:
     given = prepared(Case(1, design=SMALL, effects=(Hidden("squareness", "EC0X"),), noise="none")).model.errors
     dimensions = {name: given.parameters[name] for name in model.dimensions}
-    return EstimateOptions(known=ErrorValues(model.name, dimensions, effects=known))
+    return IdentifyOptions(known=ErrorValues(model.name, dimensions, effects=known))
 
 
 def test_a_squareness_is_told_once_and_as_the_location_error_that_it_is(tmp_path: Path) -> None:
@@ -232,7 +233,9 @@ def test_a_start_spares_the_search(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(start_module, "searched_start", no_search)
     start = EffectValues(CYCLIC, {"amplitude": 1e-3, "phase": 0.5, "pitch": 13.72})
-    found = identify_estimated(model_with(CYCLIC), measured({"EZZ": cyclic}, seed=9), replace(OPTIONS, start=(start,)))
+    found = identify_estimated(
+        model_with(CYCLIC), measured({"EZZ": cyclic}, seed=9), with_estimation(OPTIONS, start=(start,))
+    )
     assert max(off_by(found, CYCLIC, {"amplitude": 2e-3, "phase": 1.0, "pitch": 13.7})) < 4.0
 
 
@@ -248,7 +251,7 @@ def test_outliers_lead_no_effect_astray() -> None:
     spoilt = data.reading.copy()
     spoilt[::97] += 0.02
     start = EffectValues(CYCLIC, {"amplitude": 1e-3, "phase": 0.5, "pitch": 13.72})
-    options = replace(OPTIONS, start=(start,))
+    options = with_estimation(OPTIONS, start=(start,))
     found = identify_estimated(model_with(BACKLASH, CYCLIC), replace(data, reading=spoilt), options)
     assert max(off_by(found, BACKLASH, {"width": 6e-3})) < 4.0
     assert max(off_by(found, CYCLIC, {"amplitude": 2e-3, "pitch": 13.7})) < 4.0
@@ -264,7 +267,7 @@ def test_the_uncertainty_covers_the_scatter() -> None:
     for seed in range(9):
         noise = np.random.default_rng(seed).normal(0.0, SIGMA, clean.reading.size)
         found = identify_estimated(
-            model, replace(clean, reading=clean.reading + noise), replace(OPTIONS, start=(start,))
+            model, replace(clean, reading=clean.reading + noise), with_estimation(OPTIONS, start=(start,))
         )
         for one in found.values.effects:
             for name, value in one.parameters.items():
@@ -335,7 +338,7 @@ def test_lost_motion_of_a_rotary_axis_in_degrees_and_radians() -> None:
     given = ErrorValues("five_axis", dict.fromkeys((*model.dimensions, *model.location_errors), 0.0))
     curves: dict[str, Curve] = {name: PolynomialCurve((), ()) for name in model.components if name != "ECC"}
     known = replace(given, motion_errors=curves)
-    found = identify_estimated(model, observations("readings.csv", [run], rows), EstimateOptions("known", known))
+    found = identify_estimated(model, observations("readings.csv", [run], rows), IdentifyOptions("known", known))
     assert found.values.effects[0].parameters["width"] == pytest.approx(width, rel=1e-3)
     assert found.report.effects[0].parameters[0].unit == "rad"
 

@@ -12,7 +12,7 @@ from tests.identify.data import mixed_data
 from tests.identify.effect_data import model_with
 from trueaxis.estimation.estimate import EstimationOptions, estimate
 from trueaxis.estimation.observations import Observations
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 
 
 @pytest.fixture(scope="module")
@@ -21,13 +21,13 @@ def readings() -> Observations:
 
 
 def test_data_as_they_should_be_are_no_misfit(readings: Observations) -> None:
-    found = identify_estimated(model_with(), readings, EstimateOptions(known=KNOWN))
+    found = identify_estimated(model_with(), readings, IdentifyOptions(known=KNOWN))
     assert found.values.fit is not None
     assert found.values.fit.state == "converged"
 
 
 def test_a_reversed_run_is_named(readings: Observations) -> None:
-    found = identify_estimated(model_with(), turned(readings, "X-2"), EstimateOptions(known=KNOWN))
+    found = identify_estimated(model_with(), turned(readings, "X-2"), IdentifyOptions(known=KNOWN))
     assert found.values.fit is not None
     assert found.values.fit.state == "misfit"
     assert found.values.fit.runs == ("X-2",)
@@ -37,23 +37,24 @@ def test_a_reversed_run_is_named(readings: Observations) -> None:
 def test_a_reversed_run_that_the_noise_has_taken_is_named(readings: Observations) -> None:
     """Nine runs: the estimate takes what X-3 makes of them for slow noise, by which the run is as likely as not."""
     few = part(readings, [run.id for run in readings.runs[:9]])
-    found = identify_estimated(model_with(), turned(few, "X-3"), EstimateOptions(known=KNOWN))
+    found = identify_estimated(model_with(), turned(few, "X-3"), IdentifyOptions(known=KNOWN))
     assert found.values.fit is not None
     assert found.values.fit.runs == ("X-3",)
 
 
 def test_two_reversed_runs_are_named(readings: Observations) -> None:
-    found = identify_estimated(model_with(), turned(readings, "X-1", "Y-5"), EstimateOptions(known=KNOWN))
+    found = identify_estimated(model_with(), turned(readings, "X-1", "Y-5"), IdentifyOptions(known=KNOWN))
     assert found.values.fit is not None
     assert set(found.values.fit.runs) == {"X-1", "Y-5"}
 
 
+@pytest.mark.parametrize("share", [0.3, 0.03])
 @pytest.mark.parametrize(("wrong", "named"), [((), ()), (("X-2",), ("X-2",))])
 def test_noise_that_is_stated_too_small_names_no_other_run(
-    readings: Observations, wrong: tuple[str, ...], named: tuple[str, ...]
+    readings: Observations, share: float, wrong: tuple[str, ...], named: tuple[str, ...]
 ) -> None:
-    """A third of what it is: every logarithm of a ratio of likelihoods is nine times too large."""
-    noise = dict.fromkeys(range(len(readings.runs)), 1e-4)
+    """By it every ratio of likelihoods is wrong by 1 / share^2 in its logarithm, and all runs seem reversed."""
+    noise = dict.fromkeys(range(len(readings.runs)), 3e-4 * share)
     found = estimate(model_with(), turned(readings, *wrong), KNOWN, EstimationOptions(noise=noise))
     assert tuple(readings.runs[index].id for index in found.readings.reversed) == named
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from tests.generator.dmu60p import dmu60p as generator
 from tests.generator.instruments import ball_bar, laser
 from tests.generator.machine import Function, Generator
 from trueaxis.estimation.observations import Observations
+from trueaxis.identify.estimated import IdentifyOptions
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import PointOn, Run, Vector
 from trueaxis.runtime.model import MachineModel, load_model
@@ -25,6 +27,11 @@ UNIT: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0
 BED = PointOn("bed")
 
 P9_PRINTED, P9_REGULAR = (-54.0, -72.0, -165.0), (-54.0, 72.0, -165.0)
+
+
+def with_estimation(options: IdentifyOptions, **estimation: Any) -> IdentifyOptions:
+    """With fields of its `EstimationOptions` changed."""
+    return replace(options, estimation=replace(options.estimation, **estimation))
 
 
 def tool(run_id: str, along: str, point: Vector, reference: PointOn = BED, home: Mapping[str, float] = HOME) -> Run:

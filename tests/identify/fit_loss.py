@@ -14,7 +14,7 @@ import numpy as np
 from tests.worlds.estimates import TOOL, World, deviations, rms_um, world
 from tests.worlds.readings import measure
 from tests.worlds.truth import draw_machine, random_points
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.legendre_fit import fit_legendre, with_polynomials
 from trueaxis.identify.report import Identification
 from trueaxis.runtime.covariance import Covariance
@@ -43,7 +43,7 @@ class Loss:
 def identified(one: World, seed: int) -> Identification:
     data = measure(one.design, draw_machine(one.design.machine, seed), seed)
     known = ErrorValues(one.model.name, {name: one.model.errors.parameters[name] for name in one.model.dimensions})
-    return identify_estimated(one.model, replace(one.plan, reading=data.reading.copy()), EstimateOptions(known=known))
+    return identify_estimated(one.model, replace(one.plan, reading=data.reading.copy()), IdentifyOptions(known=known))
 
 
 def loss(one: World, seed: int, max_order: int = 7) -> Loss:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.estimation.observations import Observations
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.machine import FloatArray
@@ -150,7 +150,7 @@ class Outcome:
     off_in_u: float = np.nan
 
 
-def outcome(one: Drawn, options: EstimateOptions, points: int = 500) -> Outcome:
+def outcome(one: Drawn, options: IdentifyOptions, points: int = 500) -> Outcome:
     """Identify, and compare with the truth."""
     known = ErrorValues(one.model.name, dimensions(one.model, one.truth))
     try:
@@ -187,7 +187,7 @@ def main(count: int) -> None:
         name = MACHINES[seed % len(MACHINES)]
         lines, circles, readings = (int(rng.integers(*ends)) for ends in ((5, 40), (0, 8), (20, 250)))
         one = drawn(rng, name, lines, circles, readings, 0.3)
-        end = outcome(one, EstimateOptions(noise=NoiseModel(um=one.noise_um)))
+        end = outcome(one, IdentifyOptions(noise=NoiseModel(um=one.noise_um)))
         print(
             f"{seed:3d} {name:14s} {lines:3d} lines {circles:2d} circles {one.observed.reading.size:6d} readings: "
             f"{end.state:13s} residual/noise {end.ratio:8.3f}; anywhere off by {end.off_um:8.2f} of "

@@ -13,7 +13,7 @@ import pytest
 
 from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
-from tests.identify.data import mixed_data, noisy, paper_data
+from tests.identify.data import mixed_data, noisy, paper_data, with_estimation
 from tests.identify.test_command import KERNELS, MACHINE, identify, known, simulated
 from tests.identify.test_estimated import CONVENTION, KNOWN
 from trueaxis.cli import main
@@ -73,7 +73,7 @@ def values_of(found: Covariance, values: FloatArray, others: dict[str, float]) -
 
 @cache
 def identified(squareness: Choice, count: int = 6) -> Identification:
-    options = replace(KNOWN if squareness == "known" else CONVENTION, degree=3)
+    options = with_estimation(KNOWN if squareness == "known" else CONVENTION, degree=3)
     found = identify_estimated(
         machine(), mixed_data(cubic_errors(), count), replace(options, noise=NoiseModel(um=QUIET_UM))
     )
@@ -186,7 +186,7 @@ def test_intervals_of_95_percent_cover_95_percent() -> None:
     the one without noise, which gives the truth, plus a matrix times the noise. Whole identifications agree with that.
     """
     clean = mixed_data(cubic_errors(), 6)
-    options = replace(KNOWN, degree=3)
+    options = with_estimation(KNOWN, degree=3)
     base = identified("known")
     sigma = QUIET_UM * 1e-3
     gain = operator(clean, base)

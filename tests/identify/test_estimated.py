@@ -23,14 +23,16 @@ from tests.identify.data import (
     observed,
     paper_data,
     paper_runs,
+    with_estimation,
 )
 from tests.identify.test_paper import DIMENSIONS
+from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.state import linearised, started
 from trueaxis.faults import InputError
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.report import Identification
 from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.machine import FloatArray
@@ -40,7 +42,9 @@ from trueaxis.runtime.errors import ErrorValues
 
 LEVER = 700.0
 FINE = NoiseModel(um=1e-3)  # so little that every combination that readings hold counts as determined
-KNOWN = EstimateOptions("known", ErrorValues("dmu60p", PARAMETERS), prior=False, ideal=True, degree=7)
+KNOWN = IdentifyOptions(
+    "known", ErrorValues("dmu60p", PARAMETERS), estimation=EstimationOptions(prior=False, ideal=True, degree=7)
+)
 CONVENTION = replace(KNOWN, squareness="convention", known=ErrorValues("dmu60p", DIMENSIONS))
 
 
@@ -91,7 +95,7 @@ def test_noise_free_readings_give_the_errors_back(make: object) -> None:
 def test_squareness_by_convention_comes_back_where_the_truth_obeys_it(make: object, within: float) -> None:
     """Lasers on the bed are read alike, to 1e-14 mm, by values that move the tool tip otherwise by 4e-7 mm."""
     truth = level_over_travel(cubic_errors())
-    options = replace(CONVENTION, degree=4, noise=FINE)
+    options = with_estimation(replace(CONVENTION, noise=FINE), degree=4)
     found = identify_estimated(dmu60p_model(), make(truth), options)  # type: ignore[operator]
     assert max(off(found, truth, name) for name in truth) < within
     for name in ("eps_xy", "eps_yz", "eps_xz"):
@@ -108,7 +112,7 @@ def test_fit_and_covariance_are_those_of_scipy() -> None:
     """
     data = noisy(paper_data(generator(cubic_errors()), 5), 3, 1e-4)
     machine = dmu60p_model()
-    found = identify_estimated(machine, data, replace(KNOWN, noise=NoiseModel(um=0.1), degree=2))
+    found = identify_estimated(machine, data, with_estimation(replace(KNOWN, noise=NoiseModel(um=0.1)), degree=2))
     assert found.covariance.open.shape[1] == 0
     names = machine.components
     size = np.array([[(1e-2 if n[1] in "XYZ" else 2e-5) / TRAVEL[n[2]] ** k for k in (1, 2)] for n in names]).ravel()
@@ -147,7 +151,7 @@ def in_powers(found: Identification) -> tuple[FloatArray, FloatArray]:
 
 
 def test_noise_is_estimated_from_what_is_left_over() -> None:
-    found = identify_estimated(dmu60p_model(), mixed_data(cubic_errors(), seed=2), replace(KNOWN, degree=3))
+    found = identify_estimated(dmu60p_model(), mixed_data(cubic_errors(), seed=2), with_estimation(KNOWN, degree=3))
     assert found.report.freedom == 18 * 10 + 72 - 54
     assert found.report.noise_um == pytest.approx(0.3, rel=0.15)  # 198 degrees of freedom: 5 %
 
@@ -155,7 +159,7 @@ def test_noise_is_estimated_from_what_is_left_over() -> None:
 def test_published_points_leave_z_open_and_it_is_said() -> None:
     """A value with a share in what is open has no uncertainty: EZX was off by 38 times what it had."""
     truth = cubic_errors()
-    options = replace(KNOWN, degree=3, noise=NoiseModel(um=0.01))
+    options = with_estimation(replace(KNOWN, noise=NoiseModel(um=0.01)), degree=3)
     found = identify_estimated(dmu60p_model(), paper_data(generator(truth), 10, P9_PRINTED), options)
     open_ones = {"EZZ", "EAZ", "EBZ", "EXZ", "EYZ", "EYX", "EZX", "EAX", "EZY"}
     assert found.covariance.open.shape == (18 * 3, 3)
@@ -172,7 +176,7 @@ def test_a_high_degree_from_few_positions_is_open_and_unmeasured_components_are_
     runs = [run for run in paper_runs() if moving(run) == "X"]
     data = observed(generator(truth), runs, [line("X", 4)] * 3)
     for degree, state in ((3, "determined"), (7, "partly")):
-        found = identify_estimated(dmu60p_model(), data, replace(KNOWN, degree=degree, noise=FINE))
+        found = identify_estimated(dmu60p_model(), data, with_estimation(replace(KNOWN, noise=FINE), degree=degree))
         known = known_of(found)
         measured = {name for name, said in known.items() if said == state}
         assert measured == {"EXX", "EBX", "ECX"}
@@ -188,7 +192,9 @@ def test_a_high_degree_from_few_positions_is_open_and_unmeasured_components_are_
 @pytest.mark.parametrize("prior", [True, False])
 def test_order_of_rows_and_runs_does_not_matter(prior: bool) -> None:
     data = mixed_data(cubic_errors(), 4, seed=4)
-    options = replace(CONVENTION, prior=prior, degree=3, noise=NoiseModel(by_group={"laser": 0.3, "ballbar": 0.5}))
+    options = with_estimation(
+        replace(CONVENTION, noise=NoiseModel(by_group={"laser": 0.3, "ballbar": 0.5})), prior=prior, degree=3
+    )
     base = identify_estimated(dmu60p_model(), data, options)
     source = np.random.default_rng(0)
     rows, runs = source.permutation(data.reading.size), source.permutation(len(data.runs))

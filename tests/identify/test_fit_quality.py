@@ -11,9 +11,10 @@ import pytest
 from tests.identify.random_plans import Drawn, drawn, outcome
 from tests.identify.test_command import ERRORS, KERNELS, LEAST_SQUARES, MACHINE, identify, simulated, values
 from trueaxis.cli import main
+from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.fit_quality import NotConvergedError, Residuals, quality, stands_still
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
@@ -93,7 +94,7 @@ def test_a_fit_that_leads_away_is_none_that_converged(prior: bool) -> None:
     """With a ball 200 mm off coefficients grew to 1e43 and were written."""
     one = wrong_centre(drawn(np.random.default_rng(3), "dmu60p", 2, 2, 60, 0.3))
     known = ErrorValues("dmu60p", one.truth.parameters)
-    options = EstimateOptions(known=known, prior=prior, degree=5)
+    options = IdentifyOptions(known=known, estimation=EstimationOptions(prior=prior, degree=5))
     if prior:
         with pytest.raises(NotConvergedError) as caught:
             identify_estimated(one.model, one.observed, options)
@@ -110,7 +111,9 @@ def test_random_plans_end_well_and_u_holds_anywhere(seed: int) -> None:
     """A few lines and circles: nothing is open, what is off is as u says, and less than doing nothing."""
     rng = np.random.default_rng(seed)
     one = drawn(rng, ("dmu60p", "gantry_mill", "bridge_cmm", "trunnion_mill")[seed], 12, 2, 30, 0.3)
-    end = outcome(one, EstimateOptions(noise=NoiseModel(um=one.noise_um), degree=7), points=100)
+    end = outcome(
+        one, IdentifyOptions(noise=NoiseModel(um=one.noise_um), estimation=EstimationOptions(degree=7)), points=100
+    )
     assert end.state == "converged"
     assert 0.7 < end.ratio < 1.1
     assert end.open == 0.0

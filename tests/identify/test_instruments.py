@@ -23,6 +23,7 @@ from tests.identify.data import (
     paper_data,
     paper_runs,
     tool,
+    with_estimation,
 )
 from tests.identify.machines import PlainMachine, dmu60p
 from tests.identify.test_estimated import CONVENTION, KNOWN, LEVER, known_of, off
@@ -35,7 +36,7 @@ from trueaxis.identify.weighting import NoiseModel
 from trueaxis.measure.setup import PointOn, Run
 
 OFF_CENTRE, TOO_LONG = (0.21, -0.13, 0.07), 0.004
-REAL = replace(KNOWN, ideal=False, degree=3)
+REAL = with_estimation(KNOWN, ideal=False, degree=3)
 
 
 def instrument(found: Identification, name: str) -> InstrumentReport:
@@ -75,7 +76,7 @@ def test_centre_and_length_of_ball_bars_are_found_on_the_exact_model() -> None:
         assert one.u is not None
         assert abs(one.value - value) < one.u < 2e-3
     assert found.report.residual_rms_um < 1e-3
-    ideal = identify_estimated(dmu60p_model(), data, replace(options, ideal=True))
+    ideal = identify_estimated(dmu60p_model(), data, with_estimation(options, ideal=True))
     assert ideal.values.fit is not None
     assert ideal.values.fit.state == "misfit"
     assert ideal.report.residual_rms_um > 1.0
@@ -84,7 +85,7 @@ def test_centre_and_length_of_ball_bars_are_found_on_the_exact_model() -> None:
 
 def test_a_bar_alone_cannot_tell_its_length_from_the_scales() -> None:
     """A length beside scales that are open, hence zero, came with an uncertainty: 4 um were 11.0 um +/- 0.1 um."""
-    options = replace(REAL, degree=1, noise=NoiseModel(um=0.3))
+    options = with_estimation(replace(REAL, noise=NoiseModel(um=0.3)), degree=1)
     found = identify_estimated(dmu60p_model(), bars_set_up_wrong(), options)
     known = known_of(found)
     assert {known[name] for name in ("EXX", "EYY", "EZZ")} == {"partly"}
@@ -108,7 +109,7 @@ def test_offset_and_slope_of_a_straightness_run_are_none_of_the_machine() -> Non
     assert within(found, 3.0)
     assert found.values.fit is not None
     assert found.values.fit.state == "converged"
-    ideal = identify_estimated(dmu60p_model(), data, replace(options, ideal=True))
+    ideal = identify_estimated(dmu60p_model(), data, with_estimation(options, ideal=True))
     assert not within(ideal, 30.0)
     assert ideal.values.fit is not None
     assert ideal.values.fit.state == "misfit"
@@ -119,8 +120,8 @@ def test_a_straightness_run_alone_tells_no_squareness() -> None:
     runs = [run for run in paper_runs() if moving(run) in "XYZ"]
     lasers = observed(generator(cubic_errors()), runs, [line(moving(run), 8) for run in runs])
     data = joined(lasers, straightness(0.0, 0.0))
-    options = replace(CONVENTION, degree=3, noise=NoiseModel(um=0.01))
-    real = identify_estimated(dmu60p_model(), data, replace(options, ideal=False))
+    options = with_estimation(replace(CONVENTION, noise=NoiseModel(um=0.01)), degree=3)
+    real = identify_estimated(dmu60p_model(), data, with_estimation(options, ideal=False))
     ideal = identify_estimated(dmu60p_model(), data, options)
     assert "eps_xy" not in real.values.u
     assert real.values.determined["eps_xy"] == "partly"
@@ -146,7 +147,9 @@ def test_unknowns_that_no_reading_holds_are_not_reported() -> None:
     run = bar("xy", 612.5 - 10.0 - 12.5 - 190.0)
     at = circle(run, (0, 1), 24)
     flat = Observations("", (run,), np.zeros(24, dtype=np.int64), at, 0.02 * np.cos(np.arange(24) * np.pi / 12.0))
-    found = identify_estimated(dmu60p_model(), flat, replace(REAL, prior=True, noise=NoiseModel(um=0.3)))
+    found = identify_estimated(
+        dmu60p_model(), flat, with_estimation(replace(REAL, noise=NoiseModel(um=0.3)), prior=True)
+    )
     told = {one.name.split(" (")[0] for one in found.report.instruments}
     assert {"ballbar centre x", "ballbar centre y"} <= told
     assert "ballbar centre z" not in told

@@ -9,7 +9,8 @@ from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.generator.dmu60p import dmu60p as generator
 from tests.identify.data import dmu60p_model, line, observed, tool
 from tests.identify.random_data import ended
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.estimation.estimate import EstimationOptions
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.measure.setup import PointOn
 from trueaxis.runtime.errors import ErrorValues
 
@@ -26,7 +27,7 @@ def test_tiny_data_end_as_they_should(seed: int, tmp_path: Path) -> None:
 def test_one_line_is_enough_to_end_well(prior: bool) -> None:
     """Far fewer readings than unknowns, without noise: nothing is singular, and what is not read stays zero."""
     data = observed(generator(cubic_errors()), [tool("X-1", "x", (0.0, 0.0, 0.0), PointOn("bed"))], [line("X", 9)])
-    options = EstimateOptions(known=ErrorValues("dmu60p", PARAMETERS), prior=prior)
+    options = IdentifyOptions(known=ErrorValues("dmu60p", PARAMETERS), estimation=EstimationOptions(prior=prior))
     found = identify_estimated(dmu60p_model(), data, options)
     assert found.values.fit is not None
     assert found.values.fit.state == "converged"

@@ -9,12 +9,12 @@ from statsmodels.regression.linear_model import WLS
 
 from tests.generator.dmu60p import PARAMETERS
 from tests.generator.dmu60p import dmu60p as generator
-from tests.identify.data import TRAVEL, dmu60p_model, line, moving, observed, paper_runs
+from tests.identify.data import TRAVEL, dmu60p_model, line, moving, observed, paper_runs, with_estimation
 from tests.identify.test_estimated import KNOWN, in_powers
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
 from trueaxis.faults import InputError
-from trueaxis.identify.estimated import identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.report import Identification
 from trueaxis.identify.weighting import NoiseModel, weighting
 from trueaxis.measure.machine import FloatArray
@@ -24,7 +24,7 @@ from trueaxis.runtime.errors import ErrorValues
 
 DEGREE = 2
 SIGMA_UM = {"X-1": 0.2, "Y-5": 0.02, "laser": 0.07}
-GIVEN = replace(KNOWN, degree=DEGREE, noise=NoiseModel(by_group=SIGMA_UM))
+GIVEN = with_estimation(replace(KNOWN, noise=NoiseModel(by_group=SIGMA_UM)), degree=DEGREE)
 
 
 def quadratic() -> dict[str, PolynomialCurve]:
@@ -120,6 +120,19 @@ def test_with_outliers_the_fit_is_that_of_the_other_readings() -> None:
     assert found.values.fit.state == "converged"
 
 
+def test_runs_that_are_far_from_zero_are_told() -> None:
+    data = scattered()
+    real = IdentifyOptions(known=ErrorValues("dmu60p", PARAMETERS), squareness="known")
+    off = data.reading + np.where(data.run == 4, 0.4, 0.0)
+    found, shifted = (
+        identify_estimated(dmu60p_model(), one, real).report.notes for one in (data, replace(data, reading=off))
+    )
+    assert not any("off by their laser zero" in note for note in found)
+    (told,) = [note for note in shifted if "off by their laser zero" in note]
+    assert "1 of 18 runs" in told
+    assert "Y-5 by 4" in told
+
+
 def test_noise_from_repeats_is_that_of_each_run_whatever_the_model() -> None:
     """Pure error, by hand: variance within the places. Degree 1 fits badly, which the noise must not hear of."""
     data = scattered()
@@ -135,7 +148,9 @@ def test_noise_from_repeats_is_that_of_each_run_whatever_the_model() -> None:
         values = noise.reshape(3, -1)[:, data.run == mine]
         assert group.um == pytest.approx(1e3 * np.sqrt(values.var(axis=0, ddof=1).mean()))
         assert group.freedom == 2 * values.shape[1]
-    found = identify_estimated(dmu60p_model(), tripled, replace(KNOWN, degree=1, noise=NoiseModel(repeats="run")))
+    found = identify_estimated(
+        dmu60p_model(), tripled, with_estimation(replace(KNOWN, noise=NoiseModel(repeats="run")), degree=1)
+    )
     assert found.report.noise_um == pytest.approx(
         np.sqrt(np.mean([(group.um) ** 2 for group in groups for _ in range(39)])), rel=1e-6
     )
@@ -161,8 +176,11 @@ def test_readings_approached_from_both_sides_are_no_repeats() -> None:
 def test_groups_without_noise_and_too_few_repeats_are_told() -> None:
     with pytest.raises(InputError, match="neither an instrument nor a run"):
         weighting(scattered(), NoiseModel(by_group={"lazer": 1.0, "laser": 1.0}))
-    with pytest.raises(InputError, match='says nothing of run "X-1"'):
+    with pytest.raises(InputError) as fault:
         weighting(scattered(), NoiseModel(by_group={"Y-5": 1.0}))
+    count = np.unique(scattered().run).size - 1
+    (told,) = fault.value.faults  # one line that counts them, not one for each run
+    assert f'says nothing of {count} runs of the laser, "X-1" first' in str(told)
     with pytest.raises(InputError, match="0 degrees of freedom"):
         weighting(scattered(), NoiseModel(repeats="instrument"))
 

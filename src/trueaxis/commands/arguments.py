@@ -50,6 +50,14 @@ def tool_point(text: str) -> tuple[float, float, float]:
     return x, y, z
 
 
+def key_value(text: str) -> tuple[str, str]:
+    """`KEY=VALUE`. Raises argparse.ArgumentTypeError otherwise."""
+    key, equals, value = text.partition("=")
+    if not equals or not key.strip() or not value.strip():
+        raise argparse.ArgumentTypeError(f"{text!r} is not KEY=VALUE")
+    return key.strip(), value.strip()
+
+
 def share(text: str) -> float:
     """A number above 0 and below 1. Raises argparse.ArgumentTypeError otherwise."""
     return _finite(text, "a number above 0 and below 1", lambda value: 0.0 < value < 1.0)

@@ -14,7 +14,7 @@ from trueaxis.compensate.files import compensate_file
 from trueaxis.compensate.offset_files import offset_of_option, read_offsets, with_options
 from trueaxis.compensate.offsets import Offsets, Range
 from trueaxis.compensate.reliance import Limits, judge_of
-from trueaxis.compensate.settings import Dialect, Integers, Settings
+from trueaxis.compensate.settings import Arcs, Dialect, Integers, Settings
 from trueaxis.compensate.tool_files import read_tools
 from trueaxis.faults import Fault, InputError
 from trueaxis.input_files import gathering
@@ -93,6 +93,9 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         help="largest distance of an arc from its chords (default %(default)s)")  # fmt: skip
     parser.add_argument("--method", choices=("iterative", "ordinary"), default=default.method,
                         help="iterate, or correct once (default %(default)s)")  # fmt: skip
+    parser.add_argument("--arcs", choices=get_args(Arcs), default=default.arcs,
+                        help="arcs stay arcs, cut where the shifted points are on none, or all become chords "
+                        "(default %(default)s)")  # fmt: skip
     parser.add_argument("--words", choices=("nearest", "ends", "middles"), default=default.words,
                         help="how words are chosen, see below (default %(default)s)")  # fmt: skip
     parser.add_argument("--ball", type=_point, metavar="X,Y,Z",
@@ -117,7 +120,8 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--block-delete", choices=("fault", "run", "skip"), default=default.block_delete,
                         help="what motions in / blocks are (default %(default)s)")  # fmt: skip
     parser.add_argument("--dialect", choices=get_args(Dialect),
-                        help="the control's language: what codes, T and X100 mean (default: not known)")  # fmt: skip
+                        help="the control's language: what codes, T and X100 mean (default: siemens or heidenhain "
+                        "where the program can be nothing else, otherwise not known)")  # fmt: skip
     parser.add_argument("--integers", choices=get_args(Integers),
                         help="what numbers without a decimal point count: mm (inch, deg), or least increments of "
                         "0.001 mm (0.0001 inch, 0.001 deg); default: mm where --dialect is linuxcnc, siemens or "

@@ -5,12 +5,18 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.measure.data import MeasuredData, read_data
 from trueaxis.measure.setup import PointOn
+from trueaxis.runtime.errors import ErrorValues
+from trueaxis.runtime.kernels import numpy_kernels
 from trueaxis.runtime.manifest import KERNEL_FILES
+from trueaxis.runtime.model import MachineModel
 from trueaxis.spec import Machine, read_machine
+from trueaxis.spec.machine import LINEAR
 from trueaxis.topology import format_lower_body_array, tool_senses
 from trueaxis.view import Carrier
 
@@ -83,27 +89,51 @@ def run(args: argparse.Namespace) -> int:
             print(f"  {number}. {', '.join(system.runs)} -> {', '.join(system.unknowns)}{lack}")
     for name in files:
         print(f"wrote {named(folder / name)}")
-    for line in _sense_sentences(machine):
+    for line in _sense_sentences(machine, _tool_ranges(machine, files["kernels.py"], folder / "kernels.py")):
         print(line)
     return 0
 
 
-def _sense_sentences(machine: Machine) -> list[str]:
-    """Where positive commands move the tool: an axis that counts the other way on the machine is a slip in the spec."""
+def _tool_ranges(machine: Machine, kernels: bytes, path: Path) -> dict[str, tuple[float, float]]:
+    """Coordinate of the workpiece, mm, from the lowest to the highest position of each linear axis that has a travel:
+    of the origin of the tool frame, all other axes where they are nearest to 0, named dimensions 0.
+    """
+    model = MachineModel(machine, numpy_kernels(kernels, path), ErrorValues(machine.name))
+    rest = np.array([float(np.clip(0.0, *machine.travel[axis])) for axis in machine.axes])
+    found = {}
+    for row, axis in enumerate(machine.axes):
+        if axis in LINEAR and machine.mover(axis).travel is not None:
+            ends = np.repeat(rest[:, np.newaxis], 2, axis=1)
+            ends[row] = machine.travel[axis]
+            first, last = model.view_ideal("tool_in_workpiece", ends, np.zeros((3, 1)))[LINEAR.index(axis)]
+            found[axis] = (float(first), float(last))
+    return found
+
+
+def _sense_sentences(machine: Machine, ranges: dict[str, tuple[float, float]]) -> list[str]:
+    """Where positive commands move the tool: an axis that counts the other way on the machine is a slip in the spec.
+
+    ranges: from where to where on the workpiece, mm.
+    """
     lines = []
     for axis, sense in tool_senses(machine).items():
+        start, end = ranges.get(axis, (0.0, 0.0))
+        there = f" of the workpiece, from {start:g} to {end:g} mm there" if axis in ranges else " of the workpiece"
         if sense > 0:
-            lines.append(f"{axis}+ commands move the tool to {axis}+ of the workpiece")
+            lines.append(f"{axis}+ commands move the tool to {axis}+{there}")
         elif sense < 0:
             body = machine.mover(axis)
             moves = f"{axis}{'+' if body.sense > 0 else '-'}"
             change = "`sense = -1`" if body.sense > 0 else "no `sense = -1`"
             lines.append(
-                f"{axis}+ commands move the tool to {axis}- of the workpiece: {body.name} moves to {moves} "
+                f"{axis}+ commands move the tool to {axis}-{there}: {body.name} moves to {moves} "
                 f"({change} where the control counts the other way)"
             )
         else:
             lines.append(f"{axis} commands move the tool and the workpiece together")
+    if ranges:
+        zero = "; named dimensions taken for 0" if machine.dimensions else ""
+        lines.append(f"(the origin of the tool frame, other axes at 0 or as near to it as they go{zero})")
     return lines
 
 

@@ -2,17 +2,18 @@
 
 import argparse
 import sys
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from trueaxis.commands.arguments import noise
 from trueaxis.commands.beside import beside, cores
 from trueaxis.commands.derive import identification_runs
 from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import named, overwritten
-from trueaxis.commands.progress import Progress, progress
+from trueaxis.commands.progress import progress
 from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
 from trueaxis.identify.fit_quality import NotConvergedError
@@ -20,15 +21,18 @@ from trueaxis.input_files import gathering, input_bytes, utf8_text
 from trueaxis.measure.active_compensation import active_file
 from trueaxis.measure.data import MeasuredData
 from trueaxis.reporting.reliance import misfit_sentence
+from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Fit, dump_errors
-from trueaxis.runtime.kernels import numpy_kernels
 from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.runtime.model import MachineModel
+from trueaxis.runtime.uncertainty import load_uncertainty
 from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.read import parse_machine
 
 if TYPE_CHECKING:
+    from trueaxis.commands.drawn_and_derived import Extended
     from trueaxis.derive.systems import RunPattern
+    from trueaxis.diagnose.report.picture import Pictures
     from trueaxis.diagnose.result import Diagnosis, ErrorNow
 
 DESCRIPTION = """\
@@ -71,9 +75,12 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 @dataclass(frozen=True)
 class _Given:
-    """What was read. spec: its text as it must read in the folder to be written; runs: whose systems are derived."""
+    """What was read. covariance: of the error values; spec: its text as it must read in the folder to be written; runs:
+    whose systems are derived.
+    """
 
     model: MachineModel
+    covariance: Covariance | None
     data: MeasuredData
     spec: str
     runs: "tuple[RunPattern, ...]"
@@ -81,37 +88,45 @@ class _Given:
 
 def run(args: argparse.Namespace) -> int:
     """Diagnose, extend, write; raises InputError with the faults of every file and option."""
-    # the report is drawn by a second process, which gets ready for it meanwhile
-    with progress() as show, beside("trueaxis.diagnose.report.html") as start:
+    # figures are drawn and a machine is derived by a second process, which gets ready for it meanwhile
+    with progress() as show, beside("trueaxis.commands.drawn_and_derived") as start:
         show("reading")
         given = _read(args)
         # only this command needs them, and not for wrong input
         from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
+        from trueaxis.diagnose.report.html import report_html  # noqa: PLC0415
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
         from trueaxis.diagnose.verdict import misfitting  # noqa: PLC0415
 
         with ThreadPoolExecutor(cores()) as pool:
-            options = DiagnoseOptions(noise_um=args.noise_um, progress=show, each=pool.map)
+            options = DiagnoseOptions(args.noise_um, given.covariance, progress=show, each=pool.map)
             diagnosis = diagnose(given.model, given.data, options)
+        show("extending")
+        extended = _extended(args.out, given, diagnosis)
+        second = start("drawn_and_derived", diagnosis, extended)
         try:
-            extension, errors, fit = _extension(args, given, diagnosis, show)
+            values, errors, fit = _values(args, given, diagnosis, extended)
         except NotConvergedError as failure:
             show("")
             print(f"trueaxis: values of the extended machine: {failure}; nothing was written", file=sys.stderr)
             return 1
+        show("report")
+        pictures, files = cast("tuple[Pictures, Mapping[str, bytes]]", second())
         diagnosis = replace(diagnosis, errors=errors)
         if fit is not None and fit.state == "misfit":
             # a run of the wrong sign, or that belongs elsewhere: no effect of the machine, and no name beside it
-            diagnosis, extension = misfitting(diagnosis, fit.runs), {}
-        report = start("report_html", diagnosis)
-        show("report")
-        machine_file = f"{given.model.name}.toml" if extension else None
+            diagnosis, extended = misfitting(diagnosis, fit.runs), None
+            pictures = replace(pictures, causes=())
+        machine_file = None if extended is None else extended.spec
         contents: dict[Path, bytes | str] = {
-            args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extension else None),
-            args.out / REPORT: str(report()),
-            **extension,
+            args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extended else None),
+            args.out / REPORT: report_html(diagnosis, pictures),
         }
+        if extended is not None:
+            contents[args.out / extended.spec] = extended.text
+            contents[args.out / ERRORS] = values
+            contents |= {args.out / KERNELS / given.model.name / name: content for name, content in files.items()}
         write_files(contents)
     of_values = given.model.errors.fit
     if of_values is not None and of_values.state == "misfit":
@@ -150,6 +165,10 @@ def _read(args: argparse.Namespace) -> _Given:
             problem = "cannot be written for another folder"
             found.append(Fault(str(args.machine), "key runs", problem, "a text of one line in quotes"))
     measured = read_measured(argparse.Namespace(**vars(args), known=args.errors), found)
+    covariance = None
+    if measured.known is not None:
+        with gathering(found):
+            covariance = load_uncertainty(args.errors, measured.known, machine)
     if measured.data.readings.planned.all():
         remedy = "take them, or make some with simulate"
         found.append(Fault(str(args.data), "column reading", "is a plan: there is no reading in it", remedy))
@@ -161,7 +180,7 @@ def _read(args: argparse.Namespace) -> _Given:
     if found:
         raise InputError(found)
     errors = measured.known or ErrorValues(machine.name)
-    return _Given(measured.model.with_values(errors), measured.data, text, runs)
+    return _Given(measured.model.with_values(errors), covariance, measured.data, text, runs)
 
 
 def _overwritten(args: argparse.Namespace, machine: Machine) -> list[Fault]:
@@ -177,36 +196,37 @@ def _outputs(out: Path, name: str) -> list[Path]:
     return [out / DIAGNOSIS, out / REPORT, out / f"{name}.toml", out / ERRORS, *kernels]
 
 
-def _extension(
-    args: argparse.Namespace, given: _Given, diagnosis: "Diagnosis", show: Progress
-) -> "tuple[dict[Path, bytes | str], tuple[ErrorNow, ...], Fit | None]":
-    """The files of the extended machine, none where no cause was named; all errors as these readings have them, and
-    whether any errors fit these readings.
-    """
-    from trueaxis.diagnose.extend import kept_readings, named_effects, reidentified, start_values  # noqa: PLC0415
+def _extended(out: Path, given: _Given, diagnosis: "Diagnosis") -> "Extended | None":
+    """The machine with the causes that were named; None where none was."""
+    from trueaxis.commands.drawn_and_derived import Extended  # noqa: PLC0415
+    from trueaxis.diagnose.extend import named_effects  # noqa: PLC0415
+    from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
 
     effects = named_effects(diagnosis)
-    kept = kept_readings(given.data, diagnosis, str(args.data))
-    show("extending")
     if not effects:
-        try:
-            return {}, *reidentified(given.model, given.model.errors, kept)[1:]
-        except (NotConvergedError, InputError):
-            return {}, (), None  # the diagnosis stands without it
-    # SymPy and Jinja2: only where a machine is extended
-    from trueaxis.derive.model import derive_model  # noqa: PLC0415
-    from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
-    from trueaxis.emit.render import render  # noqa: PLC0415
-
-    path = args.out / f"{given.model.name}.toml"
+        return None
+    path = out / f"{given.model.name}.toml"
     text = extended_spec(given.spec, effects)
-    machine = parse_machine(text, Faults(str(path)))
-    files = render(derive_model(machine, given.runs), path.name)
-    kernels = numpy_kernels(files["kernels.py"], path)  # run too briefly to be worth compiling
-    model = MachineModel(machine, kernels, ErrorValues(machine.name))
+    return Extended(parse_machine(text, Faults(str(path))), given.runs, path.name, text)
+
+
+def _values(
+    args: argparse.Namespace, given: _Given, diagnosis: "Diagnosis", extended: "Extended | None"
+) -> "tuple[str, tuple[ErrorNow, ...], Fit | None]":
+    """errors.json of the extended machine, empty where there is none; all errors as these readings have them, and
+    whether any errors fit these readings.
+    """
+    from trueaxis.diagnose.extend import kept_readings, reidentified, start_values  # noqa: PLC0415
+
+    kept = kept_readings(given.data, diagnosis, str(args.data))
+    if extended is None:
+        try:
+            return "", *reidentified(given.model, given.model.errors, kept)[1:]
+        except (NotConvergedError, InputError):
+            return "", (), None  # the diagnosis stands without it
+    machine = extended.machine
+    # the kernels of a machine are those of any other machine that has the same bodies: effects have theirs apart
+    model = MachineModel(machine, given.model.kernels, ErrorValues(machine.name))
     values, table, fit = reidentified(model, given.model.errors, kept, start_values(diagnosis))
     errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
-    generated: dict[Path, bytes | str] = {
-        args.out / KERNELS / machine.name / name: content for name, content in files.items()
-    }
-    return {path: text, args.out / ERRORS: errors, **generated}, table, fit
+    return errors, table, fit

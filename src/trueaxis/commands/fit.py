@@ -37,7 +37,7 @@ NO_KERNELS = "there are no kernels of this machine (--kernels): the uncertainty 
 DESCRIPTION = """\
 Replace the curves of an error-values file by optimal polynomials that are zero at home, as in Sect. 4: the order by the
 mean square error, an F test of the equation, t tests of its terms, terms chosen stepwise by AIC until both tests pass.
-Shows the statistics before and after. Curves are tables (method stepwise) or the Legendre curves of the estimate
+--statistics shows all figures. Curves are tables (method stepwise) or the Legendre curves of the estimate
 (method global), which are fitted by generalised least squares with their posterior covariance. A Legendre curve stays
 as it is where it rests on the prior, or where no significant polynomial is within half its standard uncertainty; the
 picture shows the first kind dashed, with a band."""
@@ -61,6 +61,9 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
     parser.add_argument("--alpha", type=share, default=0.05, help="significance level of the tests (%(default)s)")
     misfit_option(parser)
+    parser.add_argument(
+        "--statistics", action="store_true", help="show the statistics of each equation, before and after, as a table"
+    )
     parser.add_argument(
         "--max-u", type=size, metavar="MM",
         help="write nothing, exit code 1, where a standard uncertainty of the tool point within the travel, relative "
@@ -123,7 +126,9 @@ def run(args: argparse.Namespace) -> int:
         write_files(contents)
     for name, fit in (*fits.items(), *of_estimate.items()):
         unit, factor = ("um", 1e3) if ErrorName(name).unit == "mm" else ("urad", 1e6)
-        print(f"{name}: {fit.verdict}\n{statistics_table(fit, unit, factor)}\n")
+        print(f"{name}: {fit.verdict}")
+        if args.statistics:
+            print(f"{statistics_table(fit, unit, factor)}\n")
     stated = [NO_KERNELS] if extent is None else extent_sentences(extent, "over the travel")
     for note in (*notes, *stated):
         print(f"note: {note}")

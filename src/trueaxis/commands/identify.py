@@ -19,10 +19,11 @@ from trueaxis.commands.identify_options import (
 from trueaxis.commands.measured import compensation_note, read_measured
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.estimation.curve_prior import DEGREE
+from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.faults import Fault, Faults, InputError
 from trueaxis.files import write_files
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.fit_quality import NotConvergedError
 from trueaxis.identify.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
 from trueaxis.identify.paper.method import identify_paper
@@ -222,13 +223,15 @@ def _identify(
     return identify_estimated(
         model,
         observed,
-        EstimateOptions(
+        IdentifyOptions(
             args.squareness,
             known,
             noise,
-            prior=prior,
-            ideal=args.instruments == "ideal",
-            degree=args.degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR),
+            EstimationOptions(
+                prior=prior,
+                ideal=args.instruments == "ideal",
+                degree=args.degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR),
+            ),
         ),
     )
 

@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trueaxis.commands.arguments import key_value
 from trueaxis.commands.paths import named, overwritten
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import write_files
@@ -42,7 +43,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder of measured data, to be written")
     parser.add_argument("--format", choices=FORMATS, help="of all files (default: as their content shows)")
     parser.add_argument(
-        "--map", type=_key_value, action="extend", nargs="+", default=[], metavar="KEY=VALUE",
+        "--map", type=key_value, action="extend", nargs="+", default=[], metavar="KEY=VALUE",
         help="what the files do not say, such as axis=X target.point=0,0,-150 at.Y=200; RUN:KEY=VALUE for one run, or "
         "for the runs of one file by its name without suffix",
     )  # fmt: skip
@@ -124,13 +125,6 @@ def _answer(question: Question, given: dict[str, str]) -> str:
             raise InputError([question.fault])
         if line.strip() or earlier:
             return line.strip() or earlier[-1]
-
-
-def _key_value(text: str) -> tuple[str, str]:
-    key, equals, value = text.partition("=")
-    if not equals or not key.strip() or not value.strip():
-        raise argparse.ArgumentTypeError(f"{text!r} is not KEY=VALUE")
-    return key.strip(), value.strip()
 
 
 def _faults_of_out(args: argparse.Namespace) -> list[Fault]:

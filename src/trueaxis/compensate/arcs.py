@@ -13,6 +13,9 @@ Vector = tuple[float, float, float]
 
 SAME_POINT = 1e-7  # mm; far below any word, far above the accumulated rounding of incremental positions
 MOST_CHORDS = 200_000
+NEGLIGIBLE = (
+    1e-4  # mm: a tenth of what is asked for; radii that differ by less are those of one arc, whatever its words
+)
 
 
 class ArcError(ValueError):
@@ -67,7 +70,7 @@ def arc_about(start: Vector, end: Vector, centre: Vector, normal: Vector, allowe
     last = math.hypot(*_across(_minus(end, centre), normal))
     if min(first, last) <= SAME_POINT:
         raise ArcError("an arc of radius 0")
-    if not abs(first - last) <= allowed:
+    if not abs(first - last) <= max(allowed, NEGLIGIBLE):
         raise ArcError(
             f"start and end of the arc lie at different radii, {first:.5f} and {last:.5f} mm; "
             f"rounding of its words explains {allowed:.5f} mm"

@@ -7,7 +7,10 @@ from pathlib import Path
 from typing import BinaryIO, Literal
 
 from trueaxis.compensate.apt_reader import AptReader
+from trueaxis.compensate.dialects import NAMES, RECOGNISED, dialect_of, head_of, is_klartext
 from trueaxis.compensate.fault_log import FaultLog
+from trueaxis.compensate.klartext_numbers import numbered
+from trueaxis.compensate.klartext_reader import KlartextReader
 from trueaxis.compensate.machine import ErrorModel
 from trueaxis.compensate.mark import MARK, comment_of, marked
 from trueaxis.compensate.moves import Notes
@@ -108,8 +111,13 @@ def compensate_file(
     if settings.words != "nearest" and len(linear) != 3:
         raise InputError([Fault("--words", "", f"'{settings.words}' needs a machine with X, Y and Z")])
     faults, notes = FaultLog(name), Notes()
+    if language == "nc" and settings.dialect is None and (dialect := dialect_of(head_of(program))):
+        notes.add(0, RECOGNISED.format(NAMES[dialect]))
+        settings = replace(settings, dialect=dialect)
     compensator = Compensator(model, settings, faults, notes)
-    reader = (AptReader if language == "apt" else NcReader)(model.axes, settings, faults, notes)
+    klartext = language == "nc" and settings.dialect == "heidenhain" and is_klartext(head_of(program))
+    read_by = AptReader if language == "apt" else KlartextReader if klartext else NcReader
+    reader = read_by(model.axes, settings, faults, notes)
     mark = comment_of(program, settings.dialect) if language == "nc" else f"({MARK})"
     with OutputFiles() as outputs:
         target = outputs.open(out)
@@ -117,7 +125,8 @@ def compensate_file(
         ends_whole = True
         with program.open("rb") as source:
             lines = _Lines(source, faults, progress)
-            for text in marked(compensator.texts(reader.items(lines)), mark):
+            pieces = marked(compensator.texts(reader.items(lines)), mark)
+            for text in numbered(pieces) if klartext else pieces:
                 if text and not faults.count:
                     target.write(text.encode("latin-1"))
                     blocks_out += text.count("\n")

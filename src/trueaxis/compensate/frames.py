@@ -13,13 +13,14 @@ class Frames:
     """The offsets of one program as it is read; values by row of the machine's axes, mm and deg.
 
     system: the work offset in force, None: machine coordinates; empty: it is not known which. tables: (value, half of
-    its range) of every work offset that is known. local: of G52; reset: of G92; length: of the tool. stored: what G92.3
-    restores.
+    its range) of every work offset that is known. local: of G52 or TRANS; reset: of G92; length: of the tool.
+    stored: what G92.3 restores. machine_has_length: whether machine coordinates are those of the tip (SINUMERIK).
     """
 
     axes: tuple[str, ...]
     offsets: Offsets
     system: str | None = None
+    machine_has_length: bool = False
     tables: dict[str, list[tuple[float, float]]] = field(default_factory=dict)
     local: list[float] = field(init=False)
     reset: list[float] = field(init=False)
@@ -71,7 +72,14 @@ class Frames:
     @property
     def of_machine(self) -> tuple[Id, ...]:
         """The same of machine coordinates."""
+        if self.machine_has_length:
+            return tuple((None, 0, 0, tool) for tool in self._tools)
         return ((None, 0, 0, 0),) * len(self.axes)
+
+    @property
+    def shift_of_machine(self) -> tuple[float, ...]:
+        """Machine position minus word in machine coordinates: the tool's length where they are those of its tip."""
+        return tuple(self.length) if self.machine_has_length and any(self.length) else ()
 
     @property
     def values(self) -> tuple[float, ...]:
@@ -102,6 +110,11 @@ class Frames:
                 self.reset[row], self._resets[row] = value, 0
             else:
                 self.local[row] = value
+
+    def shift_program(self, rows: Mapping[int, float], adding: bool) -> None:
+        """TRANS, or ATRANS where it is added to the shift so far."""
+        for row in range(len(self.axes)):
+            self.local[row] = rows.get(row, 0.0) + (self.local[row] if adding else 0.0)
 
     def put(self, rows: Mapping[int, float], position: Sequence[float | None]) -> None:
         """G92: the axes of these rows have these values at the position where they stand (machine coordinates)."""

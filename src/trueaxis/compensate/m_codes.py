@@ -57,11 +57,30 @@ _MODES = "saves or restores modes, so that later blocks read differently"
 HARMFUL: dict[int, str] = {
     91: _FRAME, 92: _FRAME,
     96: _SUBPROGRAM, 97: _SUBPROGRAM, 98: _SUBPROGRAM, 99: _SUBPROGRAM, 198: _SUBPROGRAM,
-    114: _POINT_CONTROL, 128: _POINT_CONTROL, 428: _POINT_CONTROL,
+    114: _POINT_CONTROL, 128: _POINT_CONTROL, 428: _POINT_CONTROL, 429: _POINT_CONTROL, 430: _POINT_CONTROL,
     126: "changes the way on which rotary axes turn (Heidenhain)",
     130: "gives positions in an untilted frame (Heidenhain)",
     144: "changes positions by kinematics that are not in the program (Heidenhain)",
 }  # fmt: skip
+# known on one control: no axis moves; what it does and when
+KNOWN_ON: dict[str, dict[int, MCode]] = {
+    "heidenhain": {
+        13: MCode("spindle on, clockwise, and coolant", Timing.BEFORE),
+        14: MCode("spindle on, counter-clockwise, and coolant", Timing.BEFORE),
+        107: MCode("tools of a length that differs are no fault", Timing.BEFORE),
+        108: MCode("end of M107", Timing.BEFORE),
+        109: MCode("F at the contour of inside and outside arcs", Timing.BEFORE),
+        110: MCode("F at the contour of inside arcs", Timing.BEFORE),
+        111: MCode("end of M109 and M110", Timing.BEFORE),
+        127: MCode("rotary axes turn on the way that their positions give", Timing.BEFORE),
+        137: MCode("end of M136", Timing.BEFORE),
+    },
+}
+# tool centre point control on and off; LinuxCNC: as its sample machines with switchable kinematics have it
+POINT_CONTROL: dict[str, dict[int, bool]] = {
+    "heidenhain": {128: True, 129: False},
+    "linuxcnc": {428: True, 429: False},
+}
 # harmful on one control and the builder's on the others: passed unless --dialect names that control
 HARMFUL_ON: dict[str, dict[int, str]] = {
     "linuxcnc": dict.fromkeys((70, 71, 72, 73), _MODES),
@@ -82,7 +101,7 @@ NOT_PASSED = "--pass-m does not pass it; write the program without it before com
 
 def problem_of(code: int, passed: Collection[int], dialect: str | None) -> tuple[str, str] | None:
     """What is wrong with a code, and what would be right; None if it is known or `passed` names it."""
-    if code in KNOWN:
+    if code in KNOWN or code in KNOWN_ON.get(dialect or "", {}):
         return None
     harm = HARMFUL.get(code) or HARMFUL_ON.get(dialect or "", {}).get(code)
     if harm:

@@ -10,8 +10,12 @@ from trueaxis.compensate.settings import Dialect
 # capitals and no sign but a blank: older controls take no other in a comment
 MARK = "TRUEAXIS COMPENSATED"
 COMPENSATED_ALREADY = ("this program is compensated already", "compensate the original program")
-# what must stay first: a byte order mark, blank lines, %, the program's number, and Siemens' path in the second line
-_HEAD = re.compile(r"(?:\xef\xbb\xbf)?(?:[ \t]*+(?:%[^\r\n]*+|[O:o][ \t]*+\d[^\r\n]*+|;\$PATH[^\r\n]*+)?\r*+\n)*")
+# what must stay first: a byte order mark, blank lines, %, the program's number, Siemens' path in the second line, and
+# BEGIN PGM of Heidenhain
+_HEAD = re.compile(
+    r"(?:\xef\xbb\xbf)?"
+    r"(?:[ \t]*+(?:%[^\r\n]*+|[O:o][ \t]*+\d[^\r\n]*+|;\$PATH[^\r\n]*+|(?:\d++[ \t]++)?BEGIN PGM[^\r\n]*+)?\r*+\n)*"
+)
 _BYTE_ORDER_MARK = "\xef\xbb\xbf"
 _HEAD_BYTES = 65536
 _SEMICOLON = frozenset({".mpf", ".spf", ".i"})  # extensions of Siemens and Heidenhain, where ( ) is no comment

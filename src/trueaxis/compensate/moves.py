@@ -4,7 +4,7 @@ import math
 from collections import Counter
 from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -28,6 +28,25 @@ class Split(NamedTuple):
     last: str
 
 
+CentreWords = Literal["centre", "radius"]
+
+
+class Round(NamedTuple):
+    """How an arc is written where it stays one.
+
+    lead, split_lead: as of Move and Split, with the code of the arc. code, line: what stands before the words of the
+    pieces that follow, by kind. centre: whether I J K, or the radius, which is written after `radius`; last: after it.
+    """
+
+    lead: str
+    split_lead: str
+    code: str
+    line: str
+    centre: CentreWords = "centre"
+    radius: str = "R"
+    last: str = ""
+
+
 class Move(NamedTuple):
     """One block that moves, as programmed.
 
@@ -42,7 +61,7 @@ class Move(NamedTuple):
     it may stand anywhere, and `end` is where it is taken to stand; empty if none may. shift: position minus word of
     each axis, mm and deg; empty if 0. start_stated: whether it starts
     where the program has not commanded the axes to: only its end counts. whole: why it may not be cut; empty if it may.
-    inverse_time: F where it is 1/min of the block (G93), else 0.
+    inverse_time: F where it is 1/min of the block (G93), else 0. round: how an arc is written where it may stay one.
     """
 
     line: int
@@ -67,6 +86,7 @@ class Move(NamedTuple):
     start_stated: bool = False
     whole: str = ""
     inverse_time: float = 0.0
+    round: Round | None = None
 
 
 class Zero(NamedTuple):
@@ -86,13 +106,15 @@ class Zero(NamedTuple):
 
 class Setup(NamedTuple):
     """What holds from here on: the work offset (empty: machine coordinates), its values and half of their ranges for
-    each axis, mm and deg; the tool in the spindle (None: not known, the tool point is that of the settings).
+    each axis, mm and deg; the tool in the spindle (None: not known, the tool point is that of the settings); whether
+    positions are those of the tip, see point_control.
     """
 
     system: str = ""
     values: tuple[float, ...] = ()
     spread: tuple[float, ...] = ()
     tool: int | None = None
+    point_control: bool = False
 
 
 class Start(NamedTuple):

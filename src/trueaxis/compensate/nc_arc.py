@@ -33,7 +33,7 @@ def arc_of_block(
     flat_b = tuple(p if axis == across else q for p, q, axis in zip(a, b, LINEAR, strict=True))
     in_plane = (flat_b[0], flat_b[1], flat_b[2])
     given = [state.numbers[state.row[axis]] for axis in (first, second)]
-    unit = _half_unit(given, state.inch, integers)
+    unit = half_unit_of(given, state.inch, integers)
     before = [unit if axis in (first, second) else 0.0 for axis in LINEAR]
     named = [axis in meaning.axes and axis != across for axis in LINEAR]
     rounding = rounding_of(named, meaning.decimals, before, state.absolute, state.inch)
@@ -42,12 +42,21 @@ def arc_of_block(
         if meaning.centre:
             raise ArcError("an arc has either R or I J K")
         return arc_of_radius(a, b, meaning.radius * scale, normal, allowed_beyond_radius(a, in_plane, rounding))
-    if meaning.centre.get(_CENTRE_OF[across]):
+    if meaning.centre.get(_CENTRE_OF[across]) or meaning.ways.get(_CENTRE_OF[across]):
         raise ArcError(f"{_CENTRE_OF[across]} points out of the plane {first}{second} in force")
     if not meaning.centre:
         raise ArcError("an arc without I J K or R")
-    x, y, z = (p + scale * meaning.centre.get(_CENTRE_OF[axis], 0.0) for p, axis in zip(a, LINEAR, strict=True))
+    x, y, z = (_centre(state, meaning, axis, p, scale) for p, axis in zip(a, LINEAR, strict=True))
     return arc_about(a, b, (x, y, z), normal, allowed_about(a, in_plane, (x, y, z), rounding))
+
+
+def _centre(state: NcState, meaning: Meaning, axis: str, start: float, scale: float) -> float:
+    """Position of the centre along an axis, mm; start: that of the start."""
+    letter = _CENTRE_OF[axis]
+    if not meaning.ways.get(letter):
+        return start + scale * meaning.centre.get(letter, 0.0)
+    shift = state.shift[state.row[axis]] if state.shift and axis in state.row else 0.0
+    return scale * meaning.centre[letter] + shift
 
 
 def _linear(state: NcState, position: tuple[float, ...]) -> Vector:
@@ -58,10 +67,10 @@ def _linear(state: NcState, position: tuple[float, ...]) -> Vector:
 def keep_rounding(state: NcState, inch: bool, integers: Integers | None) -> None:
     """Before a change of units: keep what is needed of the numbers written in the old ones."""
     if inch != state.inch:
-        state.numbers = [_half_unit([number], state.inch, integers) if number else None for number in state.numbers]
+        state.numbers = [half_unit_of([number], state.inch, integers) if number else None for number in state.numbers]
 
 
-def _half_unit(numbers: Sequence[str | float | None], inch: bool, integers: Integers | None) -> float:
+def half_unit_of(numbers: Sequence[str | float | None], inch: bool, integers: Integers | None) -> float:
     """Half a unit, mm, of the longest of the numbers that gave positions; 0 where no word did."""
     undotted = 0 if integers != "least-increment" else 4 if inch else 3
     counts = [

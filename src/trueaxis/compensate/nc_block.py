@@ -29,9 +29,17 @@ _SETTING: dict[int, tuple[str, int | bool | str]] = {
 }  # fmt: skip
 
 
-def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings, in_cycle: bool = False) -> Meaning:
-    """Sort the words of a block by what they do; in_cycle: whether a canned cycle is in force."""
-    meaning = Meaning()
+def interpret(
+    block: Block,
+    machine_axes: tuple[str, ...],
+    settings: Settings,
+    in_cycle: bool = False,
+    meaning: Meaning | None = None,
+) -> Meaning:
+    """Sort the words of a block by what they do; in_cycle: whether a canned cycle is in force; meaning: of its keywords
+    so far.
+    """
+    meaning = Meaning() if meaning is None else meaning
     if block.problem:
         meaning.complain(block.problem)
     seen: set[str] = set()
@@ -50,7 +58,9 @@ def interpret(block: Block, machine_axes: tuple[str, ...], settings: Settings, i
     goes_on = in_cycle and meaning.motion is None and not meaning.cancel_cycle and not meaning.in_machine_coordinates
     meaning.drilling = meaning.data_code is None and not meaning.dwell and (meaning.cycle is not None or goes_on)
     for word in others:
-        _other(word, meaning, machine_axes)
+        _other(word, meaning, machine_axes, settings.dialect == "siemens")
+    if meaning.frame and meaning.data:
+        meaning.complain(meaning.frame, codes.MACHINE_REMEDY)
     if meaning.system == "G54.1":
         meaning.system = system_name(f"G54.1P{meaning.parameters.get('P', 0):g}") or ""
         if not meaning.system:
@@ -82,14 +92,23 @@ def _cancels(meaning: Meaning) -> None:
 def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
     code = round(value * 10)
     name = f"G{value:g}"
+    dialect = settings.dialect or ""
     if abs(value * 10 - code) > 1e-6 or code < 0:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
-    elif code in codes.FAULTY and code not in codes.HARMLESS_ON.get(settings.dialect or "", ()):
-        meaning.complain(f"{name} {codes.FAULTY[code].why}", codes.FAULTY[code].remedy)
-    elif harm := codes.OTHERWISE_ON.get(settings.dialect or "", {}).get(code):
+    elif code in codes.INCH_ON.get(dialect, {}):
+        _set(meaning, "inch", codes.INCH_ON[dialect][code], name)
+    elif code in codes.POINT_CONTROL_ON.get(dialect, ()):
+        meaning.length_code, meaning.point_control = codes.TAKE_LENGTH, True
+    elif dialect == "siemens" and name == codes.MACHINE_FRAME:
+        _set(meaning, "system", codes.MACHINE_FRAME, name)
+    elif harm := codes.OTHERWISE_ON.get(dialect, {}).get(code):
         meaning.complain(f"{name} {harm}", codes.MACHINE_REMEDY)
+    elif code in codes.FAULTY and code not in codes.HARMLESS_ON.get(dialect, ()):
+        meaning.complain(f"{name} {codes.FAULTY[code].why}", codes.FAULTY[code].remedy)
     elif code in _SETTING:
         what, setting = _SETTING[code]
+        if what == "length_code" and dialect in codes.POINT_CONTROL_ON:
+            meaning.point_control = False  # G43 and G49 take the place of G43.4
         _set(meaning, what, setting, name)
     elif code == codes.DWELL:
         meaning.dwell = True
@@ -97,9 +116,9 @@ def _preparatory(value: float, meaning: Meaning, settings: Settings) -> None:
         meaning.cancel_cycle = True
     elif code == codes.EXACT_STOP:
         meaning.exact_stop = True
-    elif code not in codes.HARMLESS and code not in codes.FAULTY and code != codes.RESTORE_SHIFT:
+    elif code not in codes.HARMLESS | codes.HARMLESS_ON.get(dialect, frozenset()) and code != codes.RESTORE_SHIFT:
         meaning.complain(f"{name} is not a known code", codes.NOT_KNOWN)
-    meaning.codes.add(code)
+    meaning.codes.add(codes.SAME_ON.get(dialect, {}).get(code, code))
 
 
 def _set(meaning: Meaning, what: str, value: int | bool | str, name: str) -> None:
@@ -113,12 +132,15 @@ def _miscellaneous(value: float, meaning: Meaning, settings: Settings) -> None:
     code = int(value)
     if code != value or code < 0:
         meaning.complain(f"M{value:g} is not a code")
+    elif code in m_codes.POINT_CONTROL.get(settings.dialect or "", {}):
+        meaning.point_control = m_codes.POINT_CONTROL[settings.dialect or ""][code]
     elif problem := m_codes.problem_of(code, settings.pass_m, settings.dialect):
         meaning.complain(*problem)
     meaning.miscellaneous.append(code)
 
 
-def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
+def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...], edges: bool) -> None:
+    """A word that is no code; edges: whether D selects an edge of the tool."""
     letter = word.letter
     if letter in _PARAMETERS or (letter == "K" and meaning.drilling):
         meaning.parameters[letter] = word.value
@@ -141,6 +163,8 @@ def _other(word: Word, meaning: Meaning, machine_axes: tuple[str, ...]) -> None:
         _number(word, meaning)
     elif letter == "O":
         meaning.program_number = True
+    elif letter == "D" and edges:
+        _edge(word, meaning)
     else:
         _number_of_code(word, meaning)
 
@@ -160,6 +184,14 @@ def _number_of_code(word: Word, meaning: Meaning) -> None:
         meaning.complain(f"address {letter} is not known", "only words whose effect on positions is known are accepted")
     if letter == "Q" and meaning.drilling:
         _number(word, meaning)
+
+
+def _edge(word: Word, meaning: Meaning) -> None:
+    """D of SINUMERIK: the length of the tool in the spindle."""
+    if word.value in (0.0, 1.0):
+        meaning.length_code = codes.TAKE_LENGTH if word.value else codes.END_LENGTH
+    else:
+        meaning.complain(f"D{word.value:g} selects another edge of the tool", "D1, and the tool's length in --tools")
 
 
 def _takes(letter: str, meaning: Meaning) -> bool:

@@ -26,6 +26,8 @@ END_SHIFT, SUSPEND_SHIFT = 921, 922  # G92.1, G92.2
 TAKE_LENGTH, GIVE_LENGTH, END_LENGTH = 430, 431, 490  # G43, G43.1, G49
 # codes whose axis words are data, not where to go
 TO_REFERENCE, TO_SECOND_REFERENCE = 280, 300  # G28, G30
+SHIFT_TO, SHIFT_BY = -1, -2  # TRANS and ATRANS of SINUMERIK
+MACHINE_FRAME = "G500"  # no work offset (SINUMERIK)
 WITH_DATA = frozenset({WRITE_DATA, LOCAL_SHIFT, SET_POSITION, GIVE_LENGTH, TO_REFERENCE, TO_SECOND_REFERENCE})
 CYCLES = frozenset({730, 810, 820, 830, 850, 860, 890})  # drilling and boring, followed
 # what one control means by a code that the others use otherwise
@@ -35,6 +37,7 @@ OTHERWISE_ON: dict[str, dict[int, str]] = {
         430: "is not SINUMERIK's", 431: "is not SINUMERIK's", 100: "is a polar motion (SINUMERIK)",
         **dict.fromkeys((280, 300, *CYCLES), "is not SINUMERIK's"),
         520: "is not SINUMERIK's", 920: "limits the spindle (SINUMERIK)",
+        740: "moves to the reference point (SINUMERIK)", 750: "moves to a fixed point (SINUMERIK)",
     },
     "heidenhain": {
         **dict.fromkeys(SYSTEMS, "shifts the datum by its axis words (Heidenhain)"),
@@ -50,7 +53,16 @@ CANCELS_WITH_AXES = frozenset({501, 921})
 # cancels beside which axis words are a motion on one control and parameters or another code on the next
 CANCELS_ALONE = frozenset({131, 150, 500, 690, 922})
 # what only one control's users can mean by it
-HARMLESS_ON = {"fanuc": frozenset({150})}
+# path modes and corners (G60 G601-G603 G641-G645 G450 G451) of SINUMERIK
+HARMLESS_ON = {
+    "fanuc": frozenset({150}),
+    "siemens": frozenset({600, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450, 4500, 4510, 1530}),
+}
+INCH_ON = {"siemens": {700: True, 710: False, 7000: True, 7100: False}, "heidenhain": {700: True, 710: False}}
+SAME_ON = {"siemens": {1530: MACHINE_COORDINATES}}  # G153
+
+# tool centre point control, with the length of H
+POINT_CONTROL_ON = {"fanuc": frozenset({434})}
 
 # exact path modes that take a tolerance or a number of blocks
 WITH_PARAMETERS = frozenset({610, 611, 640})

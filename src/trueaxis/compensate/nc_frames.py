@@ -32,7 +32,9 @@ class FrameReader:
         """What holds from here on, where it differs from what held before."""
         state, frames = self._state, self._state.frames
         system = frames.system or ""
-        setup = Setup(system, frames.values if system else (), frames.spread if system else (), state.tool)
+        setup = Setup(
+            system, frames.values if system else (), frames.spread if system else (), state.tool, state.point_control
+        )
         state.enter_frame()
         if setup == self._setup:
             return []
@@ -60,6 +62,8 @@ class FrameReader:
             item = self._write(number, line, body, block, meaning)
         elif meaning.data_code == codes.LOCAL_SHIFT:
             self._local(number, meaning)
+        elif meaning.data_code in (codes.SHIFT_TO, codes.SHIFT_BY):
+            self._state.frames.shift_program(self._values(meaning), adding=meaning.data_code == codes.SHIFT_BY)
         else:
             item = self._put(number, line, body, block, meaning)
         return [item or line, *self.changed()]
@@ -67,6 +71,9 @@ class FrameReader:
     def _system(self, number: int, name: str) -> None:
         frames = self._state.frames
         self._said = True
+        if name == codes.MACHINE_FRAME:
+            frames.system = None
+            return
         if name not in frames.tables:
             given = name.replace(" ", "")
             self._faults.add(

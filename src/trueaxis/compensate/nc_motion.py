@@ -2,8 +2,9 @@
 
 from trueaxis.compensate import nc_codes as codes
 from trueaxis.compensate.arcs import ArcError
+from trueaxis.compensate.commanded import Commanded
 from trueaxis.compensate.fault_log import FaultLog
-from trueaxis.compensate.moves import Item, Kind, Move, Notes
+from trueaxis.compensate.moves import Item, Kind, Move, Notes, Round
 from trueaxis.compensate.nc_arc import arc_of_block
 from trueaxis.compensate.nc_frames import FrameReader
 from trueaxis.compensate.nc_lexer import Block
@@ -51,7 +52,7 @@ class MotionReader:
             self._stay(meaning)
             return None
         state = self._state
-        start, end = state.position, state.after(meaning.axes)
+        start, end = state.position, state.after(meaning.axes, meaning.ways)
         needed = start + end if state.motion in (2, 3) else end
         if None in needed and (state.motion or None in [end[state.row[axis]] for axis in meaning.axes]):
             self._unknown(number, needed, end)
@@ -80,7 +81,17 @@ class MotionReader:
             state.gap = ""
         timed = state.feed_mode == "time" and motion == 1
         text = block_text(body, block.words, state.gap, insert, motion == 1, timed)
-        state.in_force, state.moved = motion, True
+        rounded = None
+        if arc is not None and self._settings.arcs == "keep":
+            code = f"G{state.motion}"
+            kept = block_text(body, block.words, state.gap, meaning.motion is None, True, timed, code)
+            by_radius = meaning.radius is not None
+            rounded = Round(
+                kept.lead, kept.split.lead if kept.split else kept.lead, code + state.gap, "G1" + state.gap,
+                "radius" if by_radius else "centre", "CR=" if self._settings.dialect == "siemens" else "R",
+            )  # fmt: skip
+        # an arc that stays one is in force afterwards, and lines that it becomes are not
+        state.in_force, state.moved = None if arc else motion, True
         for word in block.words:
             if word.letter in meaning.axes:
                 state.numbers[state.row[word.letter]] = body[word.start + 1 : word.end].strip()
@@ -91,7 +102,7 @@ class MotionReader:
             again + (f"G53{state.gap}" if meaning.in_machine_coordinates else ""), text.split, arc,
             not meaning.miscellaneous and not meaning.exact_stop, state.feed_in_minutes,
             state.commanded.command(commands, state.absolute), state.commanded.elsewhere, state.shift, elsewhere,
-            meaning.uncertain_codes, (meaning.feed or 0.0) if timed else 0.0,
+            meaning.uncertain_codes, (meaning.feed or 0.0) if timed else 0.0, rounded,
         )  # fmt: skip
 
     def _may_move(self, number: int, meaning: Meaning) -> bool:
@@ -109,6 +120,11 @@ class MotionReader:
                 "which work offset is in force here is not known",
                 "G54 in the program, or --offset G54=X..,Y..,Z..",
             )
+        elif self._other_way(meaning):
+            self._faults.add(
+                number, "AC or IC, other than G90 or G91 in force, of an axis whose position is not certain here",
+                "command the axis by G90 first",
+            )  # fmt: skip
         elif state.motion and state.feed_mode == "time" and not (meaning.feed or 0.0) > 0.0:
             self._faults.add(number, "a feed motion under G93 without F above 0", "F in each block")
         elif state.motion < 2 and (meaning.centre or meaning.radius is not None):
@@ -122,6 +138,12 @@ class MotionReader:
                 self._notes.add(number, MACHINE_COORDINATES)
             return True
         return False
+
+    def _other_way(self, meaning: Meaning) -> bool:
+        """Whether a word counts otherwise than the mode in force, and its axis may stand elsewhere."""
+        state = self._state
+        other = [state.row[axis] for axis, way in meaning.ways.items() if axis in state.row and way != state.absolute]
+        return bool(other) and state.commanded.of(other) < Commanded.ABSOLUTE
 
     def _stay(self, meaning: Meaning) -> None:
         """After a block without a usable move: what it sets, and where it would have gone, to read on sensibly."""

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from trueaxis.compensate import m_codes
 from trueaxis.compensate import nc_codes as codes
+from trueaxis.compensate.dialects import BYTE_ORDER_MARK
 from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.mark import COMPENSATED_ALREADY, is_marked
 from trueaxis.compensate.moves import STOP, Item, Notes, Start
@@ -21,17 +22,20 @@ from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.nc_modes import ModeReader
 from trueaxis.compensate.nc_motion import MotionReader
 from trueaxis.compensate.nc_plain import PLAIN, plain_move
+from trueaxis.compensate.nc_point_control import switch
 from trueaxis.compensate.nc_reference import to_reference
 from trueaxis.compensate.nc_state import NcState
 from trueaxis.compensate.nc_tools import ToolReader
 from trueaxis.compensate.settings import Settings
+from trueaxis.compensate.siemens_functions import take_functions
+from trueaxis.compensate.siemens_lexer import lex_siemens
 
 _ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
 _OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it
 _NAME = re.compile(r"[Oo]<[\w .+-]*+>\s*+(?:\([^()]*+\))?", re.ASCII)  # of a program, on newer Fanuc controls
 _POSITION = re.compile(r"(?<![A-Za-z])[XYZABCUVW]\s*+[-+.\d]", re.IGNORECASE)
+_MACHINE_DATA = frozenset({codes.TO_REFERENCE, codes.TO_SECOND_REFERENCE, codes.SET_POSITION, codes.WRITE_DATA})
 AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
-BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 
 
 class NcReader:
@@ -43,6 +47,7 @@ class NcReader:
         self._faults = faults
         self._notes = notes
         self._state = NcState(axes, [settings.start.get(axis) for axis in axes], offsets=settings.offsets)
+        self._state.frames.machine_has_length = settings.dialect == "siemens"
         self._modes = ModeReader(self._state, settings, faults, notes)
         self._tools = ToolReader(self._state, settings, faults, notes)
         self._frames = FrameReader(self._state, settings, faults, notes)
@@ -89,14 +94,28 @@ class NcReader:
                 return [line]
             lead = optional.end()
         named = _NAME.fullmatch(text)
-        block = Block((), "") if named else lex(body, lead)
-        meaning = interpret(block, self._axes, self._settings, self._state.cycle is not None)
+        block, meaning = self._read(body, lead, named is not None)
+        for text in meaning.notes:
+            self._notes.add(number, text)
         meaning.program_number |= named is not None or (aligned is not None and not block.words)
         if optional and self._settings.block_delete == "fault" and self._depends(meaning):
             meaning.complain(
                 "whether this block with / is run depends on a switch", "say --block-delete run or --block-delete skip"
             )
         return self._block(number, line, body, block, meaning, optional[0] if optional else "")
+
+    def _read(self, body: str, lead: int, named: bool) -> tuple[Block, Meaning]:
+        """The words of a block and what they ask for."""
+        started = Meaning()
+        if named:
+            block = Block((), "")
+        elif self._settings.dialect == "siemens":
+            found = lex_siemens(body, lead)
+            take_functions(found, started)
+            block = found.block
+        else:
+            block = lex(body, lead)
+        return block, interpret(block, self._axes, self._settings, self._state.cycle is not None, started)
 
     def _depends(self, meaning: Meaning) -> bool:
         """Whether it matters to what follows if a block is run."""
@@ -112,7 +131,10 @@ class NcReader:
         self._tools.change(number, meaning)
         self._modes.known_numbers(number, meaning)
         self._tools.length(number, meaning)
-        items = self._frames.select(number, meaning)
+        items = switch(number, meaning.point_control, state, self._settings, self._faults, self._notes)
+        items += self._frames.select(number, meaning)
+        if state.point_control and (meaning.in_machine_coordinates or meaning.data_code in _MACHINE_DATA):
+            self._faults.add(number, "machine coordinates under tool centre point control", "end it before")
         if meaning.data_code is not None or meaning.drilling:
             items += self._data(number, line, body, block, meaning, again)
         else:

@@ -1,6 +1,7 @@
 """Modal state of an NC program while it is read."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from trueaxis.compensate.canned_cycles import Cycle
@@ -31,6 +32,7 @@ class NcState:
     offsets: work offsets known before the program; frames: those in force. tool: in the spindle, None: not known.
     cycle: the canned cycle in force; at_initial_level: G98; spindle: M3 or M4 while it turns. shift: position minus
     word of each axis, mm or deg; empty if 0. gap: between words, as in the last block that shows it.
+    point_control: whether positions are those of the tip.
     """
 
     axes: tuple[str, ...]
@@ -53,6 +55,7 @@ class NcState:
     spindle: str = ""
     shift: tuple[float, ...] = ()
     gap: str = " "
+    point_control: bool = False
     numbers: list[str | float | None] = field(init=False)
     frames: Frames = field(init=False)
     commanded: CommandedAxes = field(init=False)
@@ -67,7 +70,7 @@ class NcState:
 
     def enter_frame(self, machine: bool = False) -> None:
         """Positions are in the frame that the offsets make, or in machine coordinates, from now on."""
-        self.shift = () if machine else self.frames.shift
+        self.shift = self.frames.shift_of_machine if machine else self.frames.shift
         self.commanded.enter(self.frames.of_machine if machine else self.frames.ids)
 
     @property
@@ -79,13 +82,13 @@ class NcState:
         """Length (mm) or angle (deg) of one unit of a word of this axis."""
         return MM_PER_INCH if self.inch and axis in LINEAR else 1.0
 
-    def after(self, words: dict[str, float]) -> list[float | None]:
-        """Positions after a move to these axis words."""
+    def after(self, words: dict[str, float], ways: Mapping[str, bool] | None = None) -> list[float | None]:
+        """Positions after a move to these axis words; ways: see Meaning."""
         end = list(self.position)
         for axis, value in words.items():
             row = self.row[axis]
             distance = value * self.scale(axis)
-            if self.absolute:
+            if self.absolute if not ways else ways.get(axis, self.absolute):
                 end[row] = distance + self.shift[row] if self.shift else distance
             else:
                 before = end[row]

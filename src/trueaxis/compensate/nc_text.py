@@ -19,13 +19,19 @@ class BlockText(NamedTuple):
 
 
 def block_text(
-    body: str, words: tuple[Word, ...], gap: str, motion_word: bool, as_line: bool, timed: bool = False
+    body: str,
+    words: tuple[Word, ...],
+    gap: str,
+    motion_word: bool,
+    as_line: bool,
+    timed: bool = False,
+    arc: str = "",
 ) -> BlockText:
     """Take the axis and arc words out of a block; gap separates words that are put in.
 
     motion_word: put a G1 or G0 before the axis words, since the block's own text has none and the motion in force
     differs; `as_line` says which, and turns G2 and G3 into G1. timed: F is the inverse of the block's time: when split,
-    each piece has its own, and this one is left out.
+    each piece has its own, and this one is left out. arc: the code of an arc that stays one.
     """
     lead: list[str] = []
     tail: list[str] = []
@@ -47,7 +53,7 @@ def block_text(
                 kept.append(between.rstrip(" \t"))
             continue
         text = between + body[word.start : word.end]
-        if as_line and word.letter == "G" and word.value in (2.0, 3.0):
+        if as_line and not arc and word.letter == "G" and word.value in (2.0, 3.0):
             text = between + "G1"
         out.append(text)
         if due_at_end(word):
@@ -58,7 +64,7 @@ def block_text(
     kept.append(body[place:])
     first = "".join(lead)
     if motion_word:
-        insert = ("G1" if as_line else "G0") + gap
+        insert = (arc or ("G1" if as_line else "G0")) + gap
         first = _joined(first, insert, gap)
         kept_lead = [_joined("".join(kept_lead), insert, gap)]
     at_end = gap + gap.join(last) if last else ""

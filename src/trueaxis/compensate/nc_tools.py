@@ -18,6 +18,7 @@ IN_SPINDLE = "no tool change before this G43: tool {} is taken to be in the spin
 OLD_LENGTH = (
     "tool {} came with a tool change and no G43 since: the length of tool {} stays in force, as on LinuxCNC and Fanuc"
 )
+FIRST_EDGE = "no D after the tool change: D1 is taken to come into force by itself (MD20270 = 1, as delivered)"
 OF_ANOTHER = "the length of tool {} is put in force while tool {} is in the spindle"
 
 
@@ -28,6 +29,8 @@ class ToolReader:
         self._state, self._faults, self._notes = state, faults, notes
         self._table: ToolTable | None = settings.tools
         self._on_linuxcnc = settings.dialect == "linuxcnc"
+        self._on_siemens = settings.dialect == "siemens"
+        self._length_word = {"siemens": "D1", "heidenhain": "TOOL CALL"}.get(settings.dialect or "", "G43")
         self._changes = ToolChanges(settings.dialect, notes, None if settings.tools is None else faults)
         self._selected: int | None = None
         self._changed = False  # a tool has come since the last length was put in force
@@ -59,6 +62,9 @@ class ToolReader:
             self._tool(number, self._selected)
             state.tool = self._selected
             self._changed = True
+            if self._on_siemens and meaning.length_code is None:
+                lengths = self._lengths(number, self._tool(number, self._selected))
+                self._set(number, meaning, lengths, self._selected)
 
     def length(self, number: int, meaning: Meaning) -> None:
         """Take in G43 and G49; note a motion with the length of the tool before the one in the spindle.
@@ -70,6 +76,8 @@ class ToolReader:
             rapid = meaning.motion == 0 or (meaning.motion is None and self._state.motion == 0)
             if self._changed and (meaning.drilling or (meaning.positions and ("Z" in meaning.axes or not rapid))):
                 self._changed = False
+                if self._on_siemens:
+                    self._notes.add(number, FIRST_EDGE)
                 if (old := frames.tool_of_length) and old != self._state.tool:
                     self._notes.add(number, OLD_LENGTH.format(self._state.tool, old))
             return
@@ -77,13 +85,17 @@ class ToolReader:
         if meaning.length_code == codes.END_LENGTH:
             self._set(number, meaning, [0.0] * len(frames.axes), 0)
             return
-        of_tool = (
-            meaning.length_of if meaning.length_of is not None or not self._on_linuxcnc else self._state.tool or None
-        )
-        if of_tool is None:
+        of_tool = meaning.length_of
+        if of_tool is None and (self._on_linuxcnc or self._on_siemens):
+            of_tool = self._state.tool or None
+        if self._table is None and (of_tool is not None or self._on_siemens):
+            self._faults.add(
+                number, f"{self._length_word} shifts positions by a tool value that is not in the program", TOOLS_REMEDY
+            )
+        elif of_tool is None and self._on_siemens:
+            self._faults.add(number, "D1 before a tool change: whose length it is is not known", "T1 M6 before it")
+        elif of_tool is None:
             self._faults.add(number, "G43 without H: whose length it is is not known", "G43 H1")
-        elif self._table is None:
-            self._faults.add(number, "G43 shifts positions by a tool value that is not in the program", TOOLS_REMEDY)
         else:
             if self._state.tool and of_tool and of_tool != self._state.tool:
                 self._notes.add(number, OF_ANOTHER.format(of_tool, self._state.tool))

@@ -74,3 +74,14 @@ def path_of(moves: Sequence[Move], start: FloatArray, axes: tuple[str, ...], cho
     origins = np.concatenate([start[:, None], points[:, :-1]], axis=1)
     origins[:, stated[owner]] = np.nan  # such a move is no arc in G90: it has one point
     return Path(points, origins, owner, rapid[owner], np.zeros(owner.size, dtype=bool))
+
+
+def follows_at_once(batch: list[str | Move], following: Move | None) -> NDArray[np.bool_]:
+    """For each move of a batch whether another follows at once and the tool may run through the end between them."""
+    return np.array(
+        [
+            not isinstance(after, str) and after is not None and item.passable and after.passable
+            for item, after in zip(batch, [*batch[1:], following], strict=True)
+            if not isinstance(item, str)
+        ]
+    )

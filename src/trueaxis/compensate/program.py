@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from trueaxis.compensate.acting import acting
 from trueaxis.compensate.along import Along, PointAlong, PoseAlong
+from trueaxis.compensate.arc_blocks import ArcBlocks, arc_blocks
 from trueaxis.compensate.arcs import MOST_CHORDS, Arc, chord_counts
 from trueaxis.compensate.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensate.fault_log import FaultLog
@@ -17,8 +18,9 @@ from trueaxis.compensate.lattice import Stretch, rotary_on_words, shifts, stretc
 from trueaxis.compensate.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
 from trueaxis.compensate.moves import Item, Kind, Move, Notes, Setup, Start, Zero
 from trueaxis.compensate.orientation import ToolAxis
-from trueaxis.compensate.path import Path, path_of
+from trueaxis.compensate.path import Path, follows_at_once, path_of
 from trueaxis.compensate.placed import Everywhere, Placing
+from trueaxis.compensate.point_control import PointControlled
 from trueaxis.compensate.report import CompensationReport
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.solve import solve
@@ -27,6 +29,7 @@ from trueaxis.compensate.subdivide import PROBE_SPACING, subdivide
 from trueaxis.compensate.tally import Solved, Tally
 from trueaxis.compensate.tools import tool_point_of
 from trueaxis.compensate.tracker import Tracker
+from trueaxis.compensate.travel import note_outside
 from trueaxis.compensate.visited import Visited
 from trueaxis.compensate.writer import BlockWriter
 
@@ -59,14 +62,16 @@ class Compensator:
         self._along = self._comparison()
         self._acting = acting(model, settings)
         self._model = model if self._acting is None else self._acting.model
+        self._axes_model = self._model
         self._tracker = None if self._acting is None else Tracker(self._acting, self._along, settings, notes)
         self._assumed = np.array([settings.assumed.get(axis, 0.0) for axis in model.axes])
         self._programmed = np.full(len(model.axes), np.nan)  # position programmed last
         self._written = self._assumed  # position named by the words written last, or where axes are taken to stand
         self._settled = False  # whether the machine stands at a compensated position
+        # a reversal in the midst of an arc, or words chosen along a ball bar, ask for chords
+        self._arcs_stay = settings.arcs == "keep" and self._tracker is None and settings.words == "nearest"
+        self._arcs_stay &= self._turned is None
         self._tally = Tally(self._model, settings, () if self._acting is None else self._acting.notes)
-        low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
-        self._low, self._high = low[:, None] - 1e-9, high[:, None] + 1e-9
 
     def _axis_to_turn(self) -> ToolAxis | None:
         """The tool axis where it is to be corrected and there are rotary axes for it."""
@@ -120,11 +125,15 @@ class Compensator:
         if isinstance(item, Setup):
             tools = self._settings.tools
             tool = None if tools is None or item.tool is None else tools.tools.get(item.tool)
-            self._tool_point = tool_point_of(self._model, tool, self._given_point)
+            self._tool_point = tool_point_of(self._axes_model, tool, self._given_point)
+            controlled = PointControlled(self._axes_model) if item.point_control else None
+            self._model = controlled or self._axes_model
+            if controlled is not None and self._tracker is not None:
+                self._faults.add(0, "effects under tool centre point control are not followed", "leave them out")
             self._along = self._comparison()
             if self._tracker is not None:
                 self._tracker.use(self._along)
-            self._tally.setup(item, self._tool_point)
+            self._tally.setup(item, self._tool_point, controlled)
             return ""
         stands = np.array([math.nan if value is None else value for value in item.position])
         kept = np.array([value is None for value in item.position])
@@ -150,28 +159,14 @@ class Compensator:
         if self._faults.count:  # moves may be missing: where arcs would start is not known
             moves = [move._replace(arc=None) for move in moves]
         path = path_of(moves, start, self._model.axes, self._settings.chord_tolerance)
-        self._inside(moves, path)
+        note_outside(moves, path, self._model, self._tool_point, self._faults)
         if self._faults.count:
             return ""
-        texts = self._compensated(moves, start, path, _follows(batch, following), following)
+        texts = self._compensated(moves, start, path, follows_at_once(batch, following), following)
         if len(texts) == len(batch):
             return "".join(texts)
         of_moves = iter(texts)
         return "".join(item if isinstance(item, str) else next(of_moves) for item in batch)
-
-    def _inside(self, moves: list[Move], path: Path) -> None:
-        """Note programmed positions, those along arcs too, that are outside the travel; once a block."""
-        outside = (path.points < self._low) | (path.points > self._high)
-        points = np.flatnonzero(outside.any(axis=0))
-        for point in points[np.unique(path.owner[points], return_index=True)[1]]:
-            row = int(np.argmax(outside[:, point]))
-            axis = self._model.axes[row]
-            low, high = self._model.travel[axis]
-            self._faults.add(
-                moves[path.owner[point]].line,
-                f"{axis} = {path.points[row, point]:g} is outside its travel",
-                f"from {low:g} to {high:g}",
-            )
 
     def _compensated(
         self,
@@ -212,19 +207,39 @@ class Compensator:
             parts.append(part)
             previous = part.positions[:, -1]
         done = joined(parts)
+        before = self._written if self._settled and np.isfinite(start).all() else None
+        blocks = arc_blocks(
+            moves if self._arcs_stay else (), path.owner[done.point], done.positions, solved.linear.commands, before,
+            steps[:, done.point], axes, settings,
+        )  # fmt: skip
+        done = replace(done, positions=blocks.positions)
         self._tally.add(
             len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting, elsewhere
         )
-        owner = path.owner[done.point]
+        shares = shares_of_time(done, path.owner[done.point], path, len(moves))
+        return self._texts(moves, start, path, done, blocks, shares, (steps, shift))
+
+    def _texts(
+        self,
+        moves: list[Move],
+        start: FloatArray,
+        path: Path,
+        done: Executed,
+        blocks: ArcBlocks,
+        shares: FloatArray,
+        lattices: tuple[FloatArray, FloatArray],
+    ) -> list[str]:
+        """The text of each move; lattices: steps of words, and position minus word, (n_axes, n_points)."""
+        at, shares, arcs = blocks.blocks(shares)
+        owner, positions = path.owner[done.point[at]], done.positions[:, at]
         self._refuse_cuts(moves, owner)
-        before = np.concatenate([self._written[:, None], done.positions[:, :-1]], axis=1)
-        self._written, self._settled = previous, True
+        before = np.concatenate([self._written[:, None], positions[:, :-1]], axis=1)
+        self._written, self._settled = positions[:, -1], True
         ends = np.array([move.end for move in moves]).T
         starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
         programmed = (ends[:, owner], starts[:, owner])
-        lattices = (steps[:, done.point], shift[:, done.point])
-        shares = shares_of_time(done, owner, path, len(moves))
-        return self._writer.texts(moves, owner, done.positions, before, lattices, programmed, shares)
+        steps, shift = (of_points[:, done.point[at]] for of_points in lattices)
+        return self._writer.texts(moves, owner, positions, before, (steps, shift), programmed, shares, arcs)
 
     def _note_held(self, moves: list[Move], held: Held) -> None:
         """Note axes that get no word; held: (n_axes, n_moves)."""
@@ -283,14 +298,3 @@ class Compensator:
     def report(self, program: str, language: str, blocks_in: int, blocks_out: int) -> CompensationReport:
         """What has been done so far."""
         return self._tally.report(program, language, blocks_in, blocks_out, self._notes)
-
-
-def _follows(batch: list[str | Move], following: Move | None) -> NDArray[np.bool_]:
-    """For each move of a batch whether another follows at once and the tool may run through the end between them."""
-    return np.array(
-        [
-            not isinstance(after, str) and after is not None and item.passable and after.passable
-            for item, after in zip(batch, [*batch[1:], following], strict=True)
-            if not isinstance(item, str)
-        ]
-    )

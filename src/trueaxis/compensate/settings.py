@@ -12,6 +12,7 @@ from trueaxis.compensate.tools import ToolTable
 Method = Literal["iterative", "ordinary"]
 WordChoice = Literal["nearest", "ends", "middles"]
 Orientation = Literal["keep", "correct"]
+Arcs = Literal["keep", "chords"]
 BlockDelete = Literal["fault", "run", "skip"]
 Dialect = Literal["fanuc", "linuxcnc", "siemens", "heidenhain"]
 Integers = Literal["mm", "least-increment"]
@@ -28,6 +29,7 @@ class Settings:
     tolerance: Delta of Eq. (56), the largest tool point error allowed after compensation.
     resolution, inch_resolution (inch), rotary_resolution (deg): step of the NC words that are written.
     chord_tolerance: largest distance of an arc from the chords that replace it.
+    arcs: whether arcs stay arcs where they can, see kept_arcs, or all become `chords`.
     method: `iterative` repeats Eq. (55); `ordinary` applies it once.
     words: `nearest` rounds; `ends` and `middles` choose words that minimise Eq. (6), see word_choice and middles.
     ball: P_W, centre of the workpiece ball in the workpiece frame; gives E of Eq. (6) its meaning.
@@ -51,6 +53,7 @@ class Settings:
     inch_resolution: float = 0.00001
     rotary_resolution: float = 0.0001
     chord_tolerance: float = 0.0005
+    arcs: Arcs = "keep"
     method: Method = "iterative"
     words: WordChoice = "nearest"
     ball: tuple[float, float, float] | None = None

@@ -15,6 +15,7 @@ from trueaxis.compensate.moves import Notes, Setup
 from trueaxis.compensate.orientation import ToolAxis, angle
 from trueaxis.compensate.path import Path
 from trueaxis.compensate.placed import Placing
+from trueaxis.compensate.point_control import PointControlled
 from trueaxis.compensate.report import CompensationReport, Errors, PassedCode, UnknownPlaces
 from trueaxis.compensate.sensitivity import OffsetUse, offset_use
 from trueaxis.compensate.settings import Settings
@@ -65,6 +66,7 @@ class Tally:
         self.visited = {self._setup: Visited(model, self._tool_point)}  # by what was in force
         self._senses = senses_of(model, self._tool_point)
         self._sign = SignChecker(model, self._tool_point, settings.resolution)
+        self._controlled: PointControlled | None = None
         self._moves = self._points = self._short_blocks = self._take_ups = 0
         self._iterations: Counter[int] = Counter()
         self._vector = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
@@ -75,9 +77,11 @@ class Tally:
         self._axes = model.axes
         self._elsewhere, self._rows_elsewhere = Running(), set[int]()
 
-    def setup(self, setup: Setup, tool_point: FloatArray) -> None:
-        """Other work offsets or another tool, with its point (3, 1), from here on."""
-        self._setup, self._tool_point = setup, tool_point
+    def setup(self, setup: Setup, tool_point: FloatArray, controlled: PointControlled | None = None) -> None:
+        """Other work offsets or another tool, with its point (3, 1), from here on; controlled: the machine where
+        positions are those of the tip.
+        """
+        self._setup, self._tool_point, self._controlled = setup, tool_point, controlled
         self._sign.use(tool_point)
         if setup not in self.visited:
             self.visited[setup] = Visited(self._model, tool_point)
@@ -115,8 +119,15 @@ class Tally:
         model = placing.at(index, np.ones(path.size))
         written = done.at_points(previous)
         deviation, _ = self._stage("before", model, path.points, path.points, lines)
-        self._sign.add(path, deviation, written, lines, held)
-        self.visited[self._setup].add(path.origins, path.points, np.where(held, 0.0, written - path.points))
+        moved = np.where(held, 0.0, written - path.points)
+        if self._controlled is None:
+            self._sign.add(path, deviation, written, lines, held)
+            self.visited[self._setup].add(path.origins, path.points, moved)
+        else:
+            origins, points = (
+                self._controlled.axis_positions(p, self._tool_point) for p in (path.origins, path.points)
+            )
+            self.visited[self._setup].add(origins, points, moved)
         waiting = held.any(axis=0)
         self._uncommanded.add(lines[waiting])
         counted: NDArray[np.int64] | slice = slice(None)
@@ -124,7 +135,8 @@ class Tally:
             rows = index[waiting]
             there = placing.at(rows, np.ones(rows.size))
             self._stage(UNCOMMANDED, there, written[:, rows], path.points[:, rows], lines[rows])
-            self._elsewhere_at(placing, path, elsewhere, lines)
+            if self._controlled is None:
+                self._elsewhere_at(placing, path, elsewhere, lines)
             counted = index = index[~(waiting & path.rapid)]
             model = placing.at(index, np.ones(index.size))
         if index.size:

@@ -1,10 +1,12 @@
 """NC blocks with compensated axis words."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
 
+from trueaxis.compensate.kept_arcs import Piece, plane_of
 from trueaxis.compensate.machine import LINEAR, FloatArray
 from trueaxis.compensate.moves import Move, Zero
 from trueaxis.compensate.settings import MM_PER_INCH, Settings, decimals
@@ -36,13 +38,14 @@ class BlockWriter:
         lattices: tuple[FloatArray, FloatArray],
         programmed: tuple[FloatArray, FloatArray],
         shares: FloatArray,
+        arcs: Mapping[int, Piece] = MappingProxyType({}),
     ) -> list[str]:
         """One text for each move: its block, or the blocks it has become.
 
         owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
         before them (NaN: not known); lattices: mm or deg per step of a word, and position minus word in G90,
         (n_axes, n); programmed: end and start of the move that each belongs to, (n_axes, n); shares: (n,), of the time
-        of that move.
+        of that move; arcs: those of the positions that end an arc, by their index.
         Raises ValueError rather than write a position that is not finite.
         """
         if not np.isfinite(positions).all():
@@ -64,11 +67,12 @@ class BlockWriter:
         out = []
         place = 0
         for move, number in zip(moves, pieces, strict=True):
-            if number == 1:
+            if number == 1 and place not in arcs:
                 out.append(self._single(move, counts[place], stay[place], unchanged[place]))
             else:
                 part = slice(place, place + number)
-                out.append(self._several(move, counts[part], stay[part], shares[part]))
+                of_move = [arcs.get(index) for index in range(place, place + number)]
+                out.append(self._several(move, counts[part], stay[part], shares[part], of_move))
             place += number
         return out
 
@@ -95,19 +99,53 @@ class BlockWriter:
         words = self._words(move, counts, stay, move.written)
         return f"{move.lead}{words}{move.tail}{move.eol}"
 
-    def _several(self, move: Move, counts: list[list[int]], stay: list[list[bool]], shares: FloatArray) -> str:
+    def _several(
+        self,
+        move: Move,
+        counts: list[list[int]],
+        stay: list[list[bool]],
+        shares: FloatArray,
+        arcs: Sequence[Piece | None],
+    ) -> str:
         lead, tail, last = move.split or (move.lead, move.tail, "")
+        if len(counts) == 1:
+            tail, last = move.tail, ""
         none = (False,) * len(move.written)
         eol = move.eol or "\n"
-        feeds = [_feed(move, share) for share in shares.tolist()]
-        parts = [f"{lead}{self._words(move, counts[0], stay[0], move.written)}{feeds[0]}{tail}"]
-        for count, held, feed in zip(counts[1:], stay[1:], feeds[1:], strict=True):
+        feeds = [_feed(move, share) for share in shares.tolist()] if len(counts) > 1 else [""]
+        if move.round is not None and arcs[0] is not None:
+            lead = move.round.lead if len(counts) == 1 else move.round.split_lead
+        first = self._words(move, counts[0], stay[0], move.written)
+        parts = [f"{lead}{first}{self._centre(move, arcs[0])}{feeds[0]}{tail}"]
+        before = arcs[0]
+        for count, held, feed, arc in zip(counts[1:], stay[1:], feeds[1:], arcs[1:], strict=True):
             words = self._words(move, count, held, none)
-            if words:
-                parts.append(f"{move.again}{words}{feed}")
+            if not words:
+                continue
+            code = ""
+            if move.round is not None and (arc is not None or before is not None or move.round.last):
+                code = move.round.code if arc is not None else move.round.line
+            parts.append(f"{move.again}{code}{words}{self._centre(move, arc)}{feed}")
+            before = arc
         if last:
             parts[-1 if len(parts) > 1 else 0] += last
         return eol.join(parts) + move.eol
+
+    def _centre(self, move: Move, piece: Piece | None) -> str:
+        """The words of an arc's centre or radius, with the gap before them."""
+        if piece is None or piece.centre is None or move.round is None or move.arc is None:
+            return ""
+        scale = MM_PER_INCH if move.inch else 1.0
+        step, form = self._formats[move.inch][self._axes.index("X")]
+        digits = form[1:]
+
+        def word(letter: str, value: float) -> str:
+            return f"{move.gap}{letter}{digits % (round(value / scale / step) * step)}"
+
+        if move.round.centre == "radius":
+            return word(move.round.radius, piece.radius) + move.round.last
+        rows = plane_of(move.arc)
+        return "".join(word("IJK"[row], value) for row, value in sorted(zip(rows[:2], piece.centre, strict=True)))
 
     def _words(self, move: Move, counts: list[int], stay: list[bool], written: tuple[bool, ...]) -> str:
         return move.gap.join(

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from trueaxis.demo.volume import left_um
 from trueaxis.estimation.observations import Observations, observations
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.paper.method import identify_paper
 from trueaxis.identify.paper.result import PaperOptions
 from trueaxis.measure.data import MeasuredData, read_data
@@ -65,7 +65,7 @@ def stepwise(machine: MachineModel, observed: Observations, noise_um: float) -> 
 
 def estimated(machine: MachineModel, observed: Observations, _: float) -> ErrorValues:
     """As `identify`, which has to find the noise."""
-    return identify_estimated(machine, observed, EstimateOptions()).values
+    return identify_estimated(machine, observed, IdentifyOptions()).values
 
 
 def study_text(found: Study) -> Iterator[str]:

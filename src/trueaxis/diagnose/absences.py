@@ -1,13 +1,11 @@
-"""What the data lack, and what that costs: columns, instruments, directions, feeds, repeats."""
+"""What the data lack: columns, instruments, directions, feeds; of repeats the origin of the noise tells."""
 
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from trueaxis.diagnose.audit import Audit
-from trueaxis.diagnose.noise import REPEATS, STATED
-from trueaxis.diagnose.report.words import enumerated, noise_origin
-from trueaxis.diagnose.result import NoiseOf
+from trueaxis.diagnose.result import Absence
 from trueaxis.diagnose.rounds_at_hand import both_ways, rounds_at_hand
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.signatures import Readings
@@ -15,22 +13,21 @@ from trueaxis.effects.expression import names, parse
 from trueaxis.effects.kind import Kind
 
 _COLUMNS = (("time_s", ("t",)), ("temperature_c", ("T",)), ("feed", ("v", "v_b")))
-_WITHOUT = (("ballbar", "a ball bar"), ("laser", "a laser"))
+_TELLING = ("ballbar", "laser")
 
 
-def absences(readings: Readings, audit: Audit, noise: Sequence[NoiseOf]) -> tuple[str, ...]:
-    """One sentence for each absence; empty where nothing is lacking."""
+def absences(readings: Readings, audit: Audit) -> tuple[Absence, ...]:
+    """Empty where nothing is lacking."""
     rows = readings.rows
     return (
         *_columns(readings, audit),
         *_instruments(rows, audit),
         *_directions(readings),
         *_feeds(readings),
-        *_repeats(noise),
     )
 
 
-def _columns(readings: Readings, audit: Audit) -> Iterator[str]:
+def _columns(readings: Readings, audit: Audit) -> Iterator[Absence]:
     """Columns without which candidates have no signature."""
     lacking = {one.effect.kind for one in audit.limits if one.reason.startswith("no ")}
     context = readings.context
@@ -40,31 +37,25 @@ def _columns(readings: Readings, audit: Audit) -> Iterator[str]:
         unknown = ~np.isfinite(values[column])
         hit = [name for name in kinds if name in lacking and _uses(kinds[name], variables)]
         if unknown.any() and hit:
-            if unknown.all():
-                where = f"without {column}"
-            else:
-                where = f"with {column} empty in {int(unknown.sum())} of {unknown.size} readings"
-            yield f"{where}: {enumerated(hit)} cannot be seen"
+            yield Absence(lack="column", place=column, kinds=tuple(hit), empty=(int(unknown.sum()), unknown.size))
 
 
 def _uses(kind: Kind, variables: Sequence[str]) -> bool:
     return bool(kind.expression) and any(one.name in variables for one in names(parse(kind.expression)))
 
 
-def _instruments(rows: Rows, audit: Audit) -> Iterator[str]:
+def _instruments(rows: Rows, audit: Audit) -> Iterator[Absence]:
     """Kinds of which not one candidate leaves a trace that recalibration could not take away."""
     seen = {one.effect.kind for one in audit.limits if one.state != "unobservable"}
     lost = {one.effect.kind for one in audit.limits if not one.reason.startswith("no ")} - seen
     unseen = [name for name in dict.fromkeys(one.effect.kind for one in audit.limits) if name in lost]
-    if not unseen:
-        return
-    used = {rows.runs[index].instrument for index in rows.present}
-    missing = [text for instrument, text in _WITHOUT if instrument not in used]
-    where = f"without {enumerated(missing, 'or')}" if missing else "in these runs"
-    yield f"{where}: {enumerated(unseen)} cannot be told from a recalibration"
+    if unseen:
+        used = {rows.runs[index].instrument for index in rows.present}
+        lacking = tuple(instrument for instrument in _TELLING if instrument not in used)
+        yield Absence(lack="instrument", kinds=tuple(unseen), lacking=lacking)
 
 
-def _directions(readings: Readings) -> Iterator[str]:
+def _directions(readings: Readings) -> Iterator[Absence]:
     rows = readings.rows
     for row, axis in enumerate(rows.axes):
         ways = set()
@@ -73,22 +64,16 @@ def _directions(readings: Readings) -> Iterator[str]:
             if rows.runs[index].instrument != "ballbar" and np.ptp(rows.positions[row, mine]) > 0.0:
                 ways |= set(np.unique(rows.directions[row, mine]).tolist())
         if ways and len(ways - {0.0}) < 2:
-            yield f"lines of {axis} from one side only: they show nothing of its backlash"
+            yield Absence(lack="one_side", place=axis)
     rounds = rounds_at_hand(readings.model, rows)
     for plane in dict.fromkeys(one.plane for one in rounds):
         if not both_ways([one for one in rounds if one.plane == plane]):
-            yield f"circles in {plane} in one direction only: play and servo lag look like errors of the geometry"
+            yield Absence(lack="one_direction", place=plane)
 
 
-def _feeds(readings: Readings) -> Iterator[str]:
+def _feeds(readings: Readings) -> Iterator[Absence]:
     rounds = rounds_at_hand(readings.model, readings.rows)
     for plane in dict.fromkeys(one.plane for one in rounds):
         feeds = {round(one.feed) for one in rounds if one.plane == plane and np.isfinite(one.feed)}
         if len(feeds) == 1:
-            yield f"circles in {plane} at one feed only: servo lag is told from play by its form alone"
-
-
-def _repeats(noise: Sequence[NoiseOf]) -> Iterator[str]:
-    for one in noise:
-        if one.origin not in (REPEATS, STATED):
-            yield f"no repeats by the {one.instrument}: its noise is an estimate ({noise_origin(one.origin)})"
+            yield Absence(lack="one_feed", place=plane)

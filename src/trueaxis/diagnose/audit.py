@@ -133,7 +133,9 @@ def _alike(seen: Sequence[_Seen]) -> tuple[FloatArray, IntArray]:
 
 def _correlations(bases: Sequence[FloatArray], others: Sequence[FloatArray]) -> FloatArray:
     """Largest squared canonical correlation of each two subspaces."""
-    gram = np.hstack(bases).T @ np.hstack(others)
+    first, starts = np.hstack(bases).T, range(0, len(others), AT_ONCE)
+    # all of them side by side would take as much memory again
+    gram = np.hstack([first @ np.hstack(others[start : start + AT_ONCE]) for start in starts])
     rows, columns = (np.cumsum([0, *(one.shape[1] for one in each)]) for each in (bases, others))
     found = np.add.reduceat(np.add.reduceat(gram**2, rows[:-1], axis=0), columns[:-1], axis=1)
     # of a single column the sum of squares is the squared correlation; of two planes it is more than the largest one

@@ -14,9 +14,10 @@ from trueaxis.diagnose.instruments import NOT_OF_THE_MACHINE
 from trueaxis.diagnose.result import Diagnosis, ErrorNow, FloatArray
 from trueaxis.diagnose.temperature import smoothed
 from trueaxis.effects.kind import Effect
+from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.judgement import SAMPLES
 from trueaxis.estimation.observations import Observations, observations
-from trueaxis.identify.estimated import EstimateOptions, identify_estimated
+from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identify.report import Identification
 from trueaxis.identify.words import enumerated
 from trueaxis.measure.data import MeasuredData
@@ -69,7 +70,7 @@ def reidentified(
     dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
     bare = ErrorValues(model.name, dimensions)
     before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
-    options = EstimateOptions(known=bare, start=tuple(start))
+    options = IdentifyOptions(known=bare, estimation=EstimationOptions(start=tuple(start)))
     found = identify_estimated(model, replace(observed, reading=observed.reading - before), options)
     values = changed(given, found.values, model.location_errors)
     return values, _table(model, given, values, found), found.values.fit

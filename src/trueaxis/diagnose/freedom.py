@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -9,12 +10,16 @@ from trueaxis.diagnose.result import FloatArray, IntArray, NoiseOf
 from trueaxis.diagnose.rows import Rows, as_slice
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Freedom:
     """of_rows: (n,), degrees of freedom of the noise of each reading's instrument; sigma: (n,), mm."""
 
     of_rows: FloatArray
     sigma: FloatArray
+
+    @cached_property
+    def _each(self) -> FloatArray:
+        return np.unique(self.of_rows)
 
     def of(self, rows: IntArray, columns: FloatArray) -> float:
         """For a test of columns (n_rows, k), mm, zero but in those rows: by Satterthwaite's approximation."""
@@ -22,7 +27,7 @@ class Freedom:
         of_rows = self.of_rows[here]
         weight = np.einsum("ij,ij->i", columns, columns) / self.sigma[here] ** 2
         whole, inverse = max(float(weight.sum()), 1e-300), 0.0
-        for own in np.unique(of_rows):
+        for own in self._each:
             inverse += (float(weight[of_rows == own].sum()) / whole) ** 2 / own
         return float(1.0 / max(inverse, 1e-300))
 

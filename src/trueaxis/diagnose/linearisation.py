@@ -5,19 +5,17 @@ from typing import cast
 import numpy as np
 
 from trueaxis.diagnose.audit import DETECTION
-from trueaxis.diagnose.result import FloatArray
+from trueaxis.diagnose.result import FloatArray, SecondOrder
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Readings
 from trueaxis.measure.reading_geometry import column, run_terms, sensed_directions
 
 
-def linearisation_note(ground: Ground) -> str:
-    """One sentence: how large the terms are, and whether these readings could show them at all."""
+def second_order_of(ground: Ground) -> SecondOrder:
+    """How large the terms are, and whether these readings could show them at all."""
     terms = second_order(ground.readings)
     left = ground.base.rest(ground.whitening(terms))
-    largest = float(np.abs(terms).max(initial=0.0)) * 1e3
-    told = "large enough to be seen" if float(left @ left) > DETECTION else "below what could be detected"
-    return f"linearisation: second-order terms of the errors given reach {largest:.2g} um, {told}; the model has them"
+    return SecondOrder(float(np.abs(terms).max(initial=0.0)), float(left @ left) > DETECTION)
 
 
 def second_order(readings: Readings) -> FloatArray:

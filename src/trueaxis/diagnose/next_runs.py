@@ -10,10 +10,7 @@ from trueaxis.diagnose.audit import Audit, size_of
 from trueaxis.diagnose.grids import grid_of
 from trueaxis.diagnose.noise import REPEATS, STATED
 from trueaxis.diagnose.prospect import Placed, Prospect, outlooks_of
-from trueaxis.diagnose.report.quantity import quantity
-from trueaxis.diagnose.report.structures import check_name, closer_look
-from trueaxis.diagnose.report.words import enumerated
-from trueaxis.diagnose.result import Check, Limit, NextRun, NoiseOf
+from trueaxis.diagnose.result import Check, Limit, NextRun, NoiseOf, Separating, Told
 from trueaxis.diagnose.search import Found
 from trueaxis.diagnose.separation import Separation, isolable, separation
 from trueaxis.effects.kind import Effect, Kind
@@ -21,7 +18,6 @@ from trueaxis.effects.kind import Effect, Kind
 MOST_FAMILIES = 12  # of confounded candidates that are looked at
 MOST = 5  # runs proposed for them
 MOST_NAMED = 3
-DIGITS = 2  # of sizes that are told apart
 FARTHEST_POINT = 5.0  # mm, by which a point that somebody has set up may be off
 
 
@@ -46,24 +42,21 @@ def ahead_of(prospect: Prospect, found: Found, size: float) -> Ahead:
     return Ahead(found.scan.effect, rivals, size, best)
 
 
-def separating_run(kinds: Mapping[str, Kind], ahead: Ahead) -> str:
-    """A sentence: the run, from which size on it tells the cause from its rivals, and what it leaves open.
-
-    Empty where there is no rival.
-    """
+def separating_run(kinds: Mapping[str, Kind], ahead: Ahead) -> Separating | None:
+    """The run, from which size on it tells the cause from its rivals, and what it leaves open; None without a rival."""
     if not ahead.rivals:
-        return ""
+        return None
     best, kind = ahead.separation, kinds[ahead.effect.kind]
     if best is None:
-        other = f"; what would: {kind.broken_by}" if kind.broken_by else ""
-        return f"none of the runs considered would tell {ahead.effect.label} from {_labels(ahead.rivals)}{other}"
-    apart = [ahead.rivals[place] for place in best.told]
-    text = f"{_taken(best)} would tell {ahead.effect.label} from {_labels(apart)}: {_gain(kind, ahead.effect, best)}"
-    times = _needed(kind, best, ahead.size)
-    if times > best.times:
-        text += f"; for the size found it has to be taken about {times} times"
-    left = [one for place, one in enumerate(ahead.rivals) if place not in best.told]
-    return text + (f"; not from {_labels(left)}" if left else "")
+        return Separating(left=ahead.rivals, broken_by=kind.broken_by)
+    return Separating(
+        run=best.further.what,
+        times=best.times,
+        apart=tuple(ahead.rivals[place] for place in best.told),
+        left=tuple(one for place, one in enumerate(ahead.rivals) if place not in best.told),
+        told=_told(kind, ahead.effect, best),
+        needed=_needed(kind, best, ahead.size),
+    )
 
 
 def next_runs(
@@ -76,41 +69,26 @@ def next_runs(
         found += _for_structure(checks)
     found += _for_noise(noise)
     found += _for_alike(prospect, audit)
-    first: dict[str, NextRun] = {}
-    for one in found:
-        first.setdefault(one.run, one)
-    return tuple(first.values())
+    return tuple(found)
 
 
 def _for_causes(kinds: Mapping[str, Kind], ahead: Sequence[Ahead]) -> Iterator[NextRun]:
     for one in ahead:
-        if one.separation is not None:
-            apart = [one.rivals[place] for place in one.separation.told]
-            yield NextRun(
-                f"tell {one.effect.label} from {_labels(apart)}",
-                _taken(one.separation),
-                _gain(kinds[one.effect.kind], one.effect, one.separation),
-            )
+        best = one.separation
+        if best is not None:
+            apart = tuple(one.rivals[place] for place in best.told)
+            told = _told(kinds[one.effect.kind], one.effect, best)
+            yield NextRun(run=best.further.what, times=best.times, pairs=((one.effect, apart),), told=told)
 
 
 def _for_structure(checks: Sequence[Check]) -> Iterator[NextRun]:
     """A look closer at where the surest checks have fired."""
     fired = sorted((one for one in checks if one.fired), key=lambda one: one.p_value)
-    for one in fired[:MOST_NAMED]:
-        run = closer_look(one)
-        if run:
-            purpose = f"see whether the structure returns ({check_name(one)})"
-            yield NextRun(purpose, run, f"{quantity(one.rms, 'mm')} RMS that has no name yet")
+    yield from (NextRun(check=one) for one in fired[:MOST_NAMED])
 
 
 def _for_noise(noise: Sequence[NoiseOf]) -> Iterator[NextRun]:
-    for one in noise:
-        if one.origin not in (REPEATS, STATED):
-            yield NextRun(
-                f"know the noise of the {one.instrument}",
-                f"every run of the {one.instrument} three times",
-                "noise from repeats, which no effect can be mistaken for",
-            )
+    yield from (NextRun(instrument=one.instrument) for one in noise if one.origin not in (REPEATS, STATED))
 
 
 def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
@@ -122,7 +100,7 @@ def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
             key = frozenset((one.effect.kind, one.nearest.kind))
             if key not in families or one.r2 > families[key].r2:
                 families[key] = one
-    by_run: dict[str, list[tuple[Limit, Separation]]] = {}
+    by_run: dict[tuple[str, int], list[tuple[Limit, Separation]]] = {}
     looked_at = list(islice(families.values(), MOST_FAMILIES))
     mine = [_middle(prospect, one.effect) for one in looked_at]
     rivals = [Placed(one.nearest, one.nearest_at) for one in looked_at if one.nearest is not None]
@@ -131,13 +109,13 @@ def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
         best = separation(prospect, outlook, [rival])
         kind = kinds[one.effect.kind]
         if best is not None and not (kind.place == "point" and isolable(kind, best.after) > FARTHEST_POINT):
-            by_run.setdefault(_taken(best), []).append((one, best))
+            by_run.setdefault((best.further.what, best.times), []).append((one, best))
     found = []
-    for run, pairs in sorted(by_run.items(), key=lambda item: -len(item[1]))[:MOST]:
-        said = [f"{one.effect.label} from {one.nearest.label}" for one, _ in pairs[:MOST_NAMED] if one.nearest]
-        first, best = pairs[0]
-        gain = _gain(kinds[first.effect.kind], first.effect, best)
-        found.append(NextRun(f"could tell {enumerated(said)}", run, gain))
+    for (run, times), members in sorted(by_run.items(), key=lambda item: -len(item[1]))[:MOST]:
+        pairs = tuple((one.effect, (one.nearest,)) for one, _ in members[:MOST_NAMED] if one.nearest)
+        first, best = members[0]
+        told = _told(kinds[first.effect.kind], first.effect, best)
+        found.append(NextRun(run=run, times=times, pairs=pairs, told=told))
     return found
 
 
@@ -148,16 +126,10 @@ def _middle(prospect: Prospect, effect: Effect) -> Placed:
     return Placed(effect, points[len(points) // 2])
 
 
-def _taken(best: Separation) -> str:
-    return best.further.what + (f", {best.times} times" if best.times > 1 else "")
-
-
-def _gain(kind: Kind, effect: Effect, best: Separation) -> str:
+def _told(kind: Kind, effect: Effect, best: Separation) -> Told:
     _, unit = size_of(kind, effect)
-    after, before = isolable(kind, best.after), isolable(kind, best.before)
     never = best.before < 1e-6 * best.after
-    now = "no size would do" if never else f"{quantity(before, unit, DIGITS)} are needed"
-    return f"with this run {quantity(after, unit, DIGITS)} of {effect.label} would do; now {now}"
+    return Told(effect, unit, isolable(kind, best.after), np.inf if never else isolable(kind, best.before))
 
 
 def _needed(kind: Kind, best: Separation, size: float) -> int:
@@ -167,10 +139,3 @@ def _needed(kind: Kind, best: Separation, size: float) -> int:
     limit = isolable(kind, best.after)
     power = 4.0 if any(one.role == "root" for one in kind.parameters) else 2.0
     return int(np.ceil(best.times * (limit / abs(size)) ** power))
-
-
-def _labels(effects: Sequence[Effect]) -> str:
-    labels = [one.label for one in effects]
-    if len(labels) > MOST_NAMED:
-        labels = [*labels[:MOST_NAMED], f"{len(labels) - MOST_NAMED} more"]
-    return enumerated(labels)

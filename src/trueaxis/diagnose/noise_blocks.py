@@ -29,22 +29,48 @@ NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Part:
-    """Runs that read the same targets, or one run; of one instrument. rows: of its block; place: (n,), of the run of
-    each reading among those of the base; own: (n, k), orthonormal, what is unknown of the instrument.
-
-    (n, n) of any two readings: same: 1 where they are of one run; gaps: typical steps between them; wander, settle:
-    their covariance of unit size; alike: 1 where they are of one target.
+class Shapes:
+    """(n, n) of any two readings of a part: same: 1 where of one run; gaps: typical steps between them; wander,
+    settle: their covariance of unit size; alike: 1 where they are of one target.
     """
 
-    rows: slice
-    place: IntArray
-    own: FloatArray
     same: FloatArray
     gaps: FloatArray
     wander: FloatArray
     settle: FloatArray
     alike: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """Runs that read the same targets, or one run; of one instrument. rows: of its block; of each of n readings: place:
+    of its run among those of the base; target; passed: share of the duration of its run; when: typical steps since its
+    start; own: (n, k), orthonormal, what is unknown of the instrument.
+    """
+
+    rows: slice
+    place: IntArray
+    target: IntArray
+    passed: FloatArray
+    when: FloatArray
+    own: FloatArray
+
+    @property
+    def alike(self) -> FloatArray:
+        """(n, n): 1 where two readings are of one target."""
+        return np.asarray(self.target[:, np.newaxis] == self.target, dtype=np.float64)
+
+    def shapes(self) -> Shapes:
+        """To be asked for once: they are by far the largest of all."""
+        same = (self.place[:, np.newaxis] == self.place).astype(np.float64)
+        course, walk = settling(self.passed), wandering(self.passed)
+        return Shapes(
+            same=same,
+            gaps=np.abs(self.when[:, np.newaxis] - self.when),
+            wander=same * (walk @ walk.T),
+            settle=same * np.outer(course, course),
+            alike=self.alike,
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,18 +160,13 @@ def _part(rows: Rows, base: Base, place: IntArray, at: IntArray, start: int) -> 
         own.append(orthonormal(base.own[number][here]))
         passed.append(run.passed[here])
         when.append(np.cumsum(run.steps)[here])
-    share, time, runs = np.concatenate(passed), np.concatenate(when), place[at]
-    same = (runs[:, np.newaxis] == runs).astype(np.float64)
-    course, walk = settling(share), wandering(share)
     return Part(
         rows=slice(start, start + at.size),
-        place=runs,
+        place=place[at],
+        target=rows.target[at],
+        passed=np.concatenate(passed),
+        when=np.concatenate(when),
         own=np.asarray(block_diag(*own)),
-        same=same,
-        gaps=np.abs(time[:, np.newaxis] - time),
-        wander=same * (walk @ walk.T),
-        settle=same * np.outer(course, course),
-        alike=(rows.target[at][:, np.newaxis] == rows.target[at]).astype(np.float64),
     )
 
 
@@ -166,10 +187,11 @@ def of_repeats(part: Part, values: FloatArray) -> FloatArray:
     """(k,), mm: by what readings that are repeated differ from the mean of their target, what is unknown of the runs
     taken away; nearly, and of the size of their noise. values: (n,), mm, of the part.
     """
-    count = part.alike.sum(axis=1)
+    alike = part.alike
+    count = alike.sum(axis=1)
     left = values.copy()
     for _ in range(ALTERNATIONS):
         left -= part.own @ (part.own.T @ left)
-        left -= part.alike @ left / count
+        left -= alike @ left / count
     several = count > 1.0
     return np.asarray(left[several] / np.sqrt(1.0 - 1.0 / count[several]))

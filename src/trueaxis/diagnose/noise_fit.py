@@ -10,9 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import cholesky, solve_triangular
+from scipy.linalg.lapack import dpotri
 from scipy.optimize import minimize
 
-from trueaxis.diagnose.noise_blocks import Block, Part
+from trueaxis.diagnose.noise_blocks import Block, Part, Shapes
 from trueaxis.diagnose.result import FloatArray
 
 # of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
@@ -70,6 +71,7 @@ class _Told:
     """
 
     part: Part
+    shape: Shapes
     number: int
     white: FloatArray
     slow: FloatArray
@@ -79,7 +81,7 @@ class _Told:
 
     def slope(self, shape: FloatArray) -> float:
         """Of minus the logarithm of the likelihood by the size of a shape, mm^2, of the covariance."""
-        return 0.5 * float(np.sum(self.precision * shape) - self.weighed @ shape @ self.weighed)
+        return 0.5 * float(np.vdot(self.precision, shape) - self.weighed @ shape @ self.weighed)
 
     def of_scale(self) -> FloatArray:
         """(n,): the same by the logarithm of the white noise of each reading."""
@@ -88,7 +90,7 @@ class _Told:
     @property
     def shapes(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Of slow noise, wandering and settling."""
-        return self.slow, self.part.wander, self.part.settle
+        return self.slow, self.shape.wander, self.shape.settle
 
 
 class Likelihood:
@@ -99,6 +101,7 @@ class Likelihood:
 
     def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, Guess]) -> None:
         self.block = block
+        self.shapes = [one.shapes() for one in block.parts]
         self.units = np.array([one.noise for one in first.values()])
         self.of_run = np.array([list(first).index(name) for name in instruments])
         self.count = PER * self.units.size
@@ -119,10 +122,10 @@ class Likelihood:
             slope[PER * one.number : PER * (one.number + 1)] += [
                 of_scale.sum(),
                 unit * slow * one.slope(one.slow),
-                slow**2 * one.slope(one.slow * one.part.gaps / age),
-                unit * wanders * one.slope(one.part.wander),
-                unit * settles * one.slope(one.part.settle),
-                unit * misfit * one.slope(one.part.alike),
+                slow**2 * one.slope(one.slow * one.shape.gaps / age),
+                unit * wanders * one.slope(one.shape.wander),
+                unit * settles * one.slope(one.shape.settle),
+                unit * misfit * one.slope(one.shape.alike),
             ]
         return value + 0.5 * float(apart @ apart), slope
 
@@ -145,17 +148,22 @@ class Likelihood:
         found, root = [], 0.0
         through, weighed = np.empty_like(self.block.free), np.empty_like(self.block.values)
         sizes = self.sizes(x)
-        for one in self.block.parts:
+        for one, shape in zip(self.block.parts, self.shapes, strict=True):
             number = int(self.of_run[one.place[0]])
             level, slow, age, wanders, settles, misfit = sizes[number]
-            slowly = one.same * np.exp(-one.gaps / age)
+            slowly = shape.gaps / -age
+            np.exp(slowly, out=slowly)
+            slowly *= shape.same
             white = (level * np.exp(x[self.count + one.place])) ** 2
-            noise = np.diag(white) + slow**2 * slowly + wanders**2 * one.wander + settles**2 * one.settle
-            precision, own_root = _precision(noise + misfit**2 * one.alike, one.own)
+            noise = slow**2 * slowly
+            noise += wanders**2 * shape.wander
+            noise += settles**2 * shape.settle
+            noise[np.diag_indices(white.size)] += white
+            precision, own_root = _precision(noise + misfit**2 * shape.alike, one.own)
             root += own_root
             through[one.rows] = precision @ self.block.free[one.rows]
             weighed[one.rows] = precision @ self.block.values[one.rows]
-            found.append(_Told(one, number, white, slowly, noise, precision, weighed[one.rows]))
+            found.append(_Told(one, shape, number, white, slowly, noise, precision, weighed[one.rows]))
         factor = cholesky(self.block.free.T @ through, lower=True, check_finite=False)
         root += float(np.log(np.diag(factor)).sum())
         taken = solve_triangular(factor, through.T, lower=True, check_finite=False)
@@ -170,15 +178,15 @@ def _precision(covariance: FloatArray, own: FloatArray) -> tuple[FloatArray, flo
     """Inverse of a covariance less what own columns take, and half the log determinants."""
     factor = cholesky(covariance, lower=True, check_finite=False, overwrite_a=True)
     root = float(np.log(np.diag(factor)).sum())
-    inverse = solve_triangular(factor, np.eye(len(factor)), lower=True, check_finite=False)
-    inverse = inverse.T @ inverse
+    inverse, _ = dpotri(factor, lower=1, overwrite_c=1)  # its lower triangle: zeros are above that of the factor
+    inverse += np.tril(inverse, -1).T
     if own.shape[1]:
         held = inverse @ own
         part = cholesky(own.T @ held, lower=True, check_finite=False)
         root += float(np.log(np.diag(part)).sum())
         taken = solve_triangular(part, held.T, lower=True, check_finite=False)
         inverse -= taken.T @ taken
-    return np.asarray(inverse), root
+    return np.asarray(inverse.T), root  # row by row in memory, as all else is
 
 
 def restricted(

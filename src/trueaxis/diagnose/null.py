@@ -30,6 +30,7 @@ class Null:
     noise: tuple[NoiseOf, ...]
     outliers: tuple[Outlier, ...]
     found: Found | None
+    given: FloatArray
 
     def only(self, keep: BoolArray) -> "Null":
         """Of some rows, (n,)."""
@@ -74,7 +75,7 @@ def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
     """With the noise that is left when causes are known. signal: (n,) mm, what they do to the readings."""
     left = null.values - signal
     found = _with_noise(null.rows, null.base, left, noise_um, null.found)
-    return replace(found, values=null.values, outliers=null.outliers)
+    return replace(found, values=null.values, outliers=null.outliers, given=null.given)
 
 
 def _with_noise(
@@ -82,7 +83,10 @@ def _with_noise(
 ) -> Null:
     runs, noise, found = noise_of_runs(rows, base, values, noise_um, before)
     white = whitening(rows.run, runs, base.own)
-    return Null(rows=rows, values=values, base=base, whitening=white, noise=noise, outliers=(), found=found)
+    given = np.zeros((base.of_machine, 0))
+    return Null(
+        rows=rows, values=values, base=base, whitening=white, noise=noise, outliers=(), found=found, given=given
+    )
 
 
 def fitted(whiten: Whitening, columns: ByRun, values: FloatArray) -> FloatArray:

@@ -12,6 +12,7 @@ from trueaxis.diagnose.checks import run_checks
 from trueaxis.diagnose.contest import contest
 from trueaxis.diagnose.freedom import freedom_of
 from trueaxis.diagnose.gain import fit, gain_of, held_out, predicted
+from trueaxis.diagnose.given import given_by_chance
 from trueaxis.diagnose.imperfection import imperfection, imperfections
 from trueaxis.diagnose.instruments import Off, instruments_off
 from trueaxis.diagnose.null import Null, again, null_of
@@ -39,6 +40,7 @@ from trueaxis.diagnose.verdict import HOMOGENEOUS, explained_share, names_stand,
 from trueaxis.diagnose.write_up import Outcome, diagnosis_of
 from trueaxis.measure.data import MeasuredData
 from trueaxis.measure.reading_model import expected_readings
+from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.model import MachineModel
 
 AGAIN = 0.03  # relative change of the noise, causes taken away, from which the search is done again
@@ -46,27 +48,34 @@ AGAIN = 0.03  # relative change of the noise, causes taken away, from which the 
 
 @dataclass(frozen=True, slots=True)
 class DiagnoseOptions:
-    """noise_um: of a reading, where it is known, else from repeats. progress: told each stage. each: how candidates are
-    gone through, one after another or by several threads; what is found is the same, to the last digit.
+    """noise_um: of a reading, where it is known, else from repeats. covariance: of the model's error values, see
+    `load_uncertainty`; None: they are exact. progress: told each stage. each: how candidates are gone through, one
+    after another or by several threads; what is found is the same, to the last digit.
     """
 
     noise_um: float | None = None
+    covariance: Covariance | None = None
     progress: Callable[[str], None] = lambda _: None
     each: Each = map
 
 
 def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions | None = None) -> Diagnosis:
-    """What the model gets wrong of the data, and why. Raises ValueError where no reading can be used.
+    """What the model gets wrong of the data, and why. Raises ValueError where no reading can be used, or where error
+    values name their covariance and the options have none.
 
     Cost: linear in the number of readings, times rank of the base (hundreds) times the points of all grids.
     """
     options = options or DiagnoseOptions()
+    if model.errors.covariance is not None and options.covariance is None:
+        raise ValueError(f"the values are as uncertain as {model.errors.covariance.file} has it: see load_uncertainty")
     options.progress("reading")
     rows = rows_of(smoothed(data))
     if rows.size == 0:
         raise ValueError("no reading can be used: plans, or taken beside reversals, or directions are unknown")
     options.progress("noise")
     null = null_of(model, rows, rows.reading - _expected(model, rows), options.noise_um)
+    if options.covariance is not None:
+        null = replace(null, given=given_by_chance(model, null.base, options.covariance))
     readings = readings_of(model, null.rows)
     standing = standing_effects(readings)
     free = refitted_columns(readings, standing)

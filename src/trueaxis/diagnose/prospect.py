@@ -11,8 +11,9 @@ exact, at the cost of the run's rows alone.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from scipy.linalg import svd
@@ -21,7 +22,7 @@ from trueaxis.diagnose.base import base_of
 from trueaxis.diagnose.by_run import of_basis
 from trueaxis.diagnose.menu import FurtherRun, menu
 from trueaxis.diagnose.projection import Projection, decomposed
-from trueaxis.diagnose.result import FloatArray, IntArray
+from trueaxis.diagnose.result import FloatArray
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.search import Ground
 from trueaxis.diagnose.signatures import Readings, readings_of, signature_of
@@ -176,44 +177,23 @@ def _with_further(rows: Rows, further: Sequence[FurtherRun]) -> Rows:
 
 
 def _joined(rows: Rows, new: Rows) -> Rows:
-    def numbered(of: str, start: int) -> IntArray:
-        return np.concatenate([getattr(rows, of), getattr(new, of) + start])
-
-    def both(of: str) -> FloatArray | None:
-        mine, other = getattr(rows, of), getattr(new, of)
-        return None if mine is None or other is None else np.concatenate([mine, other])
-
-    return Rows(
-        runs=(*rows.runs, *new.runs),
-        axes=rows.axes,
-        row=numbered("row", 0),
-        run=numbered("run", len(rows.runs)),
-        seq=numbered("seq", 0),
-        positions=np.hstack([rows.positions, new.positions]),
-        directions=np.hstack([rows.directions, new.directions]),
-        reading=np.concatenate([rows.reading, new.reading]),
-        time=both("time"),
-        temperature=both("temperature"),
-        feed=both("feed"),
-        setup=numbered("setup", int(rows.setup.max(initial=0)) + 1),
-        target=numbered("target", int(rows.target.max(initial=0)) + 1),
-        passing=numbered("passing", 0),
-        context=_contexts(rows.context, new.context),
-    )
+    """Numbers of runs, set-ups and targets go on where the others end."""
+    start = {"run": len(rows.runs), **{one: int(getattr(rows, one).max(initial=0)) + 1 for one in ("setup", "target")}}
+    joined: dict[str, Any] = {
+        "runs": (*rows.runs, *new.runs), "axes": rows.axes, "context": _contexts(rows.context, new.context)
+    }  # fmt: skip
+    for one in (each.name for each in fields(Rows) if each.name not in joined):
+        here, there = getattr(rows, one), getattr(new, one)
+        lacking = here is None or there is None
+        joined[one] = None if lacking else np.concatenate([here, there + start.get(one, 0)], axis=-1)
+    return Rows(**joined)
 
 
 def _contexts(one: Context, other: Context) -> Context:
     home = None if one.home is None or other.home is None else _contexts(one.home, other.home)
-    return Context(
-        np.hstack([one.directions, other.directions]),
-        np.hstack([one.velocity, other.velocity]),
-        np.hstack([one.since_reversal, other.since_reversal]),
-        np.hstack([one.time_since, other.time_since]),
-        np.hstack([one.path_since, other.path_since]),
-        np.concatenate([one.time, other.time]),
-        np.concatenate([one.temperature, other.temperature]),
-        home,
-    )
+    names = [each.name for each in fields(Context) if each.name != "home"]
+    both = {name: np.concatenate([getattr(one, name), getattr(other, name)], axis=-1) for name in names}
+    return Context(**both, home=home)
 
 
 def _noise(run: MeasuredRun, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:

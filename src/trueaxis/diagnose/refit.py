@@ -45,7 +45,10 @@ def refit(ground: Ground, causes: Sequence[Found]) -> tuple[Fitted, ...]:
         left = ground.wide.rest(ground.whitening(jacobian))
         residual = ground.wide.rest(ground.values - ground.whitening(signals.sum(axis=1)))
         step, covariance = _solved(left, residual)
-        values = _improved(ground, effects, values, np.split(step, ends[1:-1]), within)
+        better = _improved(ground, effects, values, np.split(step, ends[1:-1]), within, float(residual @ residual))
+        if better is None:
+            break
+        values = better
         spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
         if (np.abs(step) <= CONVERGED * spread + 1e-300).all():
             break
@@ -82,9 +85,11 @@ def _improved(
     values: Sequence[FloatArray],
     steps: Sequence[FloatArray],
     within: Sequence[tuple[FloatArray, FloatArray]],
-) -> list[FloatArray]:
-    """The values after the step, halved until it does no harm: a time constant hardly told would run away."""
-    before = _squares(ground, effects, values)
+    before: float,
+) -> list[FloatArray] | None:
+    """The values after the step, halved until it does no harm: a time constant hardly told would run away. None where
+    every step does. before: sum of squares at the values.
+    """
     for halved in range(HALVINGS):
         tried = [
             np.clip(one + 0.5**halved * step, low, high)
@@ -93,7 +98,7 @@ def _improved(
         with np.errstate(all="ignore"):  # what overflows is NaN, and no improvement
             if _squares(ground, effects, tried) <= before:
                 return tried
-    return list(values)
+    return None
 
 
 def _squares(ground: Ground, effects: Sequence[Effect], values: Sequence[FloatArray]) -> float:

@@ -104,7 +104,7 @@ class Cause:
     rms: of its signature over the readings, mm; held_out_gain: share by which it lowers the held-out RMS, noise
     included; rivals: what explains the readings about as well; homogeneous_p: of the test that all groups have one
     amplitude; remainder: whether structure is left beside it; formula: its term in LaTeX, values not filled in;
-    separating: what further run would tell it from its rivals.
+    separating: the further run that would tell it from its rivals, None where it has none.
     """
 
     effect: Effect
@@ -119,7 +119,7 @@ class Cause:
     amplitudes: tuple[AmplitudeOf, ...]
     homogeneous_p: float
     remainder: bool
-    separating: str
+    separating: "Separating | None"
 
 
 class StructureClass(Enum):
@@ -229,12 +229,68 @@ class Circle:
 
 
 @dataclass(frozen=True, slots=True)
-class NextRun:
-    """A further run that would help, and what it would tell: limit before and after where it lowers one."""
+class Told:
+    """From which amplitude on an effect is told from others: with a further run, and without it; infinite: never."""
 
-    purpose: str
-    run: str
-    gain: str
+    effect: Effect
+    unit: str
+    with_run: float
+    without: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Separating:
+    """What would tell a cause from its rivals. run: what to do, empty where no run of those considered would; times:
+    how often; apart, left: rivals that it tells from the cause, and others; told: from the worst of them; needed: how
+    often for the size found; broken_by: what would in general, as the kind has it.
+    """
+
+    run: str = ""
+    times: int = 1
+    apart: tuple[Effect, ...] = ()
+    left: tuple[Effect, ...] = ()
+    told: Told | None = None
+    needed: int = 1
+    broken_by: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NextRun:
+    """A further run that would help, for one of these: pairs: candidates that it tells apart, the first as `told` has
+    it; check: of structure that has no name; instrument: whose noise is not known. run, times: what to do, and how
+    often; empty where the check or the instrument says so.
+    """
+
+    run: str = ""
+    times: int = 1
+    pairs: tuple[tuple[Effect, tuple[Effect, ...]], ...] = ()
+    told: Told | None = None
+    check: Check | None = None
+    instrument: str = ""
+
+
+Lack = Literal["column", "instrument", "one_side", "one_direction", "one_feed"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Absence:
+    """What the data lack. place: column, axis of lines, plane of circles, or instrument; kinds: of effects that cannot
+    be seen; empty: share of readings without the column; lacking: instruments that no run has.
+    """
+
+    lack: Lack
+    place: str = ""
+    kinds: tuple[str, ...] = ()
+    empty: tuple[int, int] = (0, 0)
+    lacking: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SecondOrder:
+    """Terms of second order in the errors given: the largest in any reading, mm, and whether they could be seen."""
+
+    largest: float
+    seen: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -300,7 +356,7 @@ class Residuals:
 @dataclass(frozen=True, slots=True, eq=False)
 class Diagnosis:
     """Everything that was found. correlation: (g, g), R^2 between the candidates of `isolability`, base projected out;
-    threshold: evidence that a candidate had to reach; absences: what the data lack and what that costs; report: what
+    threshold: evidence that a candidate had to reach; absences: what the data lack; report: what
     setup.toml says of the measurement in free words; errors: all of the machine, as `identify` has them from these
     readings beside the causes; none where its fit did not stand still; misfits: runs that no errors fit, worst first.
     """
@@ -321,8 +377,8 @@ class Diagnosis:
     circles: tuple[Circle, ...]
     recalibration_p: float
     next_runs: tuple[NextRun, ...]
-    absences: tuple[str, ...]
-    warnings: tuple[str, ...]
+    absences: tuple[Absence, ...]
+    second_order: SecondOrder
     residuals: Residuals
     measured: tuple[MeasuredWith, ...]
     report: Mapping[str, str]

@@ -142,8 +142,9 @@ def signature_of(
     readings: Readings, effect: Effect, points: tuple[Mapping[str, float], ...] | None = None
 ) -> Signature:
     """The signature at the points of the grid, or at other points."""
-    if points is None and effect in readings.memory.signatures:
-        return readings.memory.signatures[effect]
+    kept = readings.memory.signatures.get(effect)
+    if kept is not None and points in (None, kept.points):
+        return kept
     found = _signature(
         readings, effect, grid_of(_kind(readings, effect), effect, readings.rows) if points is None else points
     )

@@ -69,7 +69,7 @@ class _Asked:
 
 
 def free_besides(null: Null, causes: Sequence[FloatArray], besides: Sequence[FloatArray]) -> Projection:
-    """All that is no news but for the values given: unknowns of instruments, and causes.
+    """All that is no news but for the values given: unknowns of instruments, causes, what given values vary by.
 
     causes: (n,) each, mm, signals of causes, free in size; besides: (n,) each, mm, what they may do besides, one
     standard deviation.
@@ -77,7 +77,9 @@ def free_besides(null: Null, causes: Sequence[FloatArray], besides: Sequence[Flo
     base, white = null.base, null.whitening
     columns = base.columns.take(slice(base.of_machine, None))
     columns = columns.beside(np.column_stack(causes)) if causes else columns
-    return Projection(spanned(columns.whitened(white))).softened(white(np.column_stack([base.by_chance, *besides])))
+    of_given = base.machine @ (base.expected[: base.of_machine, np.newaxis] * null.given)
+    chance = np.column_stack([base.by_chance, *besides, of_given])
+    return Projection(spanned(columns.whitened(white))).softened(white(chance))
 
 
 def stale_values(null: Null, causes: Sequence[FloatArray], besides: Sequence[FloatArray], freedom: Freedom) -> Changes:
@@ -86,9 +88,10 @@ def stale_values(null: Null, causes: Sequence[FloatArray], besides: Sequence[Flo
     further = np.column_stack([*causes, base.by_chance, *besides, null.values])
     white = base.columns.times(np.diag(base.expected)).beside(further).whitened(null.whitening).weights
     free = base.expected.size + len(causes)
-    aside, chance = white[:, base.of_machine : free], white[:, free:-1]
+    machine, aside = white[:, : base.of_machine], white[:, base.of_machine : free]
+    chance = np.hstack([white[:, free:-1], machine @ null.given])
     nuisance = Projection(of_basis(orthonormal(aside))).softened(chance)
-    r = np.asarray(np.linalg.qr(nuisance.rest(white[:, [*range(base.of_machine), -1]]), mode="r"))
+    r = np.asarray(np.linalg.qr(nuisance.rest(np.column_stack([machine, white[:, -1]])), mode="r"))
     names, every = np.array(base.components), tuple(dict.fromkeys(base.components))
     at = {name: np.flatnonzero(names == name) for name in every}
     of_noise = {name: freedom.of(np.arange(rows.size), base.machine.take(at[name]).dense()) for name in every}

@@ -1,6 +1,6 @@
 """From what was computed to the record that report and diagnosis.json are made of; the verdict is reached here."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,19 +8,14 @@ import numpy as np
 from trueaxis.diagnose.absences import absences
 from trueaxis.diagnose.audit import Audit
 from trueaxis.diagnose.circles import circles_of
-from trueaxis.diagnose.formula import formula_of
 from trueaxis.diagnose.gain import Left, fit, predicted
 from trueaxis.diagnose.instruments import Off
-from trueaxis.diagnose.linearisation import linearisation_note
+from trueaxis.diagnose.linearisation import second_order_of
 from trueaxis.diagnose.measured import measured_with
 from trueaxis.diagnose.next_runs import Ahead, ahead_of, next_runs, separating_run
-from trueaxis.diagnose.noise import REPEATS, STATED
 from trueaxis.diagnose.null import Null
 from trueaxis.diagnose.prospect import Prospect
 from trueaxis.diagnose.refit import Fitted
-from trueaxis.diagnose.report.quantity import quantity
-from trueaxis.diagnose.report.structures import check_name
-from trueaxis.diagnose.report.words import enumerated, held_out_warning, largest_structures, noise_origin
 from trueaxis.diagnose.result import (
     AmplitudeOf,
     BoolArray,
@@ -36,6 +31,8 @@ from trueaxis.diagnose.result import (
 )
 from trueaxis.diagnose.scan import Scanned
 from trueaxis.diagnose.search import Found, Ground, Search
+from trueaxis.effects.kind import Kind
+from trueaxis.effects.latex import effect_latex
 from trueaxis.estimation.effects.unknowns import unit_in
 
 
@@ -88,8 +85,8 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         circles=circles_of(ground.readings, outcome.left),
         recalibration_p=outcome.stale_p,
         next_runs=next_runs(prospect, outcome.audit, ahead, outcome.checks, outcome.null.noise),
-        absences=(*absences(ground.readings, outcome.audit, outcome.null.noise), linearisation_note(ground)),
-        warnings=_warnings(outcome, causes),
+        absences=absences(ground.readings, outcome.audit),
+        second_order=second_order_of(ground),
         residuals=_residuals(outcome),
         measured=measured_with(ground.readings.rows),
         report=outcome.report,
@@ -109,12 +106,9 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
     rivals = tuple(_evidence(one) for one in found.rivals)
     return Cause(
         effect=fitted.effect,
-        parameters=tuple(
-            Estimate(one.name, float(value), float(u), unit_in(one.unit, fitted.effect))
-            for one, value, u in zip(fitted.kind.parameters, fitted.values, fitted.u, strict=True)
-        ),
+        parameters=_parameters(fitted.kind, fitted),
         sentence=fitted.kind.sentence,
-        formula=formula_of(ground.readings.model.machine, fitted.effect),
+        formula=effect_latex(fitted.kind, fitted.effect),
         p_value=found.scan.p_value,
         evidence=found.scan.evidence,
         rms=float(np.sqrt(np.mean(fitted.signal**2))),
@@ -128,16 +122,12 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
 
 
 def _of_instrument(ground: Ground, off: Off) -> Cause:
-    machine = ground.readings.model.machine
-    kind = machine.kinds[off.effect.kind]
+    kind = ground.readings.model.machine.kinds[off.effect.kind]
     return Cause(
         effect=off.effect,
-        parameters=tuple(
-            Estimate(one.name, float(value), float(u), unit_in(one.unit, off.effect))
-            for one, value, u in zip(kind.parameters, off.values, off.u, strict=True)
-        ),
+        parameters=_parameters(kind, off),
         sentence=kind.sentence,
-        formula=formula_of(machine, off.effect),
+        formula=effect_latex(kind, off.effect),
         p_value=off.p_value,
         evidence=-float(np.log10(max(off.p_value, 1e-300))),
         rms=float(np.sqrt(np.mean(off.signal**2))),
@@ -146,7 +136,14 @@ def _of_instrument(ground: Ground, off: Off) -> Cause:
         amplitudes=(),
         homogeneous_p=1.0,
         remainder=False,
-        separating="",
+        separating=None,
+    )
+
+
+def _parameters(kind: Kind, found: Fitted | Off) -> tuple[Estimate, ...]:
+    return tuple(
+        Estimate(one.name, float(value), float(u), unit_in(one.unit, found.effect))
+        for one, value, u in zip(kind.parameters, found.values, found.u, strict=True)
     )
 
 
@@ -156,30 +153,6 @@ def _found(outcome: Outcome, fitted: Fitted) -> Found:
 
 def _evidence(one: Scanned) -> Evidence:
     return Evidence(one.effect, max(one.evidence, 0.0), one.p_value, one.tries, one.freedom)
-
-
-def _warnings(outcome: Outcome, causes: Sequence[Cause]) -> tuple[str, ...]:
-    found = []
-    for one in outcome.null.noise:
-        if one.origin not in (REPEATS, STATED):
-            found.append(f"noise of the {one.instrument}: {noise_origin(one.origin)}; repeat runs to know it")
-    if outcome.verdict == "unexplained_structure":
-        found.append("structure is left that no known cause explains: no name is given")
-    if any(one.remainder for one in causes):
-        shown, _ = largest_structures(outcome.checks)
-        left = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
-        found.append(
-            f"beside {enumerated([one.effect.label for one in causes])} a remainder is left: {'; '.join(left)}"
-        )
-    found += filter(None, [held_out_warning(outcome.gain)])
-    found += [
-        f"{one.effect.label} and {', '.join(r.effect.label for r in one.rivals)} predict the same readings"
-        for one in causes
-        if one.rivals
-    ]
-    if outcome.null.outliers:
-        found.append(f"{len(outcome.null.outliers)} outliers were left out")
-    return tuple(found)
 
 
 def _residuals(outcome: Outcome) -> Residuals:

@@ -18,7 +18,7 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
-from trueaxis.estimation.signs import reversed_runs
+from trueaxis.estimation.signs import mean_square, reversed_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import (
     State,
@@ -164,12 +164,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-
-    def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
-        start = started(layout, tuple(runs), setting.given, setting.options.noise, state.kept)
-        return _rounds(start, sizes, MOST_ROUNDS)[:2]
-
-    flipped = reversed_runs(state, sizes, x, posterior, refit)
+    flipped = _reversed(setting, state, sizes, x, posterior)
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
         state = at_share(state, posterior) if stays_within(state, posterior) else state
@@ -185,6 +180,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         open=left_open * layout.sizes[:, np.newaxis],
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
+        own={one.rows.index: own for one, own in zip(state.runs, state.own, strict=True)},
         noise=InstrumentNoise(
             of_instrument=state.noise,
             scale_of_run={one.rows.index: float(scale) for one, scale in zip(state.runs, state.scales, strict=True)},
@@ -198,6 +194,20 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         ),
         iteration=Iteration(rounds=rounds, steps=steps, last_step=last, last_change=change, converged=converged),
     )
+
+
+def _reversed(setting: _Setting, state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> dict[int, float]:
+    """As `reversed_runs`; where residuals are larger than a noise that is stated, by one that is estimated."""
+    layout, kept, noise = state.layout, state.kept, setting.options.noise
+
+    def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
+        return _rounds(started(layout, tuple(runs), setting.given, noise, kept), sizes, MOST_ROUNDS)[:2]
+
+    if noise and mean_square(state) > 1.0:
+        noise = {}
+        x, state = refit(setting.runs)
+        posterior = posterior_at(sizes, linearised(state), x)
+    return reversed_runs(state, sizes, x, posterior, refit)
 
 
 def _determined(sizes: Sizes, posterior: Posterior) -> tuple[Posterior, FloatArray]:

@@ -87,21 +87,17 @@ def _turned(runs: Sequence[MeasuredRun], place: int) -> list[MeasuredRun]:
 
 
 def _gain(sizes: Sizes, one: tuple[FloatArray, State], other: tuple[FloatArray, State]) -> float:
-    """Logarithm of how much likelier readings are by the other estimate: those that count in both.
-
-    Where the other residuals are larger than a noise that is stated, that is too small: with one that fits, the
-    logarithm is less by as much as their mean square is above 1.
-    """
+    """Logarithm of how much likelier readings are by the other estimate: those that count in both."""
     good = [a.good & b.good for a, b in zip(one[1].runs, other[1].runs, strict=True)]
     value, before = (evidence_at(sizes, linearised(_counting(state, good)), x) for x, state in (other, one))
-    return (value - before) / max(_mean_square(other[1]), 1.0)
+    return value - before
 
 
 def _counting(state: State, good: Sequence[BoolArray]) -> State:
     return replace(state, runs=tuple(replace(run, good=of) for run, of in zip(state.runs, good, strict=True)))
 
 
-def _mean_square(state: State) -> float:
+def mean_square(state: State) -> float:
     """Of the residuals that count, over their noise."""
     white = [
         state.whitening(place, one.kept())(state.residual[place][one.good][:, np.newaxis])

@@ -85,8 +85,8 @@ def started(
         mine = [rest for one, rest in zip(runs, residual, strict=True) if one.instrument == name]
         found[name] = first_noise(mine) if name in unstated else Noise(1.0)
     scales = [1.0 if one.instrument in unstated else stated_noise[one.rows.index] for one in runs]
-    # first order about the machine without errors: nothing but what effects are changes it
-    stays = not layout.effects.count and sum(one.reading.size for one in runs) * layout.count <= KEPT
+    # first order about the machine without errors: nothing changes it but effects that are not linear
+    stays = not layout.effects.curved and sum(one.reading.size for one in runs) * layout.count <= KEPT
     return State(
         layout=layout.at(unknowns, given),
         given=given,

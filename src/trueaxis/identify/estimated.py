@@ -6,8 +6,7 @@ from typing import Literal
 import numpy as np
 
 from trueaxis.estimation.combinations import combinations
-from trueaxis.estimation.curve_prior import DEGREE
-from trueaxis.estimation.estimate import EstimationOptions, NothingHeldError, estimate
+from trueaxis.estimation.estimate import USUAL, EstimationOptions, NothingHeldError, estimate
 from trueaxis.estimation.first_order import sensed
 from trueaxis.estimation.judgement import judged_component, judged_location, open_counts
 from trueaxis.estimation.observations import Observations
@@ -30,7 +29,6 @@ from trueaxis.identify.report import Identification
 from trueaxis.identify.weighting import NoiseModel, weighting
 from trueaxis.identify.words import enumerated
 from trueaxis.runtime.curves import Curve, LegendreCurve
-from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import ErrorValues, Undetermined
 from trueaxis.runtime.model import MachineModel
 
@@ -43,40 +41,31 @@ ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that the report is
 
 
 @dataclass(frozen=True, slots=True)
-class EstimateOptions:
+class IdentifyOptions:
     """squareness: what parts it from straightness; known: values taken as they are, dimensions too; noise: what is
-    known of it; start, prior, ideal, degree: as `estimate` takes them.
+    known of it, in place of that of `estimation`.
     """
 
     squareness: Choice = "convention"
     known: ErrorValues | None = None
     noise: NoiseModel = field(default_factory=NoiseModel)
-    start: tuple[EffectValues, ...] = ()
-    prior: bool = True
-    ideal: bool = False
-    degree: int = DEGREE
+    estimation: EstimationOptions = USUAL
 
 
-def identify_estimated(model: MachineModel, observed: Observations, options: EstimateOptions) -> Identification:
+def identify_estimated(model: MachineModel, observed: Observations, options: IdentifyOptions) -> Identification:
     """Values, report and covariance.
 
     Raises InputError where no reading holds an error, or where the noise that is given does not fit the runs;
     NotConvergedError where the estimate does not stand still.
     """
+    prior = options.estimation.prior
     given = _as_known(options.known or ErrorValues(model.name))
     if options.squareness == "known":
         zeros = dict.fromkeys(model.location_errors, 0.0)
         given = replace(given, parameters={**zeros, **given.parameters})
     noise = _given_noise(observed, options.noise)
     try:
-        found = estimate(
-            model,
-            observed,
-            given,
-            EstimationOptions(
-                noise=noise, start=options.start, prior=options.prior, ideal=options.ideal, degree=options.degree
-            ),
-        )
+        found = estimate(model, observed, given, replace(options.estimation, noise=noise))
     except NothingHeldError as error:
         remedy = "runs that move an axis, or fewer values in --known"
         raise InputError([Fault(observed.source, "", str(error), remedy)]) from error
@@ -86,14 +75,14 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
     against = [observed.runs[index].id for index in found.readings.reversed]
     judged = with_reversed(quality(residuals, observed.runs), against)
     together = combinations(found)
-    tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if options.prior else None
+    tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if prior else None
     found = found.levelled() if options.squareness == "convention" else found
     components = {name: judged_component(found, name) for name in found.layout.components}
     locations = {name: judged_location(found, name) for name in found.layout.locations}
     silent = [name for name, one in (*components.items(), *locations.items()) if one.determined == "prior"]
-    if not options.prior:
+    if not prior:
         silent = [name for name, one in (*components.items(), *locations.items()) if one.determined != "data"]
-    left_open = (Undetermined(f"{enumerated(silent)}: {SILENT[options.prior]}", tuple(silent)),) if silent else ()
+    left_open = (Undetermined(f"{enumerated(silent)}: {SILENT[prior]}", tuple(silent)),) if silent else ()
     values = replace(
         with_uncertainty(found.values, found),
         motion_errors={**_curves(model, observed, found), **given.motion_errors},
@@ -114,7 +103,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Est
         locations=locations,
         judged=judged,
         squareness=options.squareness,
-        prior=options.prior,
+        prior=prior,
     )
     report = replace(report, combinations=together, tool=tool)
     return Identification(values, report, covariance_with_effects(found))

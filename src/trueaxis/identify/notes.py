@@ -1,9 +1,10 @@
 """What a reader of identified values must know besides."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
@@ -15,6 +16,8 @@ from trueaxis.runtime.model import MachineModel
 
 SLOW = 3.0  # slow over white noise: instruments drift by about as much as they scatter
 MOST_OUTLIERS = 20  # named
+MOST_ZEROS = 5  # named
+FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
 FAR = 3.0  # times the size of [prior], from where on a size is reported
 
 
@@ -95,4 +98,23 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
             f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )
-    return tuple(notes)
+    return (*notes, *_zeros_far_off(observed, found))
+
+
+def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:
+    """Runs whose readings start far from zero: beside the others of their class, and beside what is usual of it."""
+    zeros: dict[str, dict[str, float]] = {}
+    for index, own in found.own.items():
+        for kind, value in zip(own_kinds(observed.runs[index], found.layout.straightness[index]), own, strict=True):
+            if kind.endswith(" zero"):
+                zeros.setdefault(kind, {})[observed.runs[index].id] = float(value)
+    for kind, of_run in zeros.items():
+        usual = max(SET_UP_FACTOR * CLASSES[kind].size, FAR_ZERO * float(np.median(np.abs([*of_run.values()]))))
+        far = sorted((run for run in of_run if abs(of_run[run]) > usual), key=lambda run: -abs(of_run[run]))
+        if far:
+            named = [f"{run} by {of_run[run] * 1e3:.3g} um" for run in far[:MOST_ZEROS]]
+            rest = f" and {len(far) - MOST_ZEROS} more" if len(far) > MOST_ZEROS else ""
+            yield (
+                f"{len(far)} of {len(of_run)} runs are off by their {kind}, farther than {usual * 1e3:.3g} um: "
+                f"{', '.join(named)}{rest}; the estimate takes that for the instrument, not for the machine"
+            )

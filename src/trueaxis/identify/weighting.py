@@ -78,13 +78,17 @@ def _given(observed: Observations, by_group: Mapping[str, float]) -> dict[int, G
         if name not in ids and name not in INSTRUMENTS:
             faults.add(name, "is neither an instrument nor a run", f"{', '.join(INSTRUMENTS)}, or {', '.join(ids)}")
     found = {}
+    silent: dict[str, list[str]] = {}
     for index in np.unique(observed.run).tolist():
         run = observed.runs[index]
         own = next((key for key in (run.id, run.instrument) if key in by_group), None)
         if own is None:
-            faults.add("", f'says nothing of run "{run.id}"', f"{run.instrument}=S, or {run.id}=S")
+            silent.setdefault(run.instrument, []).append(run.id)
         else:
             found[index] = GroupNoise(own, by_group[own], None)
+    for instrument, ids in silent.items():
+        which = f'run "{ids[0]}"' if len(ids) == 1 else f'{len(ids)} runs of the {instrument}, "{ids[0]}" first'
+        faults.add("", f"says nothing of {which}", f"{instrument}=S, or {ids[0]}=S")
     faults.raise_if_any()
     return found
 

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.diagnose.result import (
+    Absence,
     AmplitudeOf,
     Cause,
     Check,
@@ -22,9 +23,12 @@ from trueaxis.diagnose.result import (
     NoiseOf,
     Outlier,
     Residuals,
+    SecondOrder,
+    Separating,
     Stage,
     Stale,
     StructureClass,
+    Told,
     Verdict,
 )
 from trueaxis.effects.kind import Effect
@@ -37,6 +41,9 @@ CYCLIC = Effect("cyclic", "EYY")
 COSINE = Effect("laser_cosine", runs=("X-2", "X-3"))
 CROSS = Effect("cross_axis", "EXX", axis="Y")
 OFFSET = Effect("point_offset", runs=("Y-1",), end="target")
+CIRCLES_AGAIN = "circles in XY at another feed, both directions"
+APART = Told(BACKLASH, "mm", 0.4e-3, 9e-3)
+SEPARATING = Separating(run=CIRCLES_AGAIN, apart=(LAG,), told=APART)
 NOISE = 0.0003
 WIDTH = 0.0061
 
@@ -107,7 +114,7 @@ def residuals(targets: int = 41, repeats: int = 3, circle: int = 360, *, time: b
     )
 
 
-def cause(effect: Effect = BACKLASH, rivals: tuple[Evidence, ...] = (), separating: str = "") -> Cause:
+def cause(effect: Effect = BACKLASH, rivals: tuple[Evidence, ...] = (), separating: Separating | None = None) -> Cause:
     """With the sentence of its kind; of the size of the backlash drawn in."""
     return Cause(
         effect=effect,
@@ -168,10 +175,9 @@ def correlation(count: int = len(EFFECTS)) -> FloatArray:
 
 def diagnosis(verdict: Verdict) -> Diagnosis:
     """A diagnosis with this verdict, every field of it in use."""
-    separating = "circles in XY at another feed, both directions"
     causes = {
         "explained": (cause(),),
-        "ambiguous": (cause(rivals=(RIVAL,), separating=separating),),
+        "ambiguous": (cause(rivals=(RIVAL,), separating=SEPARATING),),
     }.get(verdict, ())
     fired = verdict == "unexplained_structure"
     explained = verdict in ("explained", "ambiguous")
@@ -222,9 +228,9 @@ def diagnosis(verdict: Verdict) -> Diagnosis:
             Circle("XY-500-cw", 0.0119, 0.0099, 0.0097, 0.0015),
         ),
         recalibration_p=1e-8,
-        next_runs=(NextRun("tell backlash EXX from servo_lag EXX", separating, "R2 0.96 -> 0.31"),),
-        absences=("no temperature channel in the circles: thermal effects show in the lines only",),
-        warnings=("run X-2 has one outlier; it was left out",),
+        next_runs=(NextRun(run=CIRCLES_AGAIN, pairs=((BACKLASH, (LAG,)),), told=APART),),
+        absences=(Absence(lack="column", place="temperature_c", kinds=("thermal_offset",), empty=(3, 9)),),
+        second_order=SecondOrder(2e-5, seen=False),
         residuals=data,
         measured=(
             MeasuredWith(

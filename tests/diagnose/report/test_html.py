@@ -13,15 +13,22 @@ from jinja2 import meta
 
 from tests.diagnose.report import builders
 from tests.diagnose.report.page import Element, read
+from trueaxis.diagnose.report import html as page_of
 from trueaxis.diagnose.report.formula import mathml
-from trueaxis.diagnose.report.html import TEMPLATE, report_html
-from trueaxis.diagnose.result import BoolArray, Diagnosis, Residuals, Verdict
+from trueaxis.diagnose.report.html import TEMPLATE
+from trueaxis.diagnose.report.pictures import pictures_of
+from trueaxis.diagnose.report.tables import MOST_PRINTED
+from trueaxis.diagnose.result import Absence, BoolArray, Diagnosis, Residuals, Verdict
 from trueaxis.effects.kind import Effect
 from trueaxis.template_folders import template_folders
 
 VERDICTS = get_args(Verdict)
 MEGABYTE = 1_000_000
 ROOT = Path(__file__).parents[3]
+
+
+def report_html(diagnosis: Diagnosis) -> str:
+    return page_of.report_html(diagnosis, pictures_of(diagnosis))
 
 
 @cache
@@ -89,8 +96,10 @@ def test_the_page_is_the_same_to_the_byte_in_another_process_with_another_matplo
     code = (
         "import sys, matplotlib; matplotlib.rcParams.update({'font.size': 30.0, 'axes.grid': False})\n"
         "from tests.diagnose.report import builders\n"
-        "from trueaxis.diagnose.report.html import TEMPLATE, report_html\n"
-        "sys.stdout.buffer.write(report_html(builders.diagnosis('explained')).encode())"
+        "from trueaxis.diagnose.report.html import report_html\n"
+        "from trueaxis.diagnose.report.pictures import pictures_of\n"
+        "diagnosis = builders.diagnosis('explained')\n"
+        "sys.stdout.buffer.write(report_html(diagnosis, pictures_of(diagnosis)).encode())"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, cwd=ROOT)
     assert done.stdout.decode() == html("explained")
@@ -153,10 +162,10 @@ def test_everything_found_is_in_the_page() -> None:
     text = page("explained").text.replace("\u00a0", " ")
     for said in (
         "mill <3 & more>",
-        "run X-2 has one outlier; it was left out",
-        "no temperature channel in the circles",
-        "tell backlash in EXX from servo lag in EXX",
-        "R2 0.96 -> 0.31",
+        "left out as outliers: 1 readings",
+        "with temperature_c empty in 3 of 9 readings: thermal offset cannot be seen",
+        "separate backlash in EXX from servo lag in EXX",
+        "smallest backlash in EXX that is told apart: 0.40",
         "whole runs left out, one at a time",
         "XY-500-ccw",
         "12.3",
@@ -328,7 +337,7 @@ def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
         cause,
         effect=builders.LAG,
         parameters=(replace(cause.parameters[0], value=-builders.WIDTH),),
-        separating="a line would tell servo_lag EXX from backlash EXX",
+        separating=replace(builders.SEPARATING, apart=(Effect("thermal_offset", "EXX"),)),
         held_out_gain=-0.04,
     )
     outlier = replace(diagnosis.outliers[0], deviation=-0.0042, z=-9.3)
@@ -336,8 +345,7 @@ def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
         diagnosis,
         causes=(cause,),
         outliers=(outlier,),
-        absences=("without time_s: thermal_offset and warm_up cannot be seen",),
-        warnings=("servo_lag EXX and backlash EXX predict the same readings",),
+        absences=(Absence(lack="column", place="time_s", kinds=("thermal_offset", "warm_up"), empty=(9, 9)),),
     )
     root = read(report_html(told))
     text = root.all("body")[0].text
@@ -346,8 +354,8 @@ def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
     assert not re.search(r"(?<![\w-])-\d", text)
     assert "higher by 4" in text
     assert "thermal offset and warm up cannot be seen" in text
-    assert "servo lag in EXX and backlash in EXX predict" in text
-    assert "would tell servo lag in EXX from backlash in EXX" in text
+    assert "servo lag in EXX and servo lag in EXX predict" in text
+    assert "separates it from thermal offset in EXX" in text
     assert "without time_s:" in text  # the name of a column, to be typed so
     assert text.count("servo_lag") == 1  # once, as a spec has it
 
@@ -394,3 +402,13 @@ def test_a_hundred_thousand_readings_and_a_hundred_candidates_stay_a_small_file(
     )
     assert large.residuals.run.size > 3e5
     assert len(report_html(large).encode()) < 2 * MEGABYTE
+
+
+def test_on_paper_are_the_most_telling_rows_of_a_long_table() -> None:
+    diagnosis = builders.diagnosis("unexplained_structure")
+    checks = tuple(replace(diagnosis.checks[0], place=f"X{k}", p_value=0.5) for k in range(40))
+    root = read(report_html(replace(diagnosis, checks=(*checks, diagnosis.checks[1]))))
+    hidden = [row for row in root.all("tr") if row.attributes.get("class") == "screen"]
+    assert len(hidden) == 41 - MOST_PRINTED
+    assert not any("FIRED" in row.text for row in hidden)
+    assert f"{41 - MOST_PRINTED} more rows are on the page itself" in root.all("body")[0].text

@@ -14,10 +14,11 @@ from typing import Any
 
 from tests.hidden_effects.power.grade import Name, Said
 from trueaxis.cli import main
-from trueaxis.diagnose.procedure import diagnose
+from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose
 from trueaxis.diagnose.report.json_file import diagnosis_json
 from trueaxis.measure.data import read_data
 from trueaxis.runtime.model import load_model
+from trueaxis.runtime.uncertainty import load_uncertainty
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,8 @@ def said_of(folder: Path, kernels: Path) -> Answer:
     """The answer to machine.toml, errors.json and data of a folder, in this process."""
     start = time.process_time()
     model = load_model(folder / "machine.toml", folder / "errors.json", kernels)
-    found = diagnose(model, read_data(folder / "data", model.machine))
+    covariance = load_uncertainty(folder / "errors.json", model.errors, model.machine)
+    found = diagnose(model, read_data(folder / "data", model.machine), DiagnoseOptions(covariance=covariance))
     seconds = time.process_time() - start
     return answer_of(json.loads(diagnosis_json(found, None, None)), seconds)
 

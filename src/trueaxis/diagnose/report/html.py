@@ -1,22 +1,13 @@
 """The report as one HTML file that needs nothing else: no network, no script."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from trueaxis.diagnose.report import tables
-from trueaxis.diagnose.report.figures.amplitudes import amplitudes
-from trueaxis.diagnose.report.figures.around import around
-from trueaxis.diagnose.report.figures.circles import circles
-from trueaxis.diagnose.report.figures.course import course
-from trueaxis.diagnose.report.figures.evidence import evidence
-from trueaxis.diagnose.report.figures.isolability import isolability
-from trueaxis.diagnose.report.figures.periodogram import periodograms
-from trueaxis.diagnose.report.figures.positions import positions
-from trueaxis.diagnose.report.figures.stages import stages
-from trueaxis.diagnose.report.figures.whiteness import whiteness
+from trueaxis.diagnose.report import further, tables
 from trueaxis.diagnose.report.formula import mathml
+from trueaxis.diagnose.report.picture import Picture, Pictures
 from trueaxis.diagnose.report.quantity import UM, equals_p, micrometres, percent, with_expanded, written
-from trueaxis.diagnose.report.svg import Picture
 from trueaxis.diagnose.report.tables import Table
 from trueaxis.diagnose.report.words import (
     TITLES,
@@ -61,8 +52,8 @@ class Section:
     tables: tuple[Table, ...]
 
 
-def report_html(diagnosis: Diagnosis) -> str:
-    """The page, the same for the same diagnosis to the byte.
+def report_html(diagnosis: Diagnosis, pictures: Pictures) -> str:
+    """The page, the same for the same diagnosis and its pictures to the byte.
 
     Figures are SVG within it, formulas MathML; colours follow the reader's preference, light or dark.
     """
@@ -84,15 +75,17 @@ def report_html(diagnosis: Diagnosis) -> str:
         headline=headline(diagnosis),
         explanation=explanation(diagnosis),
         key_figures=_key_figures(diagnosis),
-        warnings=[*filter(None, [misfit(diagnosis)]), *(in_words(one, kinds) for one in diagnosis.warnings)],
-        absences=[in_words(one, kinds) for one in diagnosis.absences],
+        warnings=[*filter(None, [misfit(diagnosis)]), *(in_words(one, kinds) for one in further.warnings(diagnosis))],
+        absences=[in_words(one, kinds) for one in further.absences(diagnosis)],
         report=diagnosis.report,
         measured=tables.measured(diagnosis),
         errors=tables.errors(diagnosis),
         causes_title=_causes_title(diagnosis),
-        causes=[_cause(one, number, kinds) for number, one in enumerate(diagnosis.causes, 1)],
+        causes=[_cause(one, drawn, kinds) for one, drawn in zip(diagnosis.causes, pictures.causes, strict=True)],
         sections=[
-            one for one in _sections(diagnosis, kinds) if one.pictures or any(table.rows for table in one.tables)
+            one
+            for one in _sections(diagnosis, kinds, pictures.sections)
+            if one.pictures or any(table.rows for table in one.tables)
         ],
     )
 
@@ -117,7 +110,7 @@ def _causes_title(diagnosis: Diagnosis) -> str:
     return "Causes" if len(diagnosis.causes) > 1 else "Cause"
 
 
-def _cause(cause: Cause, number: int, kinds: frozenset[str]) -> CauseText:
+def _cause(cause: Cause, pictures: tuple[Picture, ...], kinds: frozenset[str]) -> CauseText:
     return CauseText(
         title=effect_title(cause.effect),
         joint=joint(cause.effect),
@@ -132,9 +125,9 @@ def _cause(cause: Cause, number: int, kinds: frozenset[str]) -> CauseText:
             ("kind, as a spec has it", cause.effect.kind),
         ),
         rivals=tables.rivals(cause) if cause.rivals else None,
-        separating=in_words(cause.separating, kinds),
+        separating="" if cause.separating is None else in_words(further.separating_run(cause.separating), kinds),
         remainder=cause.remainder,
-        pictures=tuple(amplitudes(cause, number)),
+        pictures=pictures,
     )
 
 
@@ -146,7 +139,9 @@ def _change(gain: float) -> str:
     return f"higher by {percent(-gain)}" if gain < 0.0 else f"lower by {percent(gain)}"
 
 
-def _sections(diagnosis: Diagnosis, kinds: frozenset[str]) -> list[Section]:
+def _sections(
+    diagnosis: Diagnosis, kinds: frozenset[str], pictures: Mapping[str, tuple[Picture, ...]]
+) -> list[Section]:
     return [
         Section(
             "stale",
@@ -161,33 +156,31 @@ def _sections(diagnosis: Diagnosis, kinds: frozenset[str]) -> list[Section]:
             "gain",
             "Before and after",
             _sentence(predicted_scatter(diagnosis.gain)),
-            tuple(stages(diagnosis)),
+            pictures["gain"],
             (tables.circularity(diagnosis),),
         ),
         Section(
             "residuals",
             "Residuals",
             f"Measured less model, {UM}: with the values given, refitted, and with the extended model.",
-            (*positions(diagnosis), *around(diagnosis), *course(diagnosis)),
+            pictures["residuals"],
             (),
         ),
         Section(
             "circles",
             "Circles",
             "Radial deviations measured, and what the extended model says of them.",
-            tuple(circles(diagnosis)),
+            pictures["circles"],
             (),
         ),
-        Section("periods", "Periods", "", tuple(periodograms(diagnosis)), ()),
-        Section(
-            "structure", "Is noise all that is left?", "", tuple(whiteness(diagnosis)), (tables.checks(diagnosis),)
-        ),
-        Section("evidence", "Evidence", "", tuple(evidence(diagnosis)), (tables.scan(diagnosis),)),
+        Section("periods", "Periods", "", pictures["periods"], ()),
+        Section("structure", "Is noise all that is left?", "", pictures["structure"], (tables.checks(diagnosis),)),
+        Section("evidence", "Evidence", "", pictures["evidence"], (tables.scan(diagnosis),)),
         Section(
             "limits",
             "What these runs can and cannot see",
             "",
-            tuple(isolability(diagnosis)),
+            pictures["limits"],
             (tables.limits(diagnosis),),
         ),
         Section("noise", "Noise and outliers", "", (), (tables.noise(diagnosis), tables.outliers(diagnosis))),

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from trueaxis.diagnose.report.further import absences, proposals, separating_run, warnings
 from trueaxis.diagnose.report.structures import check_meaning, check_name
 from trueaxis.diagnose.report.words import ESTIMATED
 from trueaxis.diagnose.result import Cause, Diagnosis, Evidence, Limit, Stage, Stale
@@ -43,9 +44,9 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "extended_errors": extended_errors,
         "stale": [_stale(one) for one in diagnosis.stale],
         "recalibration_p": diagnosis.recalibration_p,
-        "warnings": list(diagnosis.warnings),
-        "absences": list(diagnosis.absences),
-        "next_runs": [{"purpose": one.purpose, "run": one.run, "gain": one.gain} for one in diagnosis.next_runs],
+        "warnings": list(warnings(diagnosis)),
+        "absences": list(absences(diagnosis)),
+        "next_runs": [asdict(one) for one in proposals(diagnosis)],
         "noise": [
             {
                 "instrument": one.instrument,
@@ -130,7 +131,7 @@ def _cause(one: Cause) -> dict[str, Any]:
             "homogeneous_p": one.homogeneous_p,
         },
         "cannot_be_told_from": [_evidence(rival) for rival in one.rivals],
-        "separating": one.separating,
+        "separating": "" if one.separating is None else separating_run(one.separating),
         "remainder": one.remainder,
         "sentence": one.sentence,
         "formula": one.formula,

@@ -2,13 +2,14 @@
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from html import escape
 from io import StringIO
 
 from matplotlib import style
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
+
+from trueaxis.diagnose.report.picture import Picture
 
 # Of Okabe and Ito: told apart by all eyes. The page gives each its value, light or dark, by a CSS variable.
 BLUE, ORANGE, GREEN, SKY, PURPLE = "#0072b2", "#d55e00", "#009e73", "#56b4e9", "#cc79a7"
@@ -58,17 +59,6 @@ _STYLE = {
     "axes.xmargin": 0.03,
     "path.simplify": True,
 }
-
-
-@dataclass(frozen=True, slots=True)
-class Picture:
-    """A figure of the page: name (for its ids), title, text for those who do not see it, caption, the svg element."""
-
-    name: str
-    title: str
-    alt: str
-    caption: str
-    svg: str
 
 
 def picture(name: str, title: str, alt: str, caption: str, draw: Callable[[], Figure]) -> Picture:

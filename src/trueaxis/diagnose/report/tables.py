@@ -4,6 +4,7 @@ import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
+from trueaxis.diagnose.report.further import proposals
 from trueaxis.diagnose.report.quantity import NBSP, UM, micrometres, percent, probability, quantity, written
 from trueaxis.diagnose.report.structures import check_meaning, check_name
 from trueaxis.diagnose.report.words import ESTIMATED, effect_title, in_words, noise_origin, stale_range
@@ -11,17 +12,26 @@ from trueaxis.diagnose.result import Cause, Diagnosis
 
 R2 = "R\N{SUPERSCRIPT TWO}"
 MOST_IN_SIGHT = 12  # rows, each of up to two lines, before the frame of a table scrolls
+MOST_PRINTED = 16  # of a table that has the most telling rows first: six pages hold the most that there is
 DASH = "\N{EN DASH}"
 
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table of the page. rows: cells as text, the first of each naming its row; numbers: columns set to the right."""
+    """A table of the page. rows: cells as text, the first of each naming its row; numbers: columns set to the right;
+    printed: how many of the rows come on paper, None: all.
+    """
 
     caption: str
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     numbers: frozenset[int] = frozenset()
+    printed: int | None = None
+
+    @property
+    def unprinted(self) -> int:
+        """How many rows are on the screen alone."""
+        return 0 if self.printed is None else max(len(self.rows) - self.printed, 0)
 
     @property
     def long(self) -> bool:
@@ -90,10 +100,10 @@ def circularity(diagnosis: Diagnosis) -> Table:
     """ISO 230-4, measured and what is left."""
     rows = tuple(
         (one.run, *(micrometres(value) for value in (one.measured, one.given, one.refitted, one.extended)))
-        for one in diagnosis.circles
+        for one in sorted(diagnosis.circles, key=lambda one: -one.extended)
     )
     head = ("run", "measured", "left, as given", "left, refitted", "left, extended")
-    return Table(f"Circular deviation (ISO 230-4), {UM}", head, rows, frozenset(range(1, 5)))
+    return Table(f"Circular deviation (ISO 230-4), {UM}", head, rows, frozenset(range(1, 5)), MOST_PRINTED)
 
 
 def limits(diagnosis: Diagnosis) -> Table:
@@ -131,7 +141,7 @@ def checks(diagnosis: Diagnosis) -> Table:
         for one in sorted(diagnosis.checks, key=lambda one: (not one.fired, _last(one.p_value)))
     )
     head = ("check", "what it looks for", "p", f"RMS ({UM})", "result")
-    return Table("Structure left by the final model", head, rows, frozenset({2, 3}))
+    return Table("Structure left by the final model", head, rows, frozenset({2, 3}), MOST_PRINTED)
 
 
 def outliers(diagnosis: Diagnosis) -> Table:
@@ -141,14 +151,14 @@ def outliers(diagnosis: Diagnosis) -> Table:
         for one in sorted(diagnosis.outliers, key=lambda one: -abs(one.z))
     )
     head = ("run, seq", f"deviation ({UM})", "standard deviations")
-    return Table("Readings left out as outliers", head, rows, frozenset({1, 2}))
+    return Table("Readings left out as outliers", head, rows, frozenset({1, 2}), MOST_PRINTED)
 
 
 def next_runs(diagnosis: Diagnosis, kinds: Collection[str]) -> Table:
     """What to measure next. kinds: whose names become words."""
     rows = tuple(
         (in_words(one.run, kinds), in_words(one.purpose, kinds), in_words(one.gain, kinds))
-        for one in diagnosis.next_runs
+        for one in proposals(diagnosis)
     )
     return Table("Runs that would help", ("run", "purpose", "what it would tell"), rows)
 

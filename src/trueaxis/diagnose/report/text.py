@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 
+from trueaxis.diagnose.report.further import proposals, separating_run, warnings
 from trueaxis.diagnose.report.quantity import ascii_only, micrometres, percent, probability, with_expanded
 from trueaxis.diagnose.report.structures import check_meaning, check_name
 from trueaxis.diagnose.report.words import (
@@ -40,10 +41,8 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
         yield misfit(diagnosis)
     yield from (f"stale: {stale_change(one)} (p of the whole {probability(one.p_value)})" for one in diagnosis.stale)
     yield from _gain(diagnosis.gain)
-    if diagnosis.outliers:
-        yield f"left out as outliers: {len(diagnosis.outliers)} readings"
-    yield from (f"next: {one.run} ({one.purpose}): {one.gain}" for one in diagnosis.next_runs)
-    yield from (f"warning: {text}" for text in diagnosis.warnings)
+    yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in proposals(diagnosis))
+    yield from (f"warning: {text}" for text in warnings(diagnosis))
 
 
 def _gain(gain: Gain) -> Iterator[str]:
@@ -74,7 +73,7 @@ def _cause(number: int, cause: Cause) -> Iterator[str]:
     )
     if cause.rivals:
         yield f"  cannot be told from: {', '.join(effect_title(rival.effect) for rival in cause.rivals)}"
-    if cause.separating:
-        yield f"  what would tell: {cause.separating}"
+    if cause.separating is not None:
+        yield f"  what would tell: {separating_run(cause.separating)}"
     if cause.remainder:
         yield "  a remainder is left that this cause does not explain"

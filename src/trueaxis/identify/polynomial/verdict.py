@@ -1,5 +1,7 @@
 """The outcome of a polynomial fit in words and as a table for people."""
 
+import math
+
 from trueaxis.identify.polynomial.records import OptimalFit, PolynomialFit
 
 
@@ -34,8 +36,13 @@ def statistics_table(fit: OptimalFit, unit: str, units_per_si: float) -> str:
         ("AIC", "aic", 1.0),
         ("p of the equation (F)", "f_p_value", 1.0),
     ):
-        rows.append([label, *(f"{getattr(side, name) * factor:.5g}" for side in both)])
+        rows.append([label, *(_figure(getattr(side, name) * factor) for side in both)])
     sides = [dict(zip(side.powers, side.p_values, strict=True)) for side in both]
     for power in fit.before.powers:
-        rows.append([f"p of x^{power} (t)", *(f"{side[power]:.5g}" if power in side else "-" for side in sides)])
+        rows.append([f"p of x^{power} (t)", *(_figure(side.get(power, math.nan)) for side in sides)])
     return "\n".join(f"{label:<32}{left:>14}{right:>14}" for label, left, right in rows)
+
+
+def _figure(value: float) -> str:
+    """A dash where an equation without terms has no such figure."""
+    return f"{value:.5g}" if math.isfinite(value) else "-"

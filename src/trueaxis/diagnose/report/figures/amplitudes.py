@@ -4,8 +4,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from trueaxis.diagnose.report.frame import room_for, stacked
+from trueaxis.diagnose.report.picture import Picture
 from trueaxis.diagnose.report.quantity import COVERAGE_FACTOR, equals_p, shown_in
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, picture
 from trueaxis.diagnose.report.words import effect_title
 from trueaxis.diagnose.result import Cause
 

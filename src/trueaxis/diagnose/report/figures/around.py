@@ -6,8 +6,9 @@ from matplotlib.figure import Figure
 from trueaxis.diagnose.report.cloud import cloud
 from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.lines import THINNED, Round, rounds_of, sample
+from trueaxis.diagnose.report.picture import Picture
 from trueaxis.diagnose.report.quantity import UM
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, picture
 from trueaxis.diagnose.result import Diagnosis, Residuals
 
 MOST_POINTS = 600

@@ -7,8 +7,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from trueaxis.diagnose.report.lines import Round, rounds_of
+from trueaxis.diagnose.report.picture import Picture
 from trueaxis.diagnose.report.quantity import NBSP, UM
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, RULE, SOFT, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, RULE, SOFT, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
 
 MOST_POINTS = 360  # of a trace, drawn as a line

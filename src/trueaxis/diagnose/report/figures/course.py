@@ -6,8 +6,9 @@ from matplotlib.figure import Figure
 from trueaxis.diagnose.report.cloud import cloud
 from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.lines import THINNED, sample
+from trueaxis.diagnose.report.picture import Picture
 from trueaxis.diagnose.report.quantity import UM, written
-from trueaxis.diagnose.report.svg import BLUE, GREEN, INK, ORANGE, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, GREEN, INK, ORANGE, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
 
 MOST_POINTS = 600

@@ -5,7 +5,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
 from trueaxis.diagnose.report.frame import room_for, stacked
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SKY, Picture, picture
+from trueaxis.diagnose.report.picture import Picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SKY, picture
 from trueaxis.diagnose.report.words import short_title
 from trueaxis.diagnose.result import Diagnosis
 

@@ -6,7 +6,8 @@ from matplotlib.figure import Figure
 from scipy.optimize import isotonic_regression
 
 from trueaxis.diagnose.report.frame import WIDTH, room_for
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, RULE, Picture, picture
+from trueaxis.diagnose.report.picture import Picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, RULE, picture
 from trueaxis.diagnose.report.words import effect_title, short_title
 from trueaxis.diagnose.result import Diagnosis, FloatArray
 

@@ -9,6 +9,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.lines import envelope, lines_of, rounds_of
+from trueaxis.diagnose.report.picture import Picture
 from trueaxis.diagnose.report.spectrum import (
     FALSE_ALARM,
     HIGHEST_HARMONIC,
@@ -17,7 +18,7 @@ from trueaxis.diagnose.report.spectrum import (
     harmonic,
     spectrum_of,
 )
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, picture
 from trueaxis.diagnose.report.words import effect_title
 from trueaxis.diagnose.result import Diagnosis, FloatArray
 from trueaxis.effects.library import BY_NAME

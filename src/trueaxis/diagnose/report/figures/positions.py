@@ -7,8 +7,9 @@ from matplotlib.figure import Figure
 from trueaxis.diagnose.report.cloud import DOT, cloud
 from trueaxis.diagnose.report.frame import stacked
 from trueaxis.diagnose.report.lines import THINNED, Line, lines_of, sample
+from trueaxis.diagnose.report.picture import Picture
 from trueaxis.diagnose.report.quantity import UM
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SOFT, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SOFT, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, IntArray, Residuals
 
 MOST_POINTS = 900  # of a panel; beyond, only a sample is drawn

@@ -5,8 +5,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from trueaxis.diagnose.report.frame import room_for, stacked
+from trueaxis.diagnose.report.picture import Picture
 from trueaxis.diagnose.report.quantity import UM, micrometres
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SKY, SOFT, Picture, picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, SKY, SOFT, picture
 from trueaxis.diagnose.result import Diagnosis, Stage
 
 NAMES = ("given", "refitted", "extended")

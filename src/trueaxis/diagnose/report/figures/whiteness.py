@@ -6,7 +6,8 @@ from scipy.special import ndtri
 
 from trueaxis.diagnose.report.cloud import DOT, cloud
 from trueaxis.diagnose.report.frame import stacked
-from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, Picture, picture
+from trueaxis.diagnose.report.picture import Picture
+from trueaxis.diagnose.report.svg import BLUE, INK, ORANGE, picture
 from trueaxis.diagnose.result import Diagnosis, FloatArray, Residuals
 
 MOST_POINTS = 400

@@ -1,0 +1,35 @@
+"""What `diagnose` has done by a second process, while the first one identifies the values of the extended machine."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from trueaxis.diagnose.report.picture import Pictures
+from trueaxis.diagnose.report.pictures import pictures_of
+from trueaxis.diagnose.result import Diagnosis
+from trueaxis.spec import Machine
+
+if TYPE_CHECKING:
+    from trueaxis.derive.systems import RunPattern
+
+
+@dataclass(frozen=True, slots=True)
+class Extended:
+    """A machine with effects that were named. runs: whose systems are derived; spec, text: of its file."""
+
+    machine: Machine
+    runs: "tuple[RunPattern, ...]"
+    spec: str
+    text: str
+
+
+def drawn_and_derived(diagnosis: Diagnosis, extended: Extended | None) -> tuple[Pictures, Mapping[str, bytes]]:
+    """The figures of the report, and the files of generated/NAME/ of the extended machine, none where there is none."""
+    pictures = pictures_of(diagnosis)
+    if extended is None:
+        return pictures, {}
+    # SymPy and Jinja2: only where a machine is extended
+    from trueaxis.derive.model import derive_model  # noqa: PLC0415
+    from trueaxis.emit.render import render  # noqa: PLC0415
+
+    return pictures, render(derive_model(extended.machine, extended.runs), extended.spec)

@@ -1,0 +1,73 @@
+"""Command line: fetch the sample programs and the interpreter; grade programs and print a table."""
+
+import argparse
+import json
+import subprocess
+import tempfile
+from collections import Counter
+from dataclasses import asdict
+from pathlib import Path
+
+from tests.shop_programs.grade import Grade, all_grades
+
+PACKAGES = ("linuxcnc-uspace", "libboost-python1.74.0")  # of Debian 12: programs and interpreter, and what it needs
+SUFFIXES = frozenset({".ngc", ".nc", ".gcode", ".gc", ".tap"})
+LARGEST = 3_000_000  # bytes; longer programs are left out, and counted
+
+
+def fetch(folder: Path) -> None:
+    """Download the packages and unpack them into the folder; nothing is installed."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for package in PACKAGES:
+        subprocess.run(["apt-get", "download", package], cwd=folder, check=True)
+    for archive in sorted(folder.glob("*.deb")):
+        subprocess.run(["dpkg-deb", "-x", archive.name, "."], cwd=folder, check=True)
+
+
+def table(grades: list[Grade], left_out: int) -> str:
+    """What became of the programs, by kind; then why those that are refused are, and what is wrong."""
+    rows = ["| programs | number | accepted | refused | wrong |", "|---|---|---|---|---|"]
+    for kind, number in Counter(grade.kind for grade in grades).most_common():
+        count = Counter(grade.outcome for grade in grades if grade.kind == kind)
+        rows.append(f"| {kind} | {number} | {count['accepted']} | {count['refused']} | {count['wrong']} |")
+    rows.append(f"\n{left_out} programs above {LARGEST} bytes left out\n")
+    accepted = [grade for grade in grades if grade.outcome == "accepted"]
+    if accepted:
+        after, before = (1000 * max(getattr(g, stage) for g in accepted) for stage in ("after", "before"))
+        moves = [sum(g.moves[side] for g in accepted) for side in (0, 1)]
+        rows.append(f"accepted: at most {after:.2f} um along the path after, {before:.1f} um before")
+        rows.append(f"{moves[0]} motions became {moves[1]}")
+        rows += [f"  {number} {why}" for why, number in Counter(g.reason for g in accepted).most_common() if why]
+    for outcome in ("refused", "wrong"):
+        reasons = Counter(g.reason for g in grades if g.outcome == outcome and g.kind == "plain")
+        rows += [f"plain, {outcome}: {number} {why}" for why, number in reasons.most_common()]
+    return "\n".join(rows)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    commands = parser.add_subparsers(required=True, dest="command")
+    commands.add_parser("fetch").add_argument("folder", type=Path)
+    grading = commands.add_parser("grade")
+    grading.add_argument("package", type=Path, help="the folder of `fetch`, or / where LinuxCNC is installed")
+    grading.add_argument("folders", type=Path, nargs="+")
+    grading.add_argument("--json", type=Path)
+    args = parser.parse_args()
+    if args.command == "fetch":
+        fetch(args.folder)
+        return
+    paths = {path for folder in args.folders for path in folder.rglob("*")}
+    found = sorted(path for path in paths if path.suffix.lower() in SUFFIXES and path.is_file())
+    short = [path for path in found if path.stat().st_size <= LARGEST]
+    grades = []
+    with tempfile.TemporaryDirectory() as folder:
+        for one in all_grades(short, args.package, Path(folder)):
+            grades.append(one)
+            if args.json is not None:
+                with args.json.open("a") as file:
+                    file.write(json.dumps(asdict(one)) + "\n")
+    print(table(grades, len(found) - len(short)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,113 @@
+# mypy: ignore-errors
+"""Runs in LinuxCNC's own Python: prints what its interpreter makes of one program.
+
+canonical.py PROGRAM VAR PACKAGES TOOLS: one line a motion, `rapid|feed LINE X Y Z A B C` or
+`arc LINE PLANE TURNS CX CY X Y Z A B C` (mm, deg, machine coordinates of the point from which lengths count; CX, CY the
+centre in the first two axes of the plane), `tool LINE T`, `length LINE Z`, and at the end `end RESULT LINE TEXT`.
+"""
+
+import ctypes
+import json
+import sys
+
+PROGRAM, VAR, PACKAGES = sys.argv[1:4]
+TOOLS = json.loads(sys.argv[4])  # number and length (mm) in the order of the table, the spindle first
+sys.path.insert(0, PACKAGES)
+import gcode  # noqa: E402
+
+# the table of tools is memory shared by way of a file in HOME, which rs274 has made; without it the module crashes
+ctypes.CDLL("libtooldata.so.0", ctypes.RTLD_GLOBAL)._Z14tool_mmap_userv()
+
+MM = 25.4
+ORDER = {1: (0, 1, 2), 2: (1, 2, 0), 3: (2, 0, 1)}
+
+
+class Canon:
+    """What the interpreter calls; positions come in inches, in the frame of the program."""
+
+    def __init__(self):
+        self.parameter_file, self.line, self.plane = VAR, 0, 1
+        self.g5x = self.g92 = self.tool = (0.0,) * 9
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return lambda *_: None
+
+    def next_line(self, state):
+        self.line = state.sequence_number
+
+    def set_g5x_offset(self, _index, *values):
+        self.g5x = values
+
+    def set_g92_offset(self, *values):
+        self.g92 = values
+
+    def set_xy_rotation(self, angle):
+        if angle:
+            print("turned", self.line)
+
+    def set_plane(self, plane):
+        self.plane = plane
+
+    def tool_offset(self, *values):
+        self.tool = values
+        print("length", self.line, f"{values[2] * MM:.9f}")
+
+    def change_tool(self, pocket):
+        print("tool", self.line, pocket)
+
+    def user_defined_function(self, number, *_):
+        print("user", self.line, 100 + number)
+
+    def machine(self, values):
+        """Machine coordinates, mm and deg."""
+        total = [sum(parts) for parts in zip(values, self.g5x, self.g92, self.tool, strict=True)]
+        if any(total[6:]):
+            print("uvw", self.line)
+        return [f"{value * (MM if row < 3 else 1.0):.9f}" for row, value in enumerate(total[:6])]
+
+    def straight_traverse(self, *values):
+        print("rapid", self.line, *self.machine(values))
+
+    def straight_feed(self, *values):
+        print("feed", self.line, *self.machine(values))
+
+    def straight_probe(self, *_):
+        print("probe", self.line)
+
+    def rigid_tap(self, *_):
+        print("tap", self.line)
+
+    def arc_feed(self, first, second, c1, c2, turns, along, *rest):
+        rows = ORDER[self.plane]
+        end, centre = [0.0] * 3, [0.0] * 9
+        end[rows[0]], end[rows[1]], end[rows[2]] = first, second, along
+        centre[rows[0]], centre[rows[1]] = c1, c2
+        at = self.machine([*end, *rest])
+        middle = self.machine(centre)
+        print("arc", self.line, self.plane, turns, middle[rows[0]], middle[rows[1]], *at)
+
+    def get_external_length_units(self):
+        return 1.0
+
+    def get_external_angular_units(self):
+        return 1.0
+
+    def get_axis_mask(self):
+        return 0o777
+
+    def get_tool(self, pocket):
+        tool = TOOLS[pocket] if pocket < len(TOOLS) else (-1, 0.0)
+        return (tool[0], 0.0, 0.0, tool[1], *(0.0,) * 9, 0)
+
+    def get_block_delete(self):
+        return True
+
+    def check_abort(self):
+        return False
+
+
+canon = Canon()
+result, line = gcode.parse(PROGRAM, canon, "G21 G90 G94 G17 G40 G49 G80", "")
+print("end", result, line, gcode.strerror(result) if result > gcode.MIN_ERROR else "")

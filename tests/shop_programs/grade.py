@@ -1,0 +1,164 @@
+"""Compensates programs for a machine of matrices and says how far the tool is off the path, before and after.
+
+Both programs are run by LinuxCNC's interpreter. The tool of the error-free machine at the source's motions makes the
+path that was meant; the tool of the machine with errors at the written ones must keep to it.
+"""
+
+import contextlib
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from tests.compensate.analytic_machine import XyzMachine, paper_sized
+from tests.compensate.path_distance import FloatArray, apart, distances, sampled, way
+from tests.shop_programs.interpreter import Ran, run
+from trueaxis.compensate.files import compensate_file
+from trueaxis.compensate.offsets import Offsets
+from trueaxis.compensate.settings import Settings
+from trueaxis.compensate.tools import Tool, ToolTable
+from trueaxis.faults import InputError
+
+TRAVEL = 1500.0  # mm each way
+TOLERANCE = 0.0015  # mm along the path: half a word in each axis, and the height of a chord
+LENGTHS = {tool: 20.0 + 1.5 * tool for tool in range(1, 100)}  # mm; no two the same
+OFFSETS = [(300.0 + 10.0 * k, -200.0, 100.0 - 5.0 * k) for k in range(9)]  # of G54 and on, mm: errors are 0 at home
+SPACING = 0.2  # mm between the places of a line that are looked at
+
+
+@dataclass(frozen=True)
+class Grade:
+    """kind: plain, or why it is no main program for this machine. outcome: accepted, refused, wrong, or empty.
+
+    before, after: largest distance from the path, mm; moves: of the source and of what is written.
+    """
+
+    name: str
+    kind: str
+    outcome: str = ""
+    reason: str = ""
+    before: float = 0.0
+    after: float = 0.0
+    moves: tuple[int, int] = (0, 0)
+
+
+def settings_of(text: str) -> Settings:
+    """What a shop would give: offsets, tools, dialect, integers; M codes of overrides and outputs pass."""
+    names = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"]
+    offsets = {
+        name: {axis: (value, value) for axis, value in zip("XYZ", values, strict=True)}
+        for name, values in zip(names, OFFSETS, strict=True)
+    }
+    tools = ToolTable({tool: Tool(length=length) for tool, length in LENGTHS.items()})
+    passed = sorted({int(code) for code in re.findall(r"[Mm]0*(\d+)", text)} & {48, 49, 50, 51, 52, 53, *range(60, 69)})
+    return Settings(
+        dialect="linuxcnc", offsets=Offsets(offsets, {}, "G54"), tools=tools, block_delete="skip",
+        pass_m=tuple(passed), start={}, reference_points={code: dict.fromkeys("XYZ", 0.0) for code in ("G28", "G30")},
+    )  # fmt: skip
+
+
+def machine() -> XyzMachine:
+    """Errors of the paper's size, travel for all programs."""
+    made = paper_sized()
+    return XyzMachine(made.curves, made.squareness, travel=dict.fromkeys("XYZ", (-TRAVEL, TRAVEL)))
+
+
+def kind_of(text: str, ran: Ran) -> str:
+    """`plain`, or what a program needs beside lines and arcs; `no main program` where LinuxCNC runs nothing of it."""
+    if ran.problem:
+        return "not run by LinuxCNC" if ran.problem != "no motion" else "no motion: a subprogram or a test of words"
+    code = re.sub(r"\([^()]*\)|;.*", "", text)
+    if {"uvw", "turned", "probe", "tap"} & ran.features or (ran.ends[:, 3:] != 0.0).any():
+        return "rotary and parallel axes, turned frames, probing, tapping"
+    if re.search(r"[#\[]|(?i:\bO\s*<?\w+>?\s*(?:sub|call|if|while|do|repeat|endsub))|M9[89]\b", code):
+        return "macro"
+    if re.search(r"(?i)G\s*4[12](?![\d])|G4[12]\.1", code):
+        return "cutter compensation"
+    if re.search(r"(?i)G0*(?:33|76|84|74|5\.[23]|7|8|96)(?![0-9.])", code):
+        return "threads, lathes, splines"
+    return "beyond the travel" if np.abs(ran.ends[:, :3]).max() > TRAVEL else "plain"
+
+
+def grade(program: Path, package: Path, folder: Path) -> Grade:
+    """Grade one program; what is written goes into the folder."""
+    text = program.read_bytes().decode("latin-1")
+    source = run(program, package, LENGTHS, OFFSETS)
+    kind = kind_of(text, source)
+    if kind.startswith(("not run", "no motion", "rotary", "beyond")):
+        return Grade(program.name, kind)
+    out = folder / "out.ngc"
+    out.unlink(missing_ok=True)
+    settings, start = settings_of(text), ""
+    try:
+        report = compensate_file(program, out, machine(), settings, language="nc")
+    except InputError:
+        settings, start = replace(settings, start=dict.fromkeys("XYZ", 0.0)), "with --start"
+        try:
+            report = compensate_file(program, out, machine(), settings, language="nc")
+        except InputError as error:
+            return Grade(program.name, kind, "refused", "; ".join(fault.problem for fault in error.faults[:3]))
+    if not report.good:
+        return Grade(program.name, kind, "refused", "exit code 1: an error above the tolerance is left, and reported")
+    written = run(out, package, LENGTHS, OFFSETS)
+    if written.problem:
+        return Grade(program.name, kind, "wrong", f"what is written does not run: {written.problem}")
+    return _compared(program.name, kind, source, written, start)
+
+
+def _compared(name: str, kind: str, source: Ran, written: Ran, start: str) -> Grade:
+    made = machine()
+    meant, done = _runs(source), _runs(written)
+    moves = (source.moves, written.moves)
+    if len(meant) != len(done):
+        return Grade(name, kind, "wrong", f"{len(meant)} runs of feed became {len(done)}", moves=moves)
+    before = after = later = 0.0
+    for a, b in zip(meant, done, strict=True):
+        if a.tool != b.tool:
+            return Grade(name, kind, "wrong", "another tool", moves=moves)
+        point = np.array([[0.0], [0.0], [-LENGTHS.get(a.tool, 0.0)]])
+        path, was, now = made.ideal(a.points, point), made.actual(a.points, point), made.actual(b.points, point)
+        if way(path)[-1] < 1e-6:  # a feed block that goes nowhere
+            continue
+        before = max(before, float(distances(was, path).max()))
+        after = max(after, apart(now, path))
+        rest, cut = path[:, a.first :], now[:, way(now) >= way(path)[a.first]]
+        if rest.shape[1] > 1 and cut.shape[1] > 1:
+            later = max(later, distances(cut, path).max(), distances(rest, now).max())
+    if after < TOLERANCE:
+        return Grade(name, kind, "accepted", start, before, after, moves)
+    if later < TOLERANCE and after < max(before, TOLERANCE):
+        return Grade(name, kind, "accepted", "the first feed after a rapid without all axes", before, later, moves)
+    return Grade(name, kind, "wrong", "", before, after, moves)
+
+
+class Run(NamedTuple):
+    """Feed motions between two rapids: points (3, n), the tool in the spindle, index of the end of the first motion."""
+
+    points: FloatArray
+    tool: int
+    first: int
+
+
+def _runs(ran: Ran) -> list[Run]:
+    edges = np.flatnonzero(np.diff(ran.feed.astype(int), prepend=0, append=0))
+    found = []
+    for a, b in zip(edges[::2], edges[1::2], strict=True):
+        ends = ran.ends[max(a - 1, 0) : b, :3].T
+        first = sampled(ends[:, :2], SPACING).shape[1] - 1
+        found.append(Run(sampled(ends, SPACING), int(ran.tool[a]), first))
+    return found
+
+
+def all_grades(programs: list[Path], package: Path, folder: Path) -> Iterator[Grade]:
+    """Grades of many programs, the same text once."""
+    seen: set[bytes] = set()
+    for program in programs:
+        content = program.read_bytes()
+        if content in seen:
+            continue
+        seen.add(content)
+        with contextlib.suppress(UnicodeError):
+            yield grade(program, package, folder)
