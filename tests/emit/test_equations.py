@@ -148,6 +148,17 @@ def test_what_cannot_be_determined_is_told() -> None:
         assert name in section
 
 
+def test_lengths_under_one_cosine_stand_in_one_bracket() -> None:
+    """cos(b) (q_S + q_T + r), not cos(b) q_S + cos(b) q_T + cos(b) r."""
+    alone = re.compile(r"\\(cos|sin)\((\w)\) ((?:q_\{\w)|r_)[\w{}]*(x|y|z)\}")
+    for maths in blocks(page("five_axis")):
+        for row in re.split(r"\\\\\n(?!&\\quad)", maths):
+            found = [(m[1], m[2], m[4]) for m in alone.finditer(row)]
+            by_error = [row[m.end() :].split("+")[0].split("-")[0].strip() for m in alone.finditer(row)]
+            both = list(zip(found, by_error, strict=True))
+            assert len(set(both)) == len(both), row
+
+
 def test_a_machine_of_one_linear_axis_has_no_squareness() -> None:
     assert "## Squareness of the axes" not in page("all on the workpiece side")
     assert "## Squareness of the axes" in page("shared")
