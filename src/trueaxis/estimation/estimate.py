@@ -165,6 +165,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
     flipped = _reversed(setting, state, sizes, x, posterior)
+    factors_u = sizes.factors_u(posterior, x)
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
         state = at_share(state, posterior) if stays_within(state, posterior) else state
@@ -180,6 +181,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         open=left_open * layout.sizes[:, np.newaxis],
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
+        factors_u=factors_u,
         own={one.rows.index: own for one, own in zip(state.runs, state.own, strict=True)},
         noise=InstrumentNoise(
             of_instrument=state.noise,

@@ -74,6 +74,7 @@ def expected(
         open=np.zeros((layout.count, 0)),
         scale=posterior.scale * layout.sizes,
         factors=factors,
+        factors_u=dict.fromkeys(factors, np.inf),
         noise=InstrumentNoise(
             of_instrument=dict.fromkeys(sorted(instruments), UNIT), scale_of_run=dict(noise), stated=instruments
         ),

@@ -77,6 +77,11 @@ class Sizes:
         """Estimated over expected size, by class, by component (`of EXX`) and of the shape of curves."""
         return dict(zip(self.names, np.exp(x * self.spread).tolist(), strict=True))
 
+    def factors_u(self, posterior: Posterior, x: FloatArray) -> dict[str, float]:
+        """Standard deviation of the logarithm of each of `factors`: that of the prior where readings tell nothing."""
+        spread = np.diag(np.linalg.inv(self.information(posterior, self.scale(x)[1])))
+        return dict(zip(self.names, (self.spread * np.sqrt(spread)).tolist(), strict=True))
+
     def own_scale(self, kinds: Sequence[str], x: FloatArray) -> FloatArray:
         """(k,): prior standard deviations of a run's own unknowns, mm or rad."""
         whole = IDEAL if self._ideal else 1.0

@@ -34,7 +34,7 @@ from trueaxis.runtime.model import MachineModel
 
 Choice = Literal["convention", "known"]
 SILENT = {
-    True: "the readings do not determine them; values and u are those of [prior]",
+    True: "the readings do not determine them; values and u rest on [prior]",
     False: "the readings leave combinations of them open, which are zero here",
 }
 ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that the report is about

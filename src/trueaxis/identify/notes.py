@@ -19,6 +19,7 @@ MOST_OUTLIERS = 20  # named
 MOST_ZEROS = 5  # named
 FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
 FAR = 3.0  # times the size of [prior], from where on a size is reported
+COVERAGE_FACTOR = 2.0  # of the interval of a size, 95 %
 
 
 def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str, ...]:
@@ -79,11 +80,13 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
         "location mm": (model.prior.location_length * 1e3, "location_um"),
     }
     for kind, (size, key) in expected.items():
-        factor = found.factors.get(kind, 1.0)
-        if not 1.0 / FAR <= factor <= FAR:
+        factor, u = found.factors.get(kind, 1.0), found.factors_u.get(kind, np.inf)
+        # a size of which readings tell little may come out far from the expected one without meaning it
+        if abs(np.log(factor)) > max(np.log(FAR), COVERAGE_FACTOR * u):
+            low, high = (size * factor * float(np.exp(sign * COVERAGE_FACTOR * u)) for sign in (-1.0, 1.0))
             notes.append(
-                f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g}: more than a "
-                f"factor of {FAR:g} apart; the estimate takes the size that the readings show"
+                f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g} ({low:.2g} to "
+                f"{high:.2g}): more than a factor of {FAR:g} apart; the estimate takes the size that the readings show"
             )
     if found.readings.outliers.any():
         rows = np.flatnonzero(found.readings.outliers)

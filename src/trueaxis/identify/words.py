@@ -111,7 +111,7 @@ def tool_sentence(tool: ToolSummary) -> str:
     """Seen from home and on a workpiece placed where it fits best; beside what is known without readings."""
     at = " ".join(f"{axis}{position:g}" for axis, position in tool.largest_at.items())
     points = enumerated([f"({', '.join(f'{part:g}' for part in point)})" for point in tool.tools])
-    sizes = "errors of the sizes that the readings show" if tool.estimated else "[prior]"
+    sizes = "errors of the sizes that are estimated" if tool.estimated else "[prior]"
     return (
         f"u of {points}, seen from home: {small(tool.u_rms, 'mm')} RMS over the volume, of which "
         f"{small(tool.u_prior_rms, 'mm')} rest on the prior ({small(tool.prior_rms, 'mm')} without readings, by "
