@@ -32,8 +32,8 @@ from trueaxis.spec import Machine, read_machine
 from trueaxis.spec.read import parse_machine
 
 if TYPE_CHECKING:
-    from trueaxis.commands.drawn_and_derived import Extended
     from trueaxis.derive.systems import RunPattern
+    from trueaxis.diagnose.extended_spec import Extended
     from trueaxis.diagnose.report.picture import Pictures
     from trueaxis.diagnose.result import Diagnosis, ErrorNow
 
@@ -97,7 +97,6 @@ def run(args: argparse.Namespace) -> int:
         show("reading")
         given = _read(args)
         # only this command needs them, and not for wrong input
-        from trueaxis.commands.drawn_and_derived import drawn_and_derived  # noqa: PLC0415
         from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
         from trueaxis.diagnose.report.html import report_html  # noqa: PLC0415
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
@@ -122,7 +121,9 @@ def run(args: argparse.Namespace) -> int:
             show("runs that no errors fit")
             again = replace(options, each=map, misfits=fit.runs)
             diagnosis, extended = replace(diagnose(given.model, given.data, again), errors=errors), None
-            pictures, _ = drawn_and_derived(diagnosis, None)
+            from trueaxis.diagnose.report.pictures import pictures_of  # noqa: PLC0415 - seldom, and slow to import
+
+            pictures = pictures_of(diagnosis)
         machine_file = None if extended is None else extended.spec
         contents: dict[Path, bytes | str] = {
             args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extended else None),
@@ -203,9 +204,8 @@ def _outputs(out: Path, name: str) -> list[Path]:
 
 def _extended(out: Path, given: _Given, diagnosis: "Diagnosis") -> "Extended | None":
     """The machine with the causes that were named; None where none was."""
-    from trueaxis.commands.drawn_and_derived import Extended  # noqa: PLC0415
     from trueaxis.diagnose.extend import named_effects  # noqa: PLC0415
-    from trueaxis.diagnose.extended_spec import extended_spec  # noqa: PLC0415
+    from trueaxis.diagnose.extended_spec import Extended, extended_spec  # noqa: PLC0415
 
     effects = named_effects(diagnosis)
     if not effects:

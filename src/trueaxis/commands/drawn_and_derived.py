@@ -1,26 +1,11 @@
 """What `diagnose` has done by a second process, while the first one identifies the values of the extended machine."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from trueaxis.diagnose.extended_spec import Extended
 from trueaxis.diagnose.report.picture import Pictures
 from trueaxis.diagnose.report.pictures import pictures_of
 from trueaxis.diagnose.result import Diagnosis
-from trueaxis.spec import Machine
-
-if TYPE_CHECKING:
-    from trueaxis.derive.systems import RunPattern
-
-
-@dataclass(frozen=True, slots=True)
-class Extended:
-    """A machine with effects that were named. runs: whose systems are derived; spec, text: of its file."""
-
-    machine: Machine
-    runs: "tuple[RunPattern, ...]"
-    spec: str
-    text: str
 
 
 def drawn_and_derived(diagnosis: Diagnosis, extended: Extended | None) -> tuple[Pictures, Mapping[str, bytes]]:

@@ -9,13 +9,28 @@ import os
 import re
 import tomllib
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from trueaxis.effects.kind import Effect
+from trueaxis.spec import Machine
+
+if TYPE_CHECKING:
+    from trueaxis.derive.systems import RunPattern
 
 _TOLD = "# Found by trueaxis diagnose."
 _RUNS = re.compile(r"""^([ \t]*(?:runs|"runs"|'runs')[ \t]*=[ \t]*)("(?:[^"\\\n]|\\.)*"|'[^'\n]*')""", re.MULTILINE)
+
+
+@dataclass(frozen=True, slots=True)
+class Extended:
+    """A machine with effects that were named. runs: whose systems are derived; spec, text: of its file."""
+
+    machine: Machine
+    runs: "tuple[RunPattern, ...]"
+    spec: str
+    text: str
 
 
 def extended_spec(text: str, effects: Sequence[Effect]) -> str:

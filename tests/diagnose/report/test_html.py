@@ -412,3 +412,12 @@ def test_on_paper_are_the_most_telling_rows_of_a_long_table() -> None:
     assert len(hidden) == 41 - MOST_PRINTED
     assert not any("FIRED" in row.text for row in hidden)
     assert f"{41 - MOST_PRINTED} more rows are on the page itself" in root.all("body")[0].text
+
+
+def test_who_puts_the_page_together_need_not_be_able_to_draw() -> None:
+    code = (
+        "import sys, trueaxis.commands.diagnose, trueaxis.diagnose.extended_spec, trueaxis.diagnose.procedure\n"
+        "import trueaxis.diagnose.report.html\n"
+        "assert 'matplotlib' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)
