@@ -32,6 +32,7 @@ PROGRAM = """\
 2 BLK FORM 0.2 X+100 Y+100 Z+0
 3 * - contour
 4 TOOL CALL 5 Z S3000 DL+0
+4 TOOL DEF 5 L+81.5 R+3
 5 CYCL DEF 7.0 DATUM SHIFT
 6 CYCL DEF 7.1 X+10
 9 CYCL DEF 7.2 IY-5
@@ -145,7 +146,9 @@ HEAD = "BEGIN PGM T MM\nTOOL CALL 5 Z S100\nL X+0 Y+0 Z+10 R0 FMAX\n"
         ("TOOL CALL 5 X S100", "the tool axis X"),
         ("TOOL CALL 77 Z S100", "tool 77 is not in --tools"),
         ("TOOL CALL \"MILL\" Z S100", "in TOOL CALL is not followed"),
-        ("TOOL DEF 5 L+50 R+3", "gives tool data"),
+        ("TOOL DEF 5 L+50 R+3", "gives tool 5 the length 50 mm, and --tools says 81.5"),
+        ("TOOL DEF 7 L+50 R+3", "--tools has no such tool"),
+        ("TOOL DEF 5 LQ1 R+3", "gives tool data"),
         ("C X+10 Y+10 DR+", "without a pole"),
         ("CR X+100 Y+0 R+20 DR+", "more than 2 R"),
         ("CC X+5 Y+0\nC X+11 Y+0 DR+", "different radii"),
