@@ -66,7 +66,7 @@ void dmu60p_5axis_tool_in_workpiece_ideal(
     const double q_Ty = parameters[13];
     const double q_Tz = parameters[14];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -155,7 +155,7 @@ void dmu60p_5axis_tool_in_workpiece_deviation(
     const double w63 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w64 = (1.0/(w63 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -343,7 +343,7 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order(
     const double EA0B = parameters[24];
     const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -486,7 +486,7 @@ void dmu60p_5axis_tool_in_workpiece_sensitivity(
     const double q_Ty = parameters[13];
     const double q_Tz = parameters[14];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -717,7 +717,7 @@ void dmu60p_5axis_tool_in_bed_ideal(
     const double q_Ty = parameters[13];
     const double q_Tz = parameters[14];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -782,7 +782,7 @@ void dmu60p_5axis_tool_in_bed_deviation(
     const double EA0B = parameters[24];
     const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -902,7 +902,7 @@ void dmu60p_5axis_tool_in_bed_deviation_first_order(
     const double EA0B = parameters[24];
     const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -1005,7 +1005,7 @@ void dmu60p_5axis_tool_in_bed_sensitivity(
     const double q_Ty = parameters[13];
     const double q_Tz = parameters[14];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -1189,7 +1189,7 @@ void dmu60p_5axis_workpiece_in_bed_ideal(
     const double q_wy = parameters[4];
     const double q_wz = parameters[5];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];
@@ -1247,7 +1247,7 @@ void dmu60p_5axis_workpiece_in_bed_deviation(
     const double EA0C = parameters[17];
     const double EB0C = parameters[18];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];
@@ -1336,7 +1336,7 @@ void dmu60p_5axis_workpiece_in_bed_deviation_first_order(
     const double EA0C = parameters[17];
     const double EB0C = parameters[18];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];
@@ -1415,7 +1415,7 @@ void dmu60p_5axis_workpiece_in_bed_sensitivity(
     const double q_wy = parameters[4];
     const double q_wz = parameters[5];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];
@@ -1593,7 +1593,7 @@ void dmu60p_5axis_bed_in_workpiece_ideal(
     const double q_wy = parameters[4];
     const double q_wz = parameters[5];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];
@@ -1650,7 +1650,7 @@ void dmu60p_5axis_bed_in_workpiece_deviation(
     const double w22 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w23 = (1.0/(w22 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];
@@ -1754,7 +1754,7 @@ void dmu60p_5axis_bed_in_workpiece_deviation_first_order(
     const double EA0C = parameters[17];
     const double EB0C = parameters[18];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];
@@ -1829,7 +1829,7 @@ void dmu60p_5axis_bed_in_workpiece_sensitivity(
     const double q_Cy = parameters[1];
     const double q_Cz = parameters[2];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];
@@ -2039,7 +2039,7 @@ void dmu60p_5axis_tool_in_workpiece_position(
     const double w63 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w64 = (1.0/(w63 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2236,7 +2236,7 @@ void dmu60p_5axis_tool_in_workpiece_position_first_order(
     const double EA0B = parameters[24];
     const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2368,7 +2368,7 @@ void dmu60p_5axis_tool_orientation_ideal(
     double *TRUEAXIS_RESTRICT ideal)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2432,7 +2432,7 @@ void dmu60p_5axis_tool_orientation_deviation(
     const double w43 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w44 = (1.0/(w43 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2563,7 +2563,7 @@ void dmu60p_5axis_tool_orientation_deviation_first_order(
     const double EA0B = parameters[24];
     const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2908,7 +2908,7 @@ void dmu60p_5axis_tool_in_workpiece_deviation_curves(
     const double w91 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w92 = (1.0/(w91 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -3308,7 +3308,7 @@ void dmu60p_5axis_tool_in_workpiece_deviation_first_order_curves(
     const double w16 = q_Sy + w15;
     const double w17 = q_By + w16;
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -3465,7 +3465,7 @@ void dmu60p_5axis_ballbar_error(
     const double w63 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w64 = (1.0/(w63 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -3644,7 +3644,7 @@ void dmu60p_5axis_correction(
     double *TRUEAXIS_RESTRICT moves)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];
@@ -3855,7 +3855,7 @@ void dmu60p_5axis_motion_B(
     const double EA0B = parameters[24];
     const double EC0B = parameters[25];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -3925,7 +3925,7 @@ void dmu60p_5axis_motion_C(
     const double EA0C = parameters[17];
     const double EB0C = parameters[18];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];

@@ -57,7 +57,7 @@ void headhead_mill_tool_in_workpiece_ideal(
     const double q_Ty = parameters[4];
     const double q_Tz = parameters[5];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -140,7 +140,7 @@ void headhead_mill_tool_in_workpiece_deviation(
     const double EY0T = parameters[18];
     const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -303,7 +303,7 @@ void headhead_mill_tool_in_workpiece_deviation_first_order(
     const double EY0T = parameters[18];
     const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -432,7 +432,7 @@ void headhead_mill_tool_in_workpiece_sensitivity(
     const double q_Ty = parameters[4];
     const double q_Tz = parameters[5];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -656,7 +656,7 @@ void headhead_mill_tool_in_bed_ideal(
     const double q_Ty = parameters[4];
     const double q_Tz = parameters[5];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -739,7 +739,7 @@ void headhead_mill_tool_in_bed_deviation(
     const double EY0T = parameters[18];
     const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -902,7 +902,7 @@ void headhead_mill_tool_in_bed_deviation_first_order(
     const double EY0T = parameters[18];
     const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -1031,7 +1031,7 @@ void headhead_mill_tool_in_bed_sensitivity(
     const double q_Ty = parameters[4];
     const double q_Tz = parameters[5];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -1776,7 +1776,7 @@ void headhead_mill_tool_in_workpiece_position(
     const double EY0T = parameters[18];
     const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -1944,7 +1944,7 @@ void headhead_mill_tool_in_workpiece_position_first_order(
     const double EY0T = parameters[18];
     const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2067,7 +2067,7 @@ void headhead_mill_tool_orientation_ideal(
     double *TRUEAXIS_RESTRICT ideal)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2129,7 +2129,7 @@ void headhead_mill_tool_orientation_deviation(
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2251,7 +2251,7 @@ void headhead_mill_tool_orientation_deviation_first_order(
     const double EA0B = parameters[15];
     const double EC0B = parameters[16];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2591,7 +2591,7 @@ void headhead_mill_tool_in_workpiece_deviation_curves(
     const double w11 = EX0T + w0;
     const double w16 = EY0T + w7;
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -2964,7 +2964,7 @@ void headhead_mill_tool_in_workpiece_deviation_first_order_curves(
     const double w10 = q_Ty + ry;
     const double w11 = q_By + w10;
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -3109,7 +3109,7 @@ void headhead_mill_ballbar_error(
     const double EY0T = parameters[18];
     const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -3457,7 +3457,7 @@ void headhead_mill_motion_B(
     const double EX0T = parameters[17];
     const double EZ0T = parameters[19];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_b_block[BLOCK];
         double sin_b_block[BLOCK];
@@ -3541,7 +3541,7 @@ void headhead_mill_motion_C(
     const double EX0T = parameters[17];
     const double EY0T = parameters[18];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];

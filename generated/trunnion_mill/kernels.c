@@ -63,7 +63,7 @@ void trunnion_mill_tool_in_workpiece_ideal(
     const double q_Ty = parameters[10];
     const double q_Tz = parameters[11];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -153,7 +153,7 @@ void trunnion_mill_tool_in_workpiece_deviation(
     const double w80 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w81 = (1.0/(w80 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -351,7 +351,7 @@ void trunnion_mill_tool_in_workpiece_deviation_first_order(
     const double EA0Z = parameters[21];
     const double EB0Z = parameters[22];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -488,7 +488,7 @@ void trunnion_mill_tool_in_workpiece_sensitivity(
     const double q_Ty = parameters[10];
     const double q_Tz = parameters[11];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -1056,7 +1056,7 @@ void trunnion_mill_workpiece_in_bed_ideal(
     const double q_wy = parameters[7];
     const double q_wz = parameters[8];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -1135,7 +1135,7 @@ void trunnion_mill_workpiece_in_bed_deviation(
     const double EA0C = parameters[19];
     const double EB0C = parameters[20];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -1266,7 +1266,7 @@ void trunnion_mill_workpiece_in_bed_deviation_first_order(
     const double EA0C = parameters[19];
     const double EB0C = parameters[20];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -1378,7 +1378,7 @@ void trunnion_mill_workpiece_in_bed_sensitivity(
     const double q_wy = parameters[7];
     const double q_wz = parameters[8];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -1586,7 +1586,7 @@ void trunnion_mill_bed_in_workpiece_ideal(
     const double q_wy = parameters[7];
     const double q_wz = parameters[8];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -1666,7 +1666,7 @@ void trunnion_mill_bed_in_workpiece_deviation(
     const double w59 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w60 = (1.0/(w59 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -1824,7 +1824,7 @@ void trunnion_mill_bed_in_workpiece_deviation_first_order(
     const double EA0C = parameters[19];
     const double EB0C = parameters[20];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -1930,7 +1930,7 @@ void trunnion_mill_bed_in_workpiece_sensitivity(
     const double q_Cy = parameters[4];
     const double q_Cz = parameters[5];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -2180,7 +2180,7 @@ void trunnion_mill_tool_in_workpiece_position(
     const double w80 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w81 = (1.0/(w80 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -2387,7 +2387,7 @@ void trunnion_mill_tool_in_workpiece_position_first_order(
     const double EA0Z = parameters[21];
     const double EB0Z = parameters[22];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -2516,7 +2516,7 @@ void trunnion_mill_tool_orientation_ideal(
     double *TRUEAXIS_RESTRICT ideal)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -2584,7 +2584,7 @@ void trunnion_mill_tool_orientation_deviation(
     const double w58 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w59 = (1.0/(w58 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -2726,7 +2726,7 @@ void trunnion_mill_tool_orientation_deviation_first_order(
     const double EA0Z = parameters[21];
     const double EB0Z = parameters[22];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -3068,7 +3068,7 @@ void trunnion_mill_tool_in_workpiece_deviation_curves(
     const double w108 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w109 = (1.0/(w108 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -3478,7 +3478,7 @@ void trunnion_mill_tool_in_workpiece_deviation_first_order_curves(
     const double w6 = q_Tz + rz;
     const double w11 = q_Tx + rx;
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -3637,7 +3637,7 @@ void trunnion_mill_ballbar_error(
     const double w80 = (EA0C*EA0C) + (EB0C*EB0C);
     const double w81 = (1.0/(w80 + 1.0));
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -3830,7 +3830,7 @@ void trunnion_mill_correction(
     double *TRUEAXIS_RESTRICT moves)
 {
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -4042,7 +4042,7 @@ void trunnion_mill_motion_A(
     const double EA0C = parameters[19];
     const double EB0C = parameters[20];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_a_block[BLOCK];
         double sin_a_block[BLOCK];
@@ -4124,7 +4124,7 @@ void trunnion_mill_motion_C(
     const double EA0C = parameters[19];
     const double EB0C = parameters[20];
     for (size_t start = 0; start < n; start += BLOCK) {
-        const size_t count = n - start < BLOCK ? n - start : BLOCK;
+        const size_t count = n - start < BLOCK ? n - start : (size_t)BLOCK;
         /* cosines and sines */
         double cos_c_block[BLOCK];
         double sin_c_block[BLOCK];

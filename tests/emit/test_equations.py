@@ -112,8 +112,8 @@ def test_the_papers_numbers_stand_beside_its_equations() -> None:
     text = page("dmu60p")
     for heading in (
         "### Eq. (12): motion of X alone\n",
-        "### Eq. (27): motion of X and Y together (differs: [E10](../../docs/errata.md#e10), [E21]",
-        "### Eq. (26): solution (differs: [E19]",
+        "### Eq. (27): motion of X and Y together (errata: [E10](../../docs/errata.md#e10), [E21]",
+        "### Eq. (26): solution (errata: [E19]",
         "## Sect. 3.6: Squareness\n",
     ):
         assert f"\n{heading}" in text
@@ -134,15 +134,29 @@ def test_a_machine_that_is_not_the_papers_has_its_own_order_of_sections() -> Non
 
 
 def test_the_singular_points_are_told() -> None:
-    section = page("dmu60p").split("### Eq. (17)")[1].split("\n### ")[0]
-    assert "the rank is 2, less than the 3 unknowns" in section
-    assert page("dmu60p").count("the rank is") == 1
+    """Beside the system, beside its solution, and beside its kernel in the table."""
+    for number in (17, 20):
+        section = page("dmu60p").split(f"### Eq. ({number})")[1].split("\n### ")[0]
+        assert "the rank is 2, less than the 3 unknowns" in section
+    assert "the rank is 2" in page("dmu60p").split("| `system_3` |")[1].split("\n")[0]
+    assert page("dmu60p").count("the rank is") == 3
 
 
 def test_what_cannot_be_determined_is_told() -> None:
     section = page("dmu60p").split("## What these runs cannot determine")[1].split("\n## ")[0]
     for name in ("eps_xy", "eps_xz", "eps_yz"):
         assert name in section
+
+
+def test_lengths_under_one_cosine_stand_in_one_bracket() -> None:
+    """cos(b) (q_S + q_T + r), not cos(b) q_S + cos(b) q_T + cos(b) r."""
+    alone = re.compile(r"\\(cos|sin)\((\w)\) ((?:q_\{\w)|r_)[\w{}]*(x|y|z)\}")
+    for maths in blocks(page("five_axis")):
+        for row in re.split(r"\\\\\n(?!&\\quad)", maths):
+            found = [(m[1], m[2], m[4]) for m in alone.finditer(row)]
+            by_error = [row[m.end() :].split("+")[0].split("-")[0].strip() for m in alone.finditer(row)]
+            both = list(zip(found, by_error, strict=True))
+            assert len(set(both)) == len(both), row
 
 
 def test_a_machine_of_one_linear_axis_has_no_squareness() -> None:

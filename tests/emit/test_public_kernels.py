@@ -14,6 +14,7 @@ import pytest
 from tests.derive.test_routine import models
 from tests.emit.test_numpy_source import executed, source
 from tests.machines import ROOT
+from trueaxis.emit.c_source import c_header, c_source
 from trueaxis.emit.meta import spec_label
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror")
@@ -46,6 +47,17 @@ def test_the_header_is_cpp_too_and_links(standard: str, tmp_path: Path) -> None:
     )
     assert (linked.returncode, linked.stderr) == (0, "")
     assert run(tmp_path / "main").returncode == 0
+
+
+@pytest.mark.parametrize("name", ["dmu60p", "five_axis"])
+def test_the_source_compiles_as_cpp_without_a_warning(name: str, tmp_path: Path) -> None:
+    """Nobody is told to, but a build may take every file as C++."""
+    model = models()[name]
+    (tmp_path / "kernels.c").write_text(c_source(model.machine, model.routines))
+    (tmp_path / "kernels.h").write_text(c_header(model.machine, model.routines))
+    flags = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only")
+    made = run(compiler("g++"), *flags, "-x", "c++", tmp_path / "kernels.c")
+    assert (made.returncode, made.stderr) == (0, "")
 
 
 def test_the_examples_say_the_same(tmp_path: Path) -> None:

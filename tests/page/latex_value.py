@@ -22,6 +22,11 @@ class NotMathsError(ValueError):
     """A text that is no formula of the language, or a name that stands for nothing."""
 
 
+def names_in(known: Mapping[str, Any]) -> Lookup:
+    """Looks names up in a table."""
+    return lambda name, _: known.get(name)
+
+
 def value_of(text: str, lookup: Lookup) -> Any:
     """The number or matrix that the text stands for. Raises NotMathsError."""
     tokens = [token for token in _TOKEN.findall(text) if token not in _SKIPPED]

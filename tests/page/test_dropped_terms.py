@@ -3,6 +3,7 @@
 import itertools
 import re
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -40,7 +41,7 @@ def lengths(name: str, *sizes: float) -> tuple[np.ndarray, np.ndarray]:
     for body in chain.bodies.values():
         for direction, error in body.get("position_errors", {}).items():
             size[error] = placed * 1e-3 if direction[1] in "XYZ" else place_turned * 1e-6
-    values = {error: size[error] * rng.choice((-1.0, 1.0), (BATCHES, int(drawings))) for error in size}
+    values: dict[str, Any] = {error: size[error] * rng.choice((-1.0, 1.0), (BATCHES, int(drawings))) for error in size}
     values |= dict.fromkeys(chain.dimensions, home)
     first, dropped = [], []
     for position in at:

@@ -9,7 +9,7 @@ import pytest
 
 from tests.machines import ROOT
 from tests.page.chain_names import AXES, Names
-from tests.page.latex_value import value_of
+from tests.page.latex_value import names_in, value_of
 from tests.page.pages import derived, names, page
 from tests.page.paper_names import RUNS
 from trueaxis.emit.c_source import c_header
@@ -41,7 +41,8 @@ def sentences(text: str) -> list[tuple[int, str, list[str], list[str], list[str]
         if heading := re.match(r"### Eq. \((\d+)\)", line):
             number = int(heading[1])
         if taken := LINE.fullmatch(line):
-            found.append((number, taken[1], *(taken[k].split(", ") for k in (2, 3, 4))))
+            readings, points, unknowns = (taken[k].split(", ") for k in (2, 3, 4))
+            found.append((number, taken[1], readings, points, unknowns))
     return found
 
 
@@ -61,7 +62,7 @@ def carried_out(kernels: ModuleType, text: str) -> dict[str, float]:
         told = errors.copy()
         for name in unknowns:
             told[meta["components"].index(ERRORS[re.sub(r"[{}$]", "", name)])] = np.nan
-        given = np.array([[value_of(text.strip("$"), lambda name, _, k=known: k.get(name))] for text in readings])
+        given = np.array([[value_of(text.strip("$"), names_in(known))] for text in readings])
         at = np.array([_point(text, known) for text in points])
         assert list(at.shape) == next(a["shape"] for a in rows["inputs"] if a["name"] == "points")
         solved = getattr(kernels, kernel)(given, positions, told, parameters, at)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.page.chain_names import AXES, column
-from tests.page.latex_value import value_of
+from tests.page.latex_value import names_in, value_of
 from tests.page.pages import names, page
 from tests.page.paper_names import RUNS
 from tests.page.rows import Row, cells_of, rows_of
@@ -34,11 +34,11 @@ def angles(text: str) -> None:
     """(22), (28), (36): where theta is 0 the line lies along the axis from which the page measures it."""
     for number, run in ((22, "XZ"), (28, "XY"), (36, "YZ")):
         (axis,) = re.findall(r"measured from the (\w) axis", heading_text(text, number))
-        along = {"L_ih": 1.3, r"\delta_ih": 0.0, r"\theta": 0.0}.get
+        along = {"L_ih": 1.3, r"\delta_ih": 0.0, r"\theta": 0.0}
         for row in rows_under(text, number):
             if "=" in row.text and row.text.startswith("L_{i"):
                 left, right = row.text.split("=")
-                moved = value_of(right, lambda name, _, known=along: known(name)) != 0
+                moved = value_of(right, names_in(along)) != 0
                 assert moved == (left[4] == axis.lower()), (run, axis)
 
 
@@ -64,7 +64,7 @@ def views(text: str) -> None:
         read = changes["workpiece_in_bed"] - changes["tool_in_bed"]
         assert moved == pytest.approx(-read if negative else read)
         left = [row.text.split("=")[0] for row in rows_under(text, number)]
-        assert [value_of(side, lambda name, _, k=known: k.get(name)) for side in left] == pytest.approx(list(moved))
+        assert [value_of(side, names_in(known)) for side in left] == pytest.approx(list(moved))
 
 
 def assumptions(text: str) -> None:

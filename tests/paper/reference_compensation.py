@@ -5,6 +5,8 @@ The printed definitions (40), (44), (47), (53) are put into the equations that r
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from . import chain
@@ -89,7 +91,7 @@ def compensated(vectors: Known | None = None) -> Known:
     return {vector: chain.exact(right.xreplace(at)) for vector, right in (vectors or definitions(53)).items()}
 
 
-SETTINGS = {
+SETTINGS: dict[str, Callable[..., Known]] = {
     "fitted lines": fitted_lines,
     "samples of Eq. (44)": sampled,
     "least squares of Eq. (45)": least_squares,

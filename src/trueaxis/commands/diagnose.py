@@ -93,11 +93,11 @@ def run(args: argparse.Namespace) -> int:
         show("reading")
         given = _read(args)
         # only this command needs them, and not for wrong input
+        from trueaxis.commands.drawn_and_derived import drawn_and_derived  # noqa: PLC0415
         from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
         from trueaxis.diagnose.report.html import report_html  # noqa: PLC0415
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
-        from trueaxis.diagnose.verdict import misfitting  # noqa: PLC0415
 
         with ThreadPoolExecutor(cores()) as pool:
             options = DiagnoseOptions(args.noise_um, given.covariance, progress=show, each=pool.map)
@@ -114,10 +114,11 @@ def run(args: argparse.Namespace) -> int:
         show("report")
         pictures, files = cast("tuple[Pictures, Mapping[str, bytes]]", second())
         diagnosis = replace(diagnosis, errors=errors)
-        if fit is not None and fit.state == "misfit":
-            # a run of the wrong sign, or that belongs elsewhere: no effect of the machine, and no name beside it
-            diagnosis, extended = misfitting(diagnosis, fit.runs), None
-            pictures = replace(pictures, causes=())
+        if fit is not None and fit.state == "misfit" and not set(fit.runs) <= set(diagnosis.misfits):
+            show("runs that no errors fit")
+            again = replace(options, each=map, misfits=fit.runs)
+            diagnosis, extended = replace(diagnose(given.model, given.data, again), errors=errors), None
+            pictures, _ = drawn_and_derived(diagnosis, None)
         machine_file = None if extended is None else extended.spec
         contents: dict[Path, bytes | str] = {
             args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extended else None),

@@ -54,9 +54,35 @@ class Latex:
         return 0 if _ROTARY.fullmatch(name) else self._ranks.get(name, 1)
 
     def terms(self, value: sp.Expr) -> list[str]:
-        """The terms of a sum, each with its sign; a constant term or a positive one leads."""
-        parts = sorted(sp.Add.make_args(sp.expand(value)), key=is_negative) if value != 0 else []
-        return [f"- {self(-part)}" if is_negative(part) else f"+ {self(part)}" for part in parts]
+        """The terms of a sum, each with its sign; a constant term or a positive one leads.
+
+        Lengths that a point adds up, under one cosine or sine, are one term: cos(b) (q_S + q_T + r_T).
+        """
+        parts = sorted(self._parts(value), key=lambda part: part[0]) if value != 0 else []
+        return [f"{'-' if negative else '+'} {text}" for negative, text in parts]
+
+    def _parts(self, value: sp.Expr, *, factors: bool = False) -> Iterator[tuple[bool, str]]:
+        """The terms of a sum: whether negative, and without its sign.
+
+        factors: a factor follows each; the lengths that nothing turns are one term then, too.
+        """
+        groups: dict[sp.Expr, list[sp.Expr]] = {}
+        for term in sp.Add.make_args(sp.expand(value)):
+            groups.setdefault(self._turned_by(term), []).append(term)
+        for turn, terms in groups.items():
+            if len(terms) == 1 or (turn == 1 and not (factors and len(groups) > 1)):
+                yield from ((is_negative(term), self(-term if is_negative(term) else term)) for term in terms)
+                continue
+            lengths = sp.Add(*(term / turn for term in terms))
+            negative = is_negative(lengths)
+            inner = rf"\left({joined(self.terms(-lengths if negative else lengths))}\right)"
+            yield negative, inner if turn == 1 else f"{self(turn)} {inner}"
+
+    def _turned_by(self, term: sp.Expr) -> sp.Expr:
+        """The cosines and sines of a length without error; 1 where there are none, and for a term with an error."""
+        if any(symbol.name in self._ranks for symbol in term.free_symbols):
+            return sp.S.One
+        return sp.Mul(*(f for f in sp.Mul.make_args(term) if any(_ROTARY.fullmatch(s.name) for s in f.free_symbols)))
 
     def linear(self, columns: Mapping[str, sp.Expr]) -> list[str]:
         """The terms of a linear form, each with its sign: errors of one coefficient stand in one bracket behind it."""
@@ -79,13 +105,17 @@ class Latex:
             yield term
             return
         # Too wide for one row: multiplied out, which is what the bracket means.
-        for part in sp.Add.make_args(size):
-            minus = is_negative(part) != (lead == "-")
-            yield f"{'-' if minus else '+'} {self._factor(-part if is_negative(part) else part)}{errors}"
+        for negative, part in self._parts(size, factors=True):
+            yield f"{'-' if negative != (lead == '-') else '+'} {_before_factor(part)}{errors}"
 
     def _factor(self, value: sp.Expr) -> str:
-        text = " ".join(self.terms(value)).removeprefix("+ ")
-        return rf"\left({text}\right) " if sp.expand(value).is_Add else f"{text} \\, "
+        terms = self.terms(value)
+        return rf"\left({joined(terms)}\right) " if len(terms) > 1 else _before_factor(joined(terms))
+
+
+def _before_factor(text: str) -> str:
+    """A factor and the space behind it: a bracket needs none."""
+    return f"{text} " if text.endswith(r"\right)") else f"{text} \\, "
 
 
 def is_negative(value: sp.Expr) -> bool:

@@ -45,10 +45,10 @@ def table_1(machine: Machine) -> Iterator[tuple[str, ...]]:
 
 
 def table_3(patterns: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
-    """Rows of Table 3: the ideal motion of bodies L, J and K in each pattern."""
+    """Rows of Table 3: the ideal motion of bodies L, J and K in each pattern, without the fourth element, 1."""
     for letter, axis in (("l", "Y"), ("j", "X"), ("k", "Z")):
         cells = [[f"{a.lower()}_h" if a == axis and axis in moving else "0" for a in "XYZ"] for moving in patterns]
-        yield f"$S^l_{{{letter}h}}$", *(f"$({', '.join(cell)}, 1)^T$" for cell in cells)
+        yield f"$S^l_{{{letter}h}}$", *(f"$({', '.join(cell)})$" for cell in cells)
 
 
 def position_errors(machine: Machine, latex: Latex) -> Iterator[str]:

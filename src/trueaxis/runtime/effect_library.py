@@ -12,7 +12,7 @@ Equations after: Prediction and compensation of geometric error for translationa
 
 import numpy as np
 
-ABI = 2
+ABI = 3
 SPEC_HASH = ""
 
 META = {

@@ -20,7 +20,8 @@ _C_WORDS = frozenset(
 # of arguments (a point is rx or rT1x, a deviation dx, a sensitivity dx_EXX, a reading L1), arrays, words of NumPy, C.
 _RESERVED = re.compile(
     r"[xyzabc]|[XYZABC]|(sin|cos)_[abc]|[wnipej]\d*|E[XYZABC][XYZABC](_\d+)?|[beipt][xyz]|r([TWB]\d*)?[xyz]|d[xyz](_.*)?"
-    r"|L\d+|(found|move)_.*|at|start|count|stride|block|length|positions?|errors?|parameters|points?|(tool|workpiece)_point"
+    r"|L\d+|(identified|move)_.*"
+    r"|at|start|count|stride|block|length|positions?|errors?|parameters|points?|(tool|workpiece)_point"
     r"|ball|curves|deviation|ideal|sensitivity|moves|direction|displacement|readings|unknowns|np|numpy|slice|range|sin|cos|sqrt"
     r"|NaN|NAN|NULL|INFINITY|inf|pi|ABI|SPEC_HASH|META|BLOCK"
 )

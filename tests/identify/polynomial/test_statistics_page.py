@@ -2,6 +2,7 @@
 
 import re
 from decimal import Decimal
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +26,8 @@ from tests.identify.polynomial.test_printed_statistics import (
     implied_aic,
     implied_rss,
     interval,
+    positions,
+    standard_errors_from_t,
     value,
 )
 
@@ -98,6 +101,48 @@ def figures() -> dict[str, float]:
         "0.220": np.sqrt(np.mean(distance**2)),
         "0.461": distance.max(),
     }
+
+
+@cache
+def statements() -> dict[str, bool]:
+    """Figures of the page that are no decimal numbers: whether what they say is so."""
+    left = tuple(EQ51)
+    x = np.linspace(0.0, TRAVEL, 541)
+    distance = np.abs(value(EQ50, x) - value(EQ51, x))
+    spread = {
+        key: float((s := standard_errors_from_t(EQ50, EQ50_T, positions(*key))).max() / s.min() - 1)
+        for key in ((n, home) for n in range(len(EQ50) + 1, 121) for home in (True, False))
+    }
+    best = min(spread, key=lambda key: spread[key])
+    others = min(size for key, size in spread.items() if key != best)
+    (n, home) = best
+    grown = implied_rss(left) / implied_rss(ALL) - 1
+    refitted = np.linalg.lstsq(columns(left, POINTS), value(EQ50, POINTS), rcond=None)[0] / TRAVEL ** np.array(left)
+    off = np.abs(refitted / np.array(list(EQ51.values())) - 1).max()
+    degrees = [stats.f.sf(f_of(p, s), k, 27 - k) for p, s, k in ((EQ50, S_BEFORE, 7), (EQ51, S_AFTER, 5))]
+    f_off = max(abs(p / printed - 1) for p, printed in zip(degrees, (EQ50_F, EQ51_F), strict=True))
+    full = value(EQ50, POINTS)
+    return {
+        f"**{n} points, every {TRAVEL / (n - 1):.0f} mm, home included, no constant term**": home,
+        f"to {np.ceil(spread[best] * 1e5):.0f} parts in 100 000": True,
+        "apart by more than 1 in 1000": others > 1e-3,
+        "coefficients to 1 part in 100 000": off < 1e-5,
+        f"the sum of squares grows by {100 * grown:.0f} %": True,
+        f"have a mean square above {np.floor(full @ full / 28):.0f}": True,
+        f"(at x = {x[distance.argmax()]:.0f} mm)": True,
+        "by more than 0.2717 µrad on a fifth of the travel": abs(float(np.mean(distance > FIG15_RSE[1])) - 0.2) < 0.01,
+        f"with {7} and {28 - 7}, and 588.8 with {5} and {28 - 5} degrees of freedom": True,
+        "the same F with 20 and 22": f_off < 2e-3,
+        f"(printed values met to {np.ceil(f_off * 1e3):.0f} in 1000)": True,
+        f"(all {2 ** len(ALL)} subsets)": True,
+    }
+
+
+@pytest.mark.parametrize("words", sorted(statements()))
+def test_other_figures_are_those_computed(words: str) -> None:
+    """Shares of simulated cases (one in nine, one in four): test_28_points_tell_the_curve_but_not_its_powers."""
+    assert words in " ".join(PAGE.split())
+    assert statements()[words]
 
 
 def tokens() -> set[str]:
