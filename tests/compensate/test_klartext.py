@@ -205,7 +205,7 @@ BLOCKS = st.one_of(
 )  # fmt: skip
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(st.lists(BLOCKS, min_size=1, max_size=8))
 def test_random_programs_are_right_or_refused(blocks: list[str]) -> None:
     source = HEAD + "\n".join(blocks) + "\nEND PGM T MM\n"
@@ -226,7 +226,7 @@ TOKENS = st.sampled_from([
 ])  # fmt: skip
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(st.lists(st.tuples(st.floats(0, 1), st.integers(0, 5), TOKENS), max_size=5))
 def test_mutated_programs_are_right_or_refused(mutations: list[tuple[float, int, str]]) -> None:
     text = PROGRAM
