@@ -93,7 +93,7 @@ def errors(source: str, written: str, rotary: str, machine: FiveAxes) -> tuple[f
     ends = [tip for _, tip in meant]
     for index, (feeding, tip) in enumerate(done):
         goal = meant_tip(machine, ends[place])
-        for share in (0.25, 0.5, 0.75) if feeding else ():
+        for share in (0.4,) if feeding else ():
             begin = done[index - 1][1]
             actual = actual_tip(machine, begin + share * (tip - begin))
             after = max(after, distance_from_line(actual, meant_tip(machine, ends[place - 1]), goal))

@@ -201,7 +201,7 @@ BLOCKS = st.one_of(
 )  # fmt: skip
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(st.lists(BLOCKS, min_size=1, max_size=8))
 def test_random_programs_are_right_or_refused(blocks: list[str]) -> None:
     source = HEAD + "\n".join(blocks) + "\nM30\n"

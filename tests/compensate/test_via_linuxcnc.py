@@ -21,6 +21,7 @@ from trueaxis.faults import InputError
 
 PACKAGE = Path(os.environ.get("TRUEAXIS_LINUXCNC", "/"))
 INSTALLED = (PACKAGE / "usr/bin/rs274").is_file()
+AT_ZERO = Offsets({"G54": dict.fromkeys("XYZ", (0.0, 0.0))}, {}, "G54")
 END = ["end", 9, 0, ""]
 
 
@@ -124,6 +125,20 @@ def test_faults_of_the_interpreter(fake: FakePackage) -> None:
         fake.unroll([motion("feed", 1, [1.0]), END], [END])
 
 
+def test_offsets_are_to_be_known_exactly(fake: FakePackage) -> None:
+    """What is written is in machine coordinates: an offset that is 10 mm wrong would put the tool 10 mm wrong."""
+    fake.calls = ["SET_G5X_OFFSET(2, 0.0, 0.0)"]
+    with pytest.raises(
+        InputError, match=r"G55: where its zero is is not known; say --offset G55=X\.\.,Y\.\.,Z\.\., exactly"
+    ):
+        fake.unroll([END])
+    ranged = Offsets({"G55": {"X": (0.0, 500.0)}}, {"X": 1.0}, "G55")
+    fake.rounds, fake._round = [[], []], 0
+    with pytest.raises(InputError) as caught:
+        unrolled(fake.program, fake.folder, ranged, None, "in.ngc")
+    assert [fault.problem.split(" does")[0] for fault in caught.value.faults] == ["a range", "G92 in force"]
+
+
 def test_where_linuxcnc_is_not_installed(tmp_path: Path) -> None:
     program = tmp_path / "in.ngc"
     program.write_text("M2\n")
@@ -176,10 +191,23 @@ def test_tools_keep_their_numbers_and_lengths(tmp_path: Path) -> None:
     program = tmp_path / "in.ngc"
     program.write_text("G21 G90\nT7 M6\nG43 H7\nG0 Z5\nT3 M6\nG43 H3\nG0 Z6\nM2\n")
     tools = ToolTable({7: Tool(length=70.0), 3: Tool(length=30.0)})
-    text = unrolled(program, PACKAGE, Offsets(), tools, "in")
+    text = unrolled(program, PACKAGE, AT_ZERO, tools, "in")
     assert [line for line in text.splitlines() if line[0] in "TN"] == [
         "T7 M6", "N4 G0 Z75.0000000", "T3 M6", "N7 G0 Z36.0000000",
     ]  # fmt: skip
+
+
+@pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
+def test_optional_blocks_are_as_the_switch_stands(tmp_path: Path) -> None:
+    program = tmp_path / "in.ngc"
+    program.write_text("G21 G90\nG0 X1\n/G0 X2\n/M3 S5\nM2\n")
+    texts = {way: unrolled(program, PACKAGE, AT_ZERO, None, "in", way) for way in ("run", "skip")}
+    assert "X2.0" in texts["run"]
+    assert "M3" in texts["run"]
+    assert "X2.0" not in texts["skip"]
+    assert "M3" not in texts["skip"]
+    with pytest.raises(InputError, match="line 3: whether a block with / is run"):
+        unrolled(program, PACKAGE, AT_ZERO, None, "in")
 
 
 @pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")

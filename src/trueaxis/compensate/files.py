@@ -29,7 +29,8 @@ Language = Literal["nc", "apt"]
 
 LONGEST_LINE = 65536
 UNROLLED = (
-    "LinuxCNC's interpreter has unrolled the program: what is written is in machine coordinates (G59.3 is set to 0), "
+    "LinuxCNC's interpreter has unrolled the program: what is written is in machine coordinates (G59.3 is set to 0): "
+    "offsets and tool lengths that were given are in its words, and must be those of the control exactly; "
     "its N words are lines of the source, messages and comments are left out; lines in this report are those of the "
     "unrolled program"
 )
@@ -122,7 +123,7 @@ def compensate_file(
     if via_linuxcnc is not None:
         if language == "apt" or settings.dialect not in (None, "linuxcnc"):
             raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
-        text = unrolled(program, via_linuxcnc, settings.offsets, settings.tools, name)
+        text = unrolled(program, via_linuxcnc, settings.offsets, settings.tools, name, settings.block_delete)
         settings = replace(settings, dialect="linuxcnc", judged=True, pass_m=(*settings.pass_m, *PASSED))
         notes.add(0, UNROLLED)
     if language == "nc" and settings.dialect is None and (dialect := dialect_of(head_of(program))):

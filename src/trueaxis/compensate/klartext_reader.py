@@ -15,7 +15,7 @@ from trueaxis.compensate.fault_log import FaultLog
 from trueaxis.compensate.klartext_arcs import arc_of, as_arc, polar_end, pole_of
 from trueaxis.compensate.klartext_cycles import Other, other_block
 from trueaxis.compensate.klartext_lexer import MACHINE_COORDINATES, KlartextBlock, codes_alone, head_of, lex_klartext
-from trueaxis.compensate.klartext_tools import ToolCall, tool_call
+from trueaxis.compensate.klartext_tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
 from trueaxis.compensate.mark import COMPENSATED_ALREADY, is_marked
 from trueaxis.compensate.moves import STOP, Item, Kind, Move, Notes, Split, Start
 from trueaxis.compensate.nc_frames import FrameReader
@@ -95,7 +95,8 @@ class KlartextReader:
         state, frames = self._state, self._state.frames
         if content.strip().upper().startswith("BEGIN PGM"):
             state.inch = content.upper().split()[-1] == "INCH"
-        found: Other = other_block(content)
+        differs = definition_differs(content, self._settings.tools, state.inch)
+        found = other_block(content) if differs is NO_DEFINITION else Other(problem=differs[0], remedy=differs[1])
         if found.problem:
             self._faults.add(number, found.problem, found.remedy)
         if found.preset:

@@ -2,10 +2,10 @@
 # ruff: noqa: D102
 """Runs in LinuxCNC's own Python, apart from trueaxis: the motions that its interpreter makes of one program.
 
-linuxcnc_calls.py PROGRAM VAR PACKAGES TOOLS START: PACKAGES is where the module gcode is, TOOLS numbers and lengths
-(mm) as JSON in the order of the table, START a block that puts the axes where they are to be taken to stand. One line
-of JSON a motion: kind, line of the program, plane, turns, centre (mm), positions X Y Z A B C in machine coordinates
-(mm, deg). The last line is the result.
+linuxcnc_calls.py PROGRAM VAR PACKAGES TOOLS START SKIPS: PACKAGES is where the module gcode is, TOOLS numbers and
+lengths (mm) as JSON in the order of the table, START a block that puts the axes where they are to be taken to stand,
+SKIPS is `skip` where / blocks are skipped. One line of JSON a motion: kind, line of the program, plane, turns, centre
+(mm), positions X Y Z A B C in machine coordinates (mm, deg). The last line is the result.
 """
 
 import ctypes
@@ -19,8 +19,8 @@ PLANES = {1: (0, 1, 2), 2: (1, 2, 0), 3: (2, 0, 1)}
 class Canon:
     """What the interpreter calls; positions are those of the program."""
 
-    def __init__(self, var, tools):
-        self.parameter_file, self.tools = var, tools
+    def __init__(self, var, tools, skips):
+        self.parameter_file, self.tools, self.skips = var, tools, skips
         self.line, self.plane = 0, 1
         self.shifts = {"work": (0.0,) * 9, "set": (0.0,) * 9, "tool": (0.0,) * 9}
 
@@ -94,20 +94,20 @@ class Canon:
         return (tool, 0.0, 0.0, length, *(0.0,) * 9, 0)
 
     def get_block_delete(self):
-        return False
+        return self.skips
 
     def check_abort(self):
         return False
 
 
-def main(program, var, packages, tools, start):
+def main(program, var, packages, tools, start, skips):
     """Run one program."""
     sys.path.insert(0, packages)
     import gcode  # noqa: PLC0415  # of LinuxCNC: nothing of it is there when this file is imported
 
     # the table of tools is memory shared by way of a file in HOME, which rs274 has made; without it the module crashes
     ctypes.CDLL("libtooldata.so.0", ctypes.RTLD_GLOBAL)._Z14tool_mmap_userv()
-    result, line = gcode.parse(program, Canon(var, json.loads(tools)), "G21", start)
+    result, line = gcode.parse(program, Canon(var, json.loads(tools), skips == "skip"), "G21", start)
     failed = result > gcode.MIN_ERROR
     print(json.dumps(["end", line, result if failed else 0, gcode.strerror(result) if failed else ""]))
 

@@ -17,7 +17,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from trueaxis.compensate.offsets import NUMBERED, Offsets, middle
+from trueaxis.compensate.offsets import NUMBERED, Offsets, half_width, middle
+from trueaxis.compensate.settings import BlockDelete
 from trueaxis.compensate.tools import ToolTable
 from trueaxis.faults import Fault, InputError
 
@@ -30,6 +31,7 @@ STARTS = ("G53 G0 X13.1713 Y17.3319 Z19.7117 A1.1713 B1.3319 C1.7117",
           "G53 G0 X23.9173 Y29.1371 Z31.3733 A2.9173 B2.1371 C3.3733")  # fmt: skip
 _SAME = 1e-7  # mm, deg: what doubles lose on the way through inches
 _CALL = re.compile(r"\s*\d+\s+N\S+\s+(\w+)\((.*)\)\s*$")
+_OPTIONAL = re.compile(rb"(?m)^[ \t]*/")
 _MOTION = frozenset({"STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"})
 _WORDS = {
     "START_SPINDLE_CLOCKWISE": "M3", "START_SPINDLE_COUNTERCLOCKWISE": "M4", "STOP_SPINDLE_TURNING": "M5",
@@ -74,38 +76,71 @@ class Motion:
     end: tuple[float | None, ...]
 
 
-def unrolled(program: Path, package: Path, offsets: Offsets, tools: ToolTable | None, name: str) -> str:
+def unrolled(
+    program: Path,
+    package: Path,
+    offsets: Offsets,
+    tools: ToolTable | None,
+    name: str,
+    block_delete: BlockDelete = "fault",
+) -> str:
     """The program as lines and arcs in machine coordinates.
 
-    package: the folder in which LinuxCNC is installed (`/`) or unpacked. Raises InputError when the interpreter is not
-    there or refuses the program, or the program does what lines and arcs do not say.
+    package: the folder in which LinuxCNC is installed (`/`) or unpacked. block_delete: what / blocks are. Raises
+    InputError when the interpreter is not there or refuses the program, when an offset that the program uses is not
+    known, or when the program does what lines and arcs do not say.
     """
     where = package / "usr/lib/python3/dist-packages"
     if not (package / "usr/bin/rs274").is_file() or not list(where.glob("gcode*.so")):
         raise InputError([Fault("--via-linuxcnc", "", *NOT_INSTALLED)])
     if tools is not None and any(tool.offset[:2] != (0.0, 0.0) for tool in tools.tools.values()):
         raise InputError([Fault("--tools", "", "offsets of tools in X and Y do not go with --via-linuxcnc")])
+    source = program.read_bytes()
+    optional = _OPTIONAL.search(source)
+    if optional and block_delete == "fault":
+        line = source.count(b"\n", 0, optional.start()) + 1
+        raise InputError([
+            Fault(name, f"line {line}", "whether a block with / is run is not known", "say --block-delete run or skip")
+        ])  # fmt: skip
     lengths = {} if tools is None else {number: tool.shift[2] for number, tool in tools.tools.items()}
     with tempfile.TemporaryDirectory() as folder:
         here = Path(folder)
-        (here / "program.ngc").write_bytes(program.read_bytes())
+        (here / "program.ngc").write_bytes(source)
         _write_state(here, offsets, lengths)
         env = {
             "PATH": os.defpath, "HOME": folder,
             "LD_LIBRARY_PATH": f"{package}/usr/lib:{package}/usr/lib/{sys.implementation._multiarch}",
         }  # fmt: skip
         rs274 = [str(package / "usr/bin/rs274"), "-g", "-i", "units.ini", "-t", "tool.tbl", "-v", "calls.var"]
+        rs274 += ["-b"] if block_delete == "skip" else []
         calls = _run([*rs274, "program.ngc"], here, env)  # makes the table of tools that the module reads, too
         table = json.dumps([(0, 0.0), *lengths.items()])
+        given = (str(where), table)
         rounds = [
-            _run([PYTHON, str(CALLS), "program.ngc", f"motions{number}.var", str(where), table, start], here, env)
+            _run([PYTHON, str(CALLS), "program.ngc", f"motions{number}.var", *given, start, block_delete], here, env)
             for number, start in enumerate(STARTS)
         ]
+    _check_offsets(calls, offsets, name)
     motions = _motions(rounds, name)
     try:
         return _HEAD + "".join(f"{line}\n" for line in _blocks(calls.splitlines(), motions, [0, *lengths]))
     except ValueError as problem:
         raise InputError([Fault(name, "", f"{problem}, which is not unrolled")]) from None
+
+
+def _check_offsets(calls: str, offsets: Offsets, name: str) -> None:
+    """Faults of offsets that are not known exactly: what is written has them in its words."""
+    used = {NUMBERED[int(place) - 1] for place in re.findall(r"SET_G5X_OFFSET\((\d)", calls)}
+    faults = [
+        Fault(name, "", f"{system}: where its zero is is not known", f"say --offset {system}=X..,Y..,Z.., exactly")
+        for system in sorted(used - set(offsets.systems))
+    ]
+    if any(half_width(values) for system in used for values in offsets.systems.get(system, {}).values()):
+        faults.append(Fault("--offset", "", "a range does not go with --via-linuxcnc", "the value itself"))
+    if any(offsets.shift.values()):
+        faults.append(Fault("--offsets", "", "G92 in force does not go with --via-linuxcnc", "G92.1 on the control"))
+    if faults:
+        raise InputError(faults)
 
 
 def _write_state(here: Path, offsets: Offsets, lengths: Mapping[int, float]) -> None:
