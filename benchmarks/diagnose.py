@@ -16,7 +16,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from importlib import import_module
 from pathlib import Path
 
@@ -119,7 +119,8 @@ def made(folder: Path, readings: int) -> None:
     samples = round((1.0 - SHARE) * readings / CIRCLES)
     design = Design(repeats=REPEATS, targets=targets, samples=samples)
     generate(Case(seed=1, design=design, effects=(Hidden("backlash", "EXX", size=2e-3),))).write(folder)
-    trueaxis(["derive", str(folder / "machine.toml"), "--out", str(folder / "kernels")])
+    with Path(os.devnull).open("w", encoding="utf-8") as nothing, redirect_stdout(nothing):
+        trueaxis(["derive", str(folder / "machine.toml"), "--out", str(folder / "kernels")])
 
 
 def _words(folder: Path) -> list[str]:

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from tests.compensate.analytic_machine import XyzMachine, paper_sized, polynomial
 from tests.compensate.control import Bench
 from tests.compensate.path_distance import apart, sampled
+from trueaxis.faults import InputError
 
 PLANES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 ALONG = 0.00101  # mm: the tolerance of points, which an arc keeps everywhere
@@ -111,6 +112,24 @@ def test_strongly_bent_errors_cut_arcs_further(bench: Bench) -> None:
     assert after < 0.0016  # lines, where three chords are left
     assert 30 < written.count(b"\n") < 400
     assert b"G1 X" in written
+
+
+def test_turns_of_linuxcnc_are_made_one_by_one(bench: Bench) -> None:
+    """P3: two whole turns and the rest; other controls mean otherwise by P, or nothing."""
+    program = HEAD + "G2 X320. Y-220. Z94. I20. J0. P3\n"
+    written = bench.run(program, MACHINE, "nc", arcs="keep", dialect="linuxcnc")
+    sweeps = len(re.findall(rb"G2 ", written))
+    assert sweeps == math.ceil((2.0 + 0.75) * 4)
+    assert b"P3" not in written
+    points = executed(written)
+    assert points[2, -1] == pytest.approx(94.0, abs=0.1)
+    turned = np.unwrap(np.arctan2(points[1] + 200.0, points[0] - 320.0))
+    assert turned[-1] - turned[0] == pytest.approx(-2.75 * 2.0 * math.pi, abs=0.01)
+    share = (turned - turned[0]) / (turned[-1] - turned[0])
+    assert np.abs(points[2] - points[2, 0] - share * (points[2, -1] - points[2, 0])).max() < 0.01
+    assert "P3" not in bench.run(program, MACHINE, "nc", arcs="chords", dialect="linuxcnc").decode()
+    with pytest.raises(InputError, match="P3"):
+        bench.run(program, MACHINE)
 
 
 def test_chords_when_asked(bench: Bench) -> None:

@@ -138,3 +138,11 @@ def test_an_error_of_calibration_is_gained_by_refitting_not_by_a_cause() -> None
     gain = gain_of(of_all(values), of_held(values), SPLIT, SIGMA)
     assert gain.held_out.refitted < 0.5 * gain.held_out.given
     assert gain.held_out.extended == pytest.approx(gain.held_out.refitted, rel=1e-12)
+
+
+def test_what_is_predicted_badly_is_not_taken_for_predicted_too_well() -> None:
+    """No line of Z is among the readings that are fitted: its curves are as [prior] has them, in a few directions."""
+    held = np.char.startswith(np.array([run.id for run in ROWS.runs])[ROWS.run], "Z")
+    values = noise(11)
+    found = predicted(fit_of(values, (), ~held), WHERE.whitening, values, held)
+    assert 0.75 < found.standardised < 1.15

@@ -1,5 +1,6 @@
 """Outliers that are put in are left out, and nothing else; how runs settle is found."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 from tests.diagnose.prepared import SIGMA, FloatArray, Prepared, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
-from trueaxis.diagnose.null import Null, fitted, less_own, null_of
+from trueaxis.diagnose.null import Null, explained, fitted, less_own, null_of, undecided
 from trueaxis.diagnose.rows import Rows
 from trueaxis.diagnose.whiten import SETTLED
 
@@ -62,6 +63,37 @@ def test_two_neighbours_are_found_in_short_runs_too() -> None:
 def test_in_clean_data_hardly_anything_is_left_out() -> None:
     """A data set in twenty loses one reading by the limit alone."""
     assert sum(len(null(noise(seed)).outliers) for seed in range(3)) <= 1
+
+
+def test_what_the_final_noise_explains_is_no_outlier() -> None:
+    """A reading left out while the noise was taken for smaller comes back; what is told of others is by that noise."""
+    rows, values = given()[1], noise(8)
+    spoilt, sound = places()[0], places()[1]
+    values[spoilt] += 20.0 * SIGMA
+    whole = null(values)
+    full = null_of(given()[0].model, rows, values, 1e3 * SIGMA)
+    assert [one.seq for one in whole.outliers] == [one.seq for one in full.outliers] == [int(rows.seq[spoilt])]
+    good = np.ones(rows.size, dtype=bool)
+    good[[spoilt, sound]] = False
+    everything = null_of(given()[0].model, rows, noise(8), 1e3 * SIGMA)
+    back, told = explained(replace(everything, values=values), everything.only(good), good)
+    assert np.flatnonzero(back).tolist() == [sound]
+    assert told[spoilt].z == pytest.approx(20.0, abs=4.0)
+    assert abs(told[sound].z) < 4.0
+
+
+def test_where_it_is_open_which_of_a_target_s_readings_are_spoilt_all_are_left_out() -> None:
+    """Two of three in a row were spoilt, or the third: it is never left out alone. Another pass would tell."""
+    rows = given()[1].only(np.arange(given()[1].size) < 9)
+    good = np.ones(9, dtype=bool)
+    good[4] = good[5] = False
+    poses = replace(rows, target=np.repeat([0, 1, 2], 3))
+    assert np.flatnonzero(undecided(poses, good)).tolist() == [3, 4, 5]
+    assert not undecided(replace(rows, target=np.tile([0, 1, 2], 3)), good).any()
+    again = replace(rows, target=np.array([0, 0, 0, 1, 1, 1, 0, 1, 2]))
+    assert not undecided(again, good).any()
+    middle = np.arange(9) != 4
+    assert not undecided(poses, middle).any()
 
 
 @pytest.mark.parametrize("kind", ["jump", "drift", "misfit", "offset"])

@@ -52,6 +52,7 @@ def main() -> None:
     grading.add_argument("package", type=Path, help="the folder of `fetch`, or / where LinuxCNC is installed")
     grading.add_argument("folders", type=Path, nargs="+")
     grading.add_argument("--json", type=Path)
+    grading.add_argument("--via-linuxcnc", action="store_true", help="unroll the programs first")
     args = parser.parse_args()
     if args.command == "fetch":
         fetch(args.folder)
@@ -61,7 +62,7 @@ def main() -> None:
     short = [path for path in found if path.stat().st_size <= LARGEST]
     grades = []
     with tempfile.TemporaryDirectory() as folder:
-        for one in all_grades(short, args.package, Path(folder)):
+        for one in all_grades(short, args.package, Path(folder), args.via_linuxcnc):
             grades.append(one)
             if args.json is not None:
                 with args.json.open("a") as file:

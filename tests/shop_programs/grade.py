@@ -15,7 +15,7 @@ import numpy as np
 
 from tests.compensate.analytic_machine import XyzMachine, paper_sized
 from tests.compensate.path_distance import FloatArray, apart, distances, sampled, way
-from tests.shop_programs.interpreter import Ran, run
+from tests.shop_programs.interpreter import Ran, ended, run
 from trueaxis.compensate.files import compensate_file
 from trueaxis.compensate.offsets import Offsets
 from trueaxis.compensate.settings import Settings
@@ -82,30 +82,36 @@ def kind_of(text: str, ran: Ran) -> str:
     return "beyond the travel" if np.abs(ran.ends[:, :3]).max() > TRAVEL else "plain"
 
 
-def grade(program: Path, package: Path, folder: Path) -> Grade:
-    """Grade one program; what is written goes into the folder."""
-    text = program.read_bytes().decode("latin-1")
+def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grade:
+    """Grade one program; what is written goes into the folder; via: by way of --via-linuxcnc."""
+    name, text = program.name, program.read_bytes().decode("latin-1")
     source = run(program, package, LENGTHS, OFFSETS)
     kind = kind_of(text, source)
     if kind.startswith(("not run", "no motion", "rotary", "beyond")):
-        return Grade(program.name, kind)
+        return Grade(name, kind)
     out = folder / "out.ngc"
     out.unlink(missing_ok=True)
     settings, start = settings_of(text), ""
+    via_linuxcnc = package if via else None
+    if via:  # LinuxCNC wants an end of the program
+        program = folder / "in.ngc"
+        program.write_bytes(ended(text.encode("latin-1")))
     try:
-        report = compensate_file(program, out, machine(), settings, language="nc")
-    except InputError:
+        report = compensate_file(program, out, machine(), settings, language="nc", via_linuxcnc=via_linuxcnc)
+    except InputError as error:
+        if via:
+            return Grade(name, kind, "refused", "; ".join(fault.problem for fault in error.faults[:3]))
         settings, start = replace(settings, start=dict.fromkeys("XYZ", 0.0)), "with --start"
         try:
             report = compensate_file(program, out, machine(), settings, language="nc")
         except InputError as error:
-            return Grade(program.name, kind, "refused", "; ".join(fault.problem for fault in error.faults[:3]))
+            return Grade(name, kind, "refused", "; ".join(fault.problem for fault in error.faults[:3]))
     if not report.good:
-        return Grade(program.name, kind, "refused", "exit code 1: an error above the tolerance is left, and reported")
+        return Grade(name, kind, "refused", "exit code 1: an error above the tolerance is left, and reported")
     written = run(out, package, LENGTHS, OFFSETS)
     if written.problem:
-        return Grade(program.name, kind, "wrong", f"what is written does not run: {written.problem}")
-    return _compared(program.name, kind, source, written, start)
+        return Grade(name, kind, "wrong", f"what is written does not run: {written.problem}")
+    return _compared(name, kind, source, written, start)
 
 
 def _compared(name: str, kind: str, source: Ran, written: Ran, start: str) -> Grade:
@@ -152,7 +158,7 @@ def _runs(ran: Ran) -> list[Run]:
     return found
 
 
-def all_grades(programs: list[Path], package: Path, folder: Path) -> Iterator[Grade]:
+def all_grades(programs: list[Path], package: Path, folder: Path, via: bool) -> Iterator[Grade]:
     """Grades of many programs, the same text once."""
     seen: set[bytes] = set()
     for program in programs:
@@ -161,4 +167,4 @@ def all_grades(programs: list[Path], package: Path, folder: Path) -> Iterator[Gr
             continue
         seen.add(content)
         with contextlib.suppress(UnicodeError):
-            yield grade(program, package, folder)
+            yield grade(program, package, folder, via)

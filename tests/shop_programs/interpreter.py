@@ -59,9 +59,9 @@ def run(
         env = {"PATH": os.environ["PATH"], "HOME": folder, **environment}
         table = json.dumps([(0, 0.0), *tools.items()])
         _make_tools(Path(folder), package, tools, env)
-        ended = Path(folder) / "program.ngc"
-        ended.write_bytes(_ended(program.read_bytes()))
-        command = [PYTHON, str(CHILD), str(ended), str(var), str(where), table]
+        copy = Path(folder) / "program.ngc"
+        copy.write_bytes(ended(program.read_bytes()))
+        command = [PYTHON, str(CHILD), str(copy), str(var), str(where), table]
         try:
             done = subprocess.run(
                 command, cwd=folder, env=env, capture_output=True, text=True, errors="replace",
@@ -78,7 +78,7 @@ def run(
     return _motions(lines[:-1], tools)
 
 
-def _ended(program: bytes) -> bytes:
+def ended(program: bytes) -> bytes:
     """The program with an end: senders of hobby controls need none, LinuxCNC does."""
     percents = len(re.findall(rb"(?m)^[ \t]*%", program))
     if percents == 1:
@@ -124,9 +124,13 @@ def _motions(lines: list[str], tools: Mapping[int, float]) -> Ran:
             return Ran("more than two million motions")
     if not ends:
         return Ran("no motion", frozenset(features))
+    joined = np.concatenate(ends)
+    moving = np.linalg.norm(np.diff(joined, axis=0, prepend=np.full((1, 6), np.inf)), axis=1) > 1e-6
+    if moving.sum() < 2:
+        return Ran("no motion", frozenset(features))
     return Ran(
-        "", frozenset(features), np.concatenate(ends), np.concatenate(feed), np.concatenate(number),
-        np.concatenate(tool), moves,
+        "", frozenset(features), joined[moving], np.concatenate(feed)[moving], np.concatenate(number)[moving],
+        np.concatenate(tool)[moving], moves,
     )  # fmt: skip
 
 

@@ -122,6 +122,9 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--dialect", choices=get_args(Dialect),
                         help="the control's language: what codes, T and X100 mean (default: siemens or heidenhain "
                         "where the program can be nothing else, otherwise not known)")  # fmt: skip
+    parser.add_argument("--via-linuxcnc", type=Path, nargs="?", const=Path("/"), metavar="DIR",
+                        help="have LinuxCNC's interpreter unroll macros, subprograms and cutter compensation "
+                        "first; DIR: where the Debian package linuxcnc-uspace is, if not in /")  # fmt: skip
     parser.add_argument("--integers", choices=get_args(Integers),
                         help="what numbers without a decimal point count: mm (inch, deg), or least increments of "
                         "0.001 mm (0.0001 inch, 0.001 deg); default: mm where --dialect is linuxcnc, siemens or "
@@ -226,6 +229,7 @@ def run(args: argparse.Namespace) -> int:
             report = compensate_file(
                 args.program, args.out, model, settings, language=args.format, report_file=args.report,
                 progress=lambda lines: show(f"{lines} blocks read"), judge=judge,
+                via_linuxcnc=args.via_linuxcnc,
             )  # fmt: skip
     except OSError as problem:
         name = problem.filename or args.program

@@ -2,9 +2,10 @@
 
 import argparse
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
@@ -23,6 +24,7 @@ from trueaxis.measure.data import MeasuredData
 from trueaxis.reporting.reliance import misfit_sentence
 from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.errors import ErrorValues, Fit, dump_errors
+from trueaxis.runtime.kernels import numpy_kernels
 from trueaxis.runtime.manifest import KERNEL_FILES
 from trueaxis.runtime.model import MachineModel
 from trueaxis.runtime.uncertainty import load_uncertainty
@@ -34,6 +36,8 @@ if TYPE_CHECKING:
     from trueaxis.derive.systems import RunPattern
     from trueaxis.diagnose.report.picture import Pictures
     from trueaxis.diagnose.result import Diagnosis, ErrorNow
+
+_DrawnAndDerived = tuple["Pictures", Mapping[str, bytes]]
 
 DESCRIPTION = """\
 Name what a machine's model lacks: of the causes that the effect library knows (backlash, cyclic errors, thermal growth,
@@ -93,31 +97,32 @@ def run(args: argparse.Namespace) -> int:
         show("reading")
         given = _read(args)
         # only this command needs them, and not for wrong input
+        from trueaxis.commands.drawn_and_derived import drawn_and_derived  # noqa: PLC0415
         from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
         from trueaxis.diagnose.report.html import report_html  # noqa: PLC0415
         from trueaxis.diagnose.report.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.diagnose.report.text import summary_text  # noqa: PLC0415
-        from trueaxis.diagnose.verdict import misfitting  # noqa: PLC0415
 
         with ThreadPoolExecutor(cores()) as pool:
             options = DiagnoseOptions(args.noise_um, given.covariance, progress=show, each=pool.map)
             diagnosis = diagnose(given.model, given.data, options)
         show("extending")
         extended = _extended(args.out, given, diagnosis)
-        second = start("drawn_and_derived", diagnosis, extended)
+        second = cache(cast("Callable[[], _DrawnAndDerived]", start("drawn_and_derived", diagnosis, extended)))
         try:
-            values, errors, fit = _values(args, given, diagnosis, extended)
+            values, errors, fit = _values(args, given, diagnosis, extended, second)
         except NotConvergedError as failure:
             show("")
             print(f"trueaxis: values of the extended machine: {failure}; nothing was written", file=sys.stderr)
             return 1
         show("report")
-        pictures, files = cast("tuple[Pictures, Mapping[str, bytes]]", second())
+        pictures, files = second()
         diagnosis = replace(diagnosis, errors=errors)
-        if fit is not None and fit.state == "misfit":
-            # a run of the wrong sign, or that belongs elsewhere: no effect of the machine, and no name beside it
-            diagnosis, extended = misfitting(diagnosis, fit.runs), None
-            pictures = replace(pictures, causes=())
+        if fit is not None and fit.state == "misfit" and not set(fit.runs) <= set(diagnosis.misfits):
+            show("runs that no errors fit")
+            again = replace(options, each=map, misfits=fit.runs)
+            diagnosis, extended = replace(diagnose(given.model, given.data, again), errors=errors), None
+            pictures, _ = drawn_and_derived(diagnosis, None)
         machine_file = None if extended is None else extended.spec
         contents: dict[Path, bytes | str] = {
             args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extended else None),
@@ -211,7 +216,11 @@ def _extended(out: Path, given: _Given, diagnosis: "Diagnosis") -> "Extended | N
 
 
 def _values(
-    args: argparse.Namespace, given: _Given, diagnosis: "Diagnosis", extended: "Extended | None"
+    args: argparse.Namespace,
+    given: _Given,
+    diagnosis: "Diagnosis",
+    extended: "Extended | None",
+    second: "Callable[[], _DrawnAndDerived]",
 ) -> "tuple[str, tuple[ErrorNow, ...], Fit | None]":
     """errors.json of the extended machine, empty where there is none; all errors as these readings have them, and
     whether any errors fit these readings.
@@ -225,8 +234,11 @@ def _values(
         except (NotConvergedError, InputError):
             return "", (), None  # the diagnosis stands without it
     machine = extended.machine
-    # the kernels of a machine are those of any other machine that has the same bodies: effects have theirs apart
-    model = MachineModel(machine, given.model.kernels, ErrorValues(machine.name))
+    # kernels are those of any other machine with the same parameters: effects have theirs apart, location errors not
+    kernels = given.model.kernels
+    if machine.parameters != given.model.machine.parameters:
+        kernels = numpy_kernels(second()[1]["kernels.py"], args.out / extended.spec)
+    model = MachineModel(machine, kernels, ErrorValues(machine.name))
     values, table, fit = reidentified(model, given.model.errors, kept, start_values(diagnosis))
     errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
     return errors, table, fit

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Literal
 
@@ -20,12 +21,18 @@ from trueaxis.compensate.reliance import Judge
 from trueaxis.compensate.report import CompensationReport
 from trueaxis.compensate.settings import Settings
 from trueaxis.compensate.sign_check import home_of
+from trueaxis.compensate.via_linuxcnc import PASSED, unrolled
 from trueaxis.faults import Fault, InputError
 from trueaxis.files import OutputFiles
 
 Language = Literal["nc", "apt"]
 
 LONGEST_LINE = 65536
+UNROLLED = (
+    "LinuxCNC's interpreter has unrolled the program: what is written is in machine coordinates (G59.3 is set to 0), "
+    "its N words are lines of the source, messages and comments are left out; lines in this report are those of the "
+    "unrolled program"
+)
 _NC = frozenset({".nc", ".tap", ".ngc", ".gcode", ".mpf", ".iso", ".cnc", ".din", ".eia", ".h", ".i", ".min"})
 _APT = frozenset({".cl", ".cls", ".clsf", ".apt", ".aptsource", ".ncl", ".cld"})
 _APT_LINE = re.compile(
@@ -82,12 +89,13 @@ def compensate_file(
     report_file: Path | None = None,
     progress: Callable[[int], None] | None = None,
     judge: Judge | None = None,
+    via_linuxcnc: Path | None = None,
 ) -> CompensationReport:
     """Compensate `program` and write `out`, whole or not at all; they may be the same file.
 
     report_file: where the report goes as JSON, if anywhere. name: the program's name in messages. progress: called
     now and then with the number of lines read. judge: says how far the program relies on what was measured; where it
-    refuses, nothing is written.
+    refuses, nothing is written. via_linuxcnc: the folder of LinuxCNC whose interpreter unrolls the program first.
     Raises InputError with every fault of the program (the first 50 in full), OSError when a file cannot be read or
     written; everything is then as it was.
     """
@@ -110,7 +118,13 @@ def compensate_file(
     linear = [axis for axis in model.axes if axis in "XYZ"]
     if settings.words != "nearest" and len(linear) != 3:
         raise InputError([Fault("--words", "", f"'{settings.words}' needs a machine with X, Y and Z")])
-    faults, notes = FaultLog(name), Notes()
+    faults, notes, text = FaultLog(name), Notes(), None
+    if via_linuxcnc is not None:
+        if language == "apt" or settings.dialect not in (None, "linuxcnc"):
+            raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
+        text = unrolled(program, via_linuxcnc, settings.offsets, settings.tools, name)
+        settings = replace(settings, dialect="linuxcnc", judged=True, pass_m=(*settings.pass_m, *PASSED))
+        notes.add(0, UNROLLED)
     if language == "nc" and settings.dialect is None and (dialect := dialect_of(head_of(program))):
         notes.add(0, RECOGNISED.format(NAMES[dialect]))
         settings = replace(settings, dialect=dialect)
@@ -123,14 +137,14 @@ def compensate_file(
         target = outputs.open(out)
         blocks_out = 0
         ends_whole = True
-        with program.open("rb") as source:
+        with program.open("rb") if text is None else BytesIO(text.encode("latin-1", "replace")) as source:
             lines = _Lines(source, faults, progress)
             pieces = marked(compensator.texts(reader.items(lines)), mark)
-            for text in numbered(pieces) if klartext else pieces:
-                if text and not faults.count:
-                    target.write(text.encode("latin-1"))
-                    blocks_out += text.count("\n")
-                    ends_whole = text.endswith("\n")
+            for piece in numbered(pieces) if klartext else pieces:
+                if piece and not faults.count:
+                    target.write(piece.encode("latin-1"))
+                    blocks_out += piece.count("\n")
+                    ends_whole = piece.endswith("\n")
         faults.raise_if_any()
         report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
         if judge is not None:

@@ -57,7 +57,7 @@ _MODES = "saves or restores modes, so that later blocks read differently"
 HARMFUL: dict[int, str] = {
     91: _FRAME, 92: _FRAME,
     96: _SUBPROGRAM, 97: _SUBPROGRAM, 98: _SUBPROGRAM, 99: _SUBPROGRAM, 198: _SUBPROGRAM,
-    114: _POINT_CONTROL, 128: _POINT_CONTROL, 428: _POINT_CONTROL, 429: _POINT_CONTROL, 430: _POINT_CONTROL,
+    114: _POINT_CONTROL, 128: _POINT_CONTROL, 428: _POINT_CONTROL,
     126: "changes the way on which rotary axes turn (Heidenhain)",
     130: "gives positions in an untilted frame (Heidenhain)",
     144: "changes positions by kinematics that are not in the program (Heidenhain)",
@@ -83,7 +83,7 @@ POINT_CONTROL: dict[str, dict[int, bool]] = {
 }
 # harmful on one control and the builder's on the others: passed unless --dialect names that control
 HARMFUL_ON: dict[str, dict[int, str]] = {
-    "linuxcnc": dict.fromkeys((70, 71, 72, 73), _MODES),
+    "linuxcnc": dict.fromkeys((70, 71, 72, 73), _MODES) | {430: "selects kinematics that are not in the program"},
     "fanuc": {29: "starts rigid tapping, whose motions are not in the program"},
     "siemens": {17: _SUBPROGRAM},
     "heidenhain": {

@@ -1,5 +1,6 @@
 """The arc that the words of a G2 or G3 block make."""
 
+import math
 from collections.abc import Sequence
 
 from trueaxis.compensate import nc_codes as codes
@@ -9,23 +10,26 @@ from trueaxis.compensate.machine import LINEAR
 from trueaxis.compensate.nc_lexer import decimals_of
 from trueaxis.compensate.nc_meaning import Meaning
 from trueaxis.compensate.nc_state import NcState
-from trueaxis.compensate.settings import MM_PER_INCH, Integers
+from trueaxis.compensate.settings import MM_PER_INCH, Integers, Settings
 
 _CENTRE_OF = dict(zip("XYZ", "IJK", strict=True))
 
 
 def arc_of_block(
-    state: NcState, start: tuple[float, ...], end: tuple[float, ...], meaning: Meaning, integers: Integers | None
+    state: NcState, start: tuple[float, ...], end: tuple[float, ...], meaning: Meaning, settings: Settings
 ) -> Arc:
     """The arc from start to end (axis positions, mm and deg) in the plane in force.
 
-    state: before the block but for its modes. integers: what numbers without a decimal point count.
+    state: before the block but for its modes. settings: what numbers without a decimal point count, and
+    whether an interpreter has judged the arc.
     Raises ArcError when the words make none.
     """
+    integers, judged = settings.undotted, settings.judged
     first, second, across = codes.PLANES[state.plane]
     if not {first, second} <= set(state.axes):
         raise ArcError(f"the plane {first}{second} of the arc is not one of this machine's")
-    if meaning.parameters:
+    turns = meaning.parameters.get("P", 1.0)
+    if set(meaning.parameters) - ({"P"} if meaning.turns else set()) or turns < 1.0 or turns != int(turns):
         raise ArcError(f"{' '.join(sorted(meaning.parameters))} in the block of an arc: turns of it are not followed")
     sense = 1.0 if state.motion == 3 else -1.0
     normal = (sense * (across == "X"), sense * (across == "Y"), sense * (across == "Z"))
@@ -46,8 +50,12 @@ def arc_of_block(
         raise ArcError(f"{_CENTRE_OF[across]} points out of the plane {first}{second} in force")
     if not meaning.centre:
         raise ArcError("an arc without I J K or R")
+    if turns > 1.0 and meaning.radius is not None:
+        raise ArcError("turns of an arc by R")
     x, y, z = (_centre(state, meaning, axis, p, scale) for p, axis in zip(a, LINEAR, strict=True))
-    return arc_about(a, b, (x, y, z), normal, allowed_about(a, in_plane, (x, y, z), rounding))
+    allowed = math.inf if judged else allowed_about(a, in_plane, (x, y, z), rounding)
+    arc = arc_about(a, b, (x, y, z), normal, allowed)
+    return arc._replace(sweep=arc.sweep + 2.0 * math.pi * (turns - 1.0))
 
 
 def _centre(state: NcState, meaning: Meaning, axis: str, start: float, scale: float) -> float:

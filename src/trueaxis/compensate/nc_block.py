@@ -57,6 +57,8 @@ def interpret(
             others.append(word)
     goes_on = in_cycle and meaning.motion is None and not meaning.cancel_cycle and not meaning.in_machine_coordinates
     meaning.drilling = meaning.data_code is None and not meaning.dwell and (meaning.cycle is not None or goes_on)
+    centre = any(word.letter in _CENTRE for word in others)
+    meaning.turns = settings.dialect == "linuxcnc" and centre and meaning.motion in (None, 2, 3)
     for word in others:
         _other(word, meaning, machine_axes, settings.dialect == "siemens")
     if meaning.frame and meaning.data:
@@ -203,6 +205,7 @@ def _takes(letter: str, meaning: Meaning) -> bool:
         or meaning.data_code in (codes.WRITE_DATA, codes.TO_SECOND_REFERENCE)
         or (letter == "P" and meaning.system.startswith("G54.1"))
         or (meaning.drilling and letter != "E")
+        or (letter == "P" and meaning.turns)
     )
 
 

@@ -68,7 +68,7 @@ class MotionReader:
         if state.motion in (2, 3):
             try:
                 known_start = tuple(value for value in start if value is not None)
-                arc = arc_of_block(state, known_start, known_end, meaning, self._settings.undotted)
+                arc = arc_of_block(state, known_start, known_end, meaning, self._settings)
             except ArcError as problem:
                 self._faults.add(number, str(problem))
                 return None
@@ -80,11 +80,11 @@ class MotionReader:
         elif len(block.words) > 1:
             state.gap = ""
         timed = state.feed_mode == "time" and motion == 1
-        text = block_text(body, block.words, state.gap, insert, motion == 1, timed)
+        text = block_text(body, block.words, state.gap, insert, motion == 1, timed, turns=arc is not None)
         rounded = None
         if arc is not None and self._settings.arcs == "keep":
             code = f"G{state.motion}"
-            kept = block_text(body, block.words, state.gap, meaning.motion is None, True, timed, code)
+            kept = block_text(body, block.words, state.gap, meaning.motion is None, True, timed, code, turns=True)
             by_radius = meaning.radius is not None
             rounded = Round(
                 kept.lead, kept.split.lead if kept.split else kept.lead, code + state.gap, "G1" + state.gap,

@@ -26,12 +26,14 @@ def block_text(
     as_line: bool,
     timed: bool = False,
     arc: str = "",
+    turns: bool = False,
 ) -> BlockText:
     """Take the axis and arc words out of a block; gap separates words that are put in.
 
     motion_word: put a G1 or G0 before the axis words, since the block's own text has none and the motion in force
     differs; `as_line` says which, and turns G2 and G3 into G1. timed: F is the inverse of the block's time: when split,
-    each piece has its own, and this one is left out. arc: the code of an arc that stays one.
+    each piece has its own, and this one is left out. arc: the code of an arc that stays one. turns:
+    whether P, the turns of an arc, is left out, because its pieces have one each.
     """
     lead: list[str] = []
     tail: list[str] = []
@@ -43,7 +45,7 @@ def block_text(
     for word in words:
         between = body[place : word.start]
         place = word.end
-        if word.letter in _REPLACED:
+        if word.letter in _REPLACED or (turns and word.letter == "P"):
             if out is lead:
                 out, kept = tail, kept_tail
                 lead.append(between)

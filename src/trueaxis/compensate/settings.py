@@ -42,6 +42,7 @@ class Settings:
     the dialect fixes. pass_m: M codes that the user vouches for, see m_codes.
     offsets: work offsets that are known. tools: tools that are known, None: none are. reference_points: machine
     positions to which `G28` and `G30` go.
+    judged: whether an interpreter has judged the arcs of the program: their radii may differ as they like.
     temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
     batch_points: points computed at a time; bounds the memory.
 
@@ -70,6 +71,7 @@ class Settings:
     offsets: Offsets = field(default_factory=Offsets)
     tools: ToolTable | None = None
     reference_points: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    judged: bool = False
     temperature: float | None = None
     time: float | None = None
     batch_points: int = 16384

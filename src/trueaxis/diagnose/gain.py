@@ -36,7 +36,8 @@ class Left:
 @dataclass(frozen=True, slots=True, eq=False)
 class Prediction:
     """left: of some rows, fitted on some; freedom: of them, what was fitted to each run's own taken away;
-    standardised: root mean square of the extended model's left over its predictive standard deviation.
+    standardised: root mean square of the extended model's left, by its predictive covariance: where one reading is
+    predicted badly, its neighbours are, alike.
     """
 
     left: Left
@@ -133,9 +134,12 @@ def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArra
     rest = [mine, mine - columns @ fit.refitted, mine - columns @ fit.extended - fit.known[rows]]
     left = [less_own(own, one) for one in rest]
     freedom = float(rows.sum() - own.own_count.sum())
-    white = own(rest[-1])
-    variance = freedom + float(np.sum((columns.whitened(own).weights @ fit.root) ** 2))
-    return Prediction(Left(*left), freedom, float(np.sqrt(white @ white / variance)) if freedom > 0 else np.nan)
+    both = columns.beside(rest[-1][:, np.newaxis]).whitened(own).weights
+    spread = np.column_stack([both[:, :-1] @ fit.root, both[:, -1]])
+    q = spread.shape[1] - 1
+    r = np.asarray(np.linalg.qr(np.vstack([spread, np.eye(q, q + 1)]), mode="r"))
+    squares = float(r[-1, -1] ** 2)
+    return Prediction(Left(*left), freedom, float(np.sqrt(squares / freedom)) if freedom > 0 else np.nan)
 
 
 def gain_of(everything: Prediction, held: Prediction, split: str, floor: float) -> Gain:

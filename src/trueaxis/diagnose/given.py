@@ -27,7 +27,7 @@ def given_by_chance(model: MachineModel, base: Base, covariance: Covariance) -> 
             curves = (basis(at) - basis(home[model.axes.index(name.axis)])).T @ steps[covariance.rows_of(name)]
             found[names == name] = np.linalg.lstsq(own(at).T, curves, rcond=None)[0]
     start = sum(basis.count for basis in covariance.bases)
-    for row, name in enumerate(covariance.locations, start):
-        found[names == name] = steps[row]
+    for row, location in enumerate(covariance.locations, start):
+        found[names == location] = steps[row]
     found /= (base.sizes * base.expected)[: base.of_machine, np.newaxis]
-    return np.asarray(np.linalg.qr(found.T, mode="r").T)
+    return np.asarray(np.linalg.qr(found.T, mode="r")).T

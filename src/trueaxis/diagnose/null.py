@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.special import ndtri
 
 from trueaxis.diagnose.base import Base, base_of
 from trueaxis.diagnose.by_run import ByRun
@@ -10,8 +11,8 @@ from trueaxis.diagnose.noise import noise_of_runs
 from trueaxis.diagnose.noise_fit import Found
 from trueaxis.diagnose.result import BoolArray, FloatArray, IntArray, NoiseOf, Outlier
 from trueaxis.diagnose.rows import Rows
-from trueaxis.diagnose.whiten import RANK, Whitening, whitening
-from trueaxis.estimation.outliers import ALIKE, NEIGHBOURS, excess, long, spoilt
+from trueaxis.diagnose.whiten import RANK, RunNoise, Whitening, whitening
+from trueaxis.estimation.outliers import ALIKE, EXPECTED, NEIGHBOURS, excess, long, spoilt
 from trueaxis.runtime.model import MachineModel
 
 ROUNDS = 20  # of looking for outliers: they end by themselves, a few later than a run has outliers
@@ -52,23 +53,76 @@ def null_of(model: MachineModel, rows: Rows, values: FloatArray, noise_um: float
     whole = found = _with_noise(rows, base_of(model, rows), values, noise_um)
     good, stays = np.ones((2, rows.size), dtype=bool)
     stays[:] = False
-    off: dict[int, Outlier] = {}
     for _ in range(ROUNDS):
         left = _left(found, found.values)
         bad = np.zeros(rows.size, dtype=bool)
         bad[good] = _spoilt(found, left, stays[good])
         if not bad.any():
             break
-        off |= dict(zip(np.flatnonzero(bad).tolist(), _named(found, bad[good], left), strict=True))
         for index in rows.present:
             mine = rows.of_run(index)
             stays[mine] |= long(~good[mine] | bad[mine])
         good = (good & ~bad) | stays
         found = whole.only(good)
-    outliers = tuple(one for at, one in off.items() if not good[at])
-    if outliers:
+    if good.all():
+        return found
+    never = undecided(rows, good)
+    found = whole.only(good & ~never)
+    found = _with_noise(found.rows, found.base, found.values, noise_um, found.found)
+    back, outliers = explained(whole, found, good & ~never)
+    if (back & ~never).any():
+        found = whole.only((good | back) & ~never)
         found = _with_noise(found.rows, found.base, found.values, noise_um, found.found)
-    return replace(found, outliers=outliers)
+    return replace(found, outliers=tuple(one for at, one in outliers.items() if never[at] or not back[at]))
+
+
+def undecided(rows: Rows, good: BoolArray) -> BoolArray:
+    """(n,): readings of a target, in a row, of which some are spoilt: the others may be the spoilt ones as well, where
+    they are no more than two and the target was read at no other time. good: (n,), those that seem to be.
+    """
+    change = (np.diff(rows.target, prepend=-1) != 0) | (np.diff(rows.run, prepend=-1) != 0)
+    number, found = np.cumsum(change), np.zeros(rows.size, dtype=bool)
+    for one in np.unique(number[~good]):
+        mine = np.flatnonzero(number == one)
+        kept = mine[good[mine]]
+        alone = bool((rows.target[mine[0]] == rows.target).sum() == mine.size)
+        if alone and 0 < kept.size <= NEIGHBOURS and np.ptp(kept) < kept.size:
+            found[mine] = True
+    return found
+
+
+def explained(whole: Null, found: Null, good: BoolArray) -> tuple[BoolArray, dict[int, Outlier]]:
+    """(n,): readings left out that the noise of those that count explains after all; and each that was, by its place,
+    in standard deviations of that noise, its neighbours known. good: (n,), those that count.
+    """
+    left = whole.values - whole.base.columns @ fitted(found.whitening, found.base.columns, found.values)
+    limit = float(-ndtri(0.5 * EXPECTED / max(good.size, 1)))
+    back, told = np.zeros(good.size, dtype=bool), dict[int, Outlier]()
+    for run, own, noise in zip(whole.base.runs, whole.base.own, lent(whole, found).whitening.runs, strict=True):
+        at = run.rows.at
+        kept = good[at]
+        both = noise.only(kept).whitened(np.column_stack([own, left[at]])[kept])
+        rest = left[at] - own @ np.linalg.lstsq(both[:, :-1], both[:, -1], rcond=RANK)[0]
+        for k in np.flatnonzero(~kept):
+            some = kept | (np.arange(at.size) == k)
+            white = noise.only(some).alone()
+            z = (white.weighed(rest[some]) / np.sqrt(white.weights()))[int(some[:k].sum())]
+            back[at[k]] = abs(z) < limit
+            told[int(at[k])] = Outlier(run.rows.run.id, int(whole.rows.seq[at[k]]), float(rest[k]), float(z))
+    return back, told
+
+
+def lent(null: Null, other: Null) -> Null:
+    """With the noise that another has of the same runs, or of one by the same instrument."""
+    runs = zip(other.base.runs, other.whitening.runs, strict=True)
+    told: dict[object, RunNoise] = {}
+    for run, noise in runs:
+        told |= {run.instrument: noise, run.rows.index: noise}
+    noises = []
+    for run, before in zip(null.base.runs, null.whitening.runs, strict=True):
+        noise = told.get(run.rows.index) or told.get(run.instrument) or before
+        noises.append(replace(before, noise=noise.noise, wanders=noise.wanders, settles=noise.settles))
+    return replace(null, whitening=whitening(null.rows.run, noises, null.base.own))
 
 
 def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
@@ -139,11 +193,3 @@ def _apart(target: IntArray) -> IntArray:
     first = np.flatnonzero(change)
     since = np.arange(target.size) - first[np.cumsum(change) - 1]
     return np.asarray(target * target.size + since)
-
-
-def _named(null: Null, bad: BoolArray, left: FloatArray) -> tuple[Outlier, ...]:
-    sigma, rows = null.whitening.sigma, null.rows
-    return tuple(
-        Outlier(rows.runs[rows.run[at]].id, int(rows.seq[at]), float(left[at]), float(left[at] / sigma[at]))
-        for at in np.flatnonzero(bad)
-    )

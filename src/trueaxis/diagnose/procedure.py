@@ -15,6 +15,7 @@ from trueaxis.diagnose.gain import fit, gain_of, held_out, predicted
 from trueaxis.diagnose.given import given_by_chance
 from trueaxis.diagnose.imperfection import imperfection, imperfections
 from trueaxis.diagnose.instruments import Off, instruments_off
+from trueaxis.diagnose.misfit import misfits
 from trueaxis.diagnose.null import Null, again, null_of
 from trueaxis.diagnose.projection import Projection, spanned
 from trueaxis.diagnose.prospect import prospect_of
@@ -50,13 +51,15 @@ AGAIN = 0.03  # relative change of the noise, causes taken away, from which the 
 class DiagnoseOptions:
     """noise_um: of a reading, where it is known, else from repeats. covariance: of the model's error values, see
     `load_uncertainty`; None: they are exact. progress: told each stage. each: how candidates are gone through, one
-    after another or by several threads; what is found is the same, to the last digit.
+    after another or by several threads; what is found is the same, to the last digit. misfits: runs that are known
+    to fit no errors of the machine, by an estimate of these.
     """
 
     noise_um: float | None = None
     covariance: Covariance | None = None
     progress: Callable[[str], None] = lambda _: None
     each: Each = map
+    misfits: tuple[str, ...] = ()
 
 
 def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions | None = None) -> Diagnosis:
@@ -86,7 +89,9 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     options.progress("checks")
     judged = _judged(ground, null, found, causes, standing)
     options.progress("values given")
-    judged, changes, off = _values_judged(ground, null, judged, standing)
+    judged, changes = _values_judged(ground, null, judged, standing)
+    options.progress("runs")
+    judged, changes = _runs_judged(ground, null, judged, changes, options.misfits)
     causes = judged.causes
     options.progress("gain")
     held, split = held_out(null.rows)
@@ -102,8 +107,8 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             search=judged.search,
             causes=causes,
             groups=judged.groups,
-            verdict=verdict_of(judged.search, judged.stand, judged.checks, changes.stale, off),
-            off=off,
+            verdict=verdict_of(judged.search, judged.stand, judged.checks, changes.stale, judged.off, judged.misfits),
+            off=judged.off,
             audit=audited,
             prospect=prospect,
             checks=judged.checks,
@@ -113,6 +118,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
             stale=changes.stale,
             stale_p=changes.p_value,
             report=data.setup.report,
+            misfits=judged.misfits,
         )
     )
 
@@ -128,6 +134,8 @@ class _Judged:
     groups: tuple[tuple[tuple[AmplitudeOf, ...], float], ...]
     checks: tuple[Check, ...]
     stand: bool
+    off: tuple[Off, ...] = ()
+    misfits: tuple[str, ...] = ()
 
 
 def _judged(
@@ -146,33 +154,51 @@ def _judged(
     share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
     if names_stand(share, (*standing, *causes), checks, homogeneous_p) and all(map(size_is_significant, causes)):
         return _Judged(with_rivals(ground, found), causes, groups, checks, stand=True)
-    if causes:
-        checks = _checks(ground, ground.base, ground.base.rest(ground.values))
-    return _Judged(found, (), (), checks, stand=False)
+    return _without_names(ground, _Judged(found, causes, groups, checks, stand=False))
 
 
-def _values_judged(
-    ground: Ground, null: Null, judged: _Judged, standing: Sequence[Fitted]
-) -> tuple[_Judged, Changes, tuple[Off, ...]]:
+def _without_names(ground: Ground, judged: _Judged) -> _Judged:
+    """With what all checks see beside no cause."""
+    checks = _checks(ground, ground.base, ground.base.rest(ground.values)) if judged.causes else judged.checks
+    return _Judged(judged.search, (), (), checks, stand=False)
+
+
+def _values_judged(ground: Ground, null: Null, judged: _Judged, standing: Sequence[Fitted]) -> tuple[_Judged, Changes]:
     """Instruments that are off, and values given that are stale: or the effect that takes their place."""
     known = (*standing, *judged.causes)
     signals = [one.signal for one in known]
     besides = [column for one in known for column in imperfections(ground.readings, one)]
     off = instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
     signals += [one.signal for one in off]
+    judged = replace(judged, off=off)
     changes = stale_values(null, signals, besides, ground.freedom)
     if not changes.stale or judged.search.causes or any(one.fired for one in judged.checks):
-        return judged, changes, off
+        return judged, changes
     named, left = contest(ground, null, changes, signals)
     if named is None:
-        return judged, left, off
+        return judged, left
     projection = ground.base.extended(whitened_columns(ground, named.found.signature))
     residual = projection.rest(ground.values)
     checks = _checks(ground, projection, residual)
     if any(one.fired for one in checks):
-        return judged, changes, off
+        return judged, changes
     search = replace(judged.search, causes=(named.found,), projection=projection, residual=residual)
-    return _Judged(search, (named.cause,), (((), 1.0),), checks, stand=True), left, off
+    return replace(judged, search=search, causes=(named.cause,), groups=(((), 1.0),), checks=checks, stand=True), left
+
+
+def _runs_judged(
+    ground: Ground, null: Null, judged: _Judged, changes: Changes, known: Sequence[str]
+) -> tuple[_Judged, Changes]:
+    """Runs that no errors of the machine fit, and no name beside them: they are of the wrong sign, or belong elsewhere.
+
+    known: of these.
+    """
+    signals = [*(one.signal for one in judged.causes), *(one.signal for one in judged.off)]
+    found = misfits(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
+    wrong = tuple(dict.fromkeys([*found, *known]))
+    if not wrong:
+        return judged, changes
+    return replace(_without_names(ground, judged), misfits=wrong), replace(changes, stale=())
 
 
 def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tuple[Check, ...]:

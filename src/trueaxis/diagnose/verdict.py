@@ -1,7 +1,6 @@
 """When a name may be given, and what the diagnosis comes to."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 from scipy.special import chdtri
@@ -9,7 +8,7 @@ from scipy.special import chdtri
 from trueaxis.diagnose.instruments import Off
 from trueaxis.diagnose.projection import Projection
 from trueaxis.diagnose.refit import Fitted
-from trueaxis.diagnose.result import Check, Diagnosis, Stale, StructureClass, Verdict
+from trueaxis.diagnose.result import Check, Stale, StructureClass, Verdict
 from trueaxis.diagnose.search import Ground, Search, cause_columns
 from trueaxis.effects.expression import names, parse
 from trueaxis.effects.variables import SINCE_REVERSAL
@@ -87,9 +86,16 @@ def names_stand(
 
 
 def verdict_of(
-    found: Search, stand: bool, checks: Sequence[Check], stale: Sequence[Stale], off: Sequence[Off]
+    found: Search,
+    stand: bool,
+    checks: Sequence[Check],
+    stale: Sequence[Stale],
+    off: Sequence[Off],
+    misfits: Sequence[str] = (),
 ) -> Verdict:
-    """What it all comes to. off: instruments that are."""
+    """What it all comes to. off: instruments that are; misfits: runs that no errors of the machine fit."""
+    if misfits:
+        return "unexplained_structure"
     if found.causes and stand:
         return "ambiguous" if any(one.rivals for one in found.causes) else "explained"
     if found.causes or (any(check.fired for check in checks) and not stand):
@@ -97,11 +103,6 @@ def verdict_of(
     if off:
         return "explained"
     return "recalibrate" if stale else "no_discrepancy"
-
-
-def misfitting(diagnosis: Diagnosis, runs: Sequence[str]) -> Diagnosis:
-    """Where no errors of the machine fit the readings of some runs, worst first: no name stands beside that."""
-    return replace(diagnosis, verdict="unexplained_structure", causes=(), misfits=tuple(runs))
 
 
 def size_is_significant(one: Fitted) -> bool:

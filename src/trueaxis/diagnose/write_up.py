@@ -58,6 +58,7 @@ class Outcome:
     stale: tuple[Stale, ...]
     stale_p: float
     report: Mapping[str, str]
+    misfits: tuple[str, ...]
 
 
 def diagnosis_of(outcome: Outcome) -> Diagnosis:
@@ -90,6 +91,7 @@ def diagnosis_of(outcome: Outcome) -> Diagnosis:
         residuals=_residuals(outcome),
         measured=measured_with(ground.readings.rows),
         report=outcome.report,
+        misfits=outcome.misfits,
     )
 
 
