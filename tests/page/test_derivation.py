@@ -12,6 +12,8 @@ from tests.page.numeric_chain import Matrix
 from tests.page.pages import names
 from tests.page.rows import Row, rows_of
 from tests.page.test_mutants import survivors
+from tests.paper.claims_systems import null_space, stacked
+from tests.paper.printed.tables import POINTS_SINGLE
 
 TEXT = (ROOT / "docs" / "derivation.md").read_text(encoding="utf-8")
 
@@ -93,6 +95,13 @@ def test_numbers_of_errors_are_those_of_the_machines() -> None:
     count = {name: len(names(name).chain.components + names(name).chain.located) for name in ROTARY}
     assert count == {"dmu60p_5axis": 41, "trunnion_mill": 41, "headhead_mill": 44}
     assert "holds 41 errors (`dmu60p_5axis`, `trunnion_mill`) or 44 (`headhead_mill`)" in " ".join(TEXT.split())
+
+
+def test_what_no_reading_determines_is_counted() -> None:
+    """At n positions 3 + n vectors, by the numeric null space of the readings of tests/paper."""
+    assert "At $n$ positions of the paper's runs $3 + n$ vectors remain" in " ".join(TEXT.split())
+    for count in (1, 2, 5):
+        assert null_space(stacked(count, POINTS_SINGLE)).shape[1] == 3 + count
 
 
 ROTARY = ("dmu60p_5axis", "trunnion_mill", "headhead_mill")

@@ -10,7 +10,7 @@ from tests.page.chain_names import AXES
 from tests.page.checking import problem
 from tests.page.latex_value import NotMathsError, value_of
 from tests.page.pages import derived, names, page, rows
-from tests.page.rows import cells_of
+from tests.page.rows import cells_of, rows_of
 from tests.paper import chain as paper_chain
 from tests.paper import reference
 from tests.paper.entries import follows
@@ -28,6 +28,26 @@ CHECKED_IN = tuple(sorted(folder.name for folder in (ROOT / "generated").iterdir
 def test_every_formula_holds(name: str) -> None:
     found = {f"{row.title}: {row.text}": problem(row.text, names(name).of(row)) for row in rows(name)}
     assert {text: why for text, why in found.items() if why} == {}
+
+
+SLIPS = {
+    "displacement of an error factor": (r"R \delta + p \times", r"R \delta - p \times"),
+    "vector product turned": (r"R \delta + p \times R \varepsilon", r"R \delta + R \varepsilon \times p"),
+    "deviation by Theta": (r"D + \Theta \times P", r"D - \Theta \times P"),
+    "end of the offset curves": (r"\sum_{i=1}^{h} \varepsilon_{z}(x_i)", r"\sum_{i=1}^{n} \varepsilon_{z}(x_i)"),
+    "end of the least squares": (r"\frac{n \sum_{i=1}^{n} v_i\,P", r"\frac{n \sum_{i=1}^{h} v_i\,P"),
+    "sign where Y stands": (r"P_{k0} = -\Delta P", r"P_{k0} = \Delta P"),
+    "points exchanged where Y moves": (r"$P_{lh} - P_{l0} = \Delta P$", r"$P_{kh} - P_{k0} = \Delta P$"),
+    "frame of the worktable's points": ("r_l = q_w + r_W", "r_l = q_T + r_W"),
+}
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_a_slip_within_a_sentence_or_a_limit_is_caught(slip: str) -> None:
+    right, wrong = SLIPS[slip]
+    assert right in page("dmu60p")
+    changed = set(rows_of(page("dmu60p").replace(right, wrong))) - set(rows("dmu60p"))
+    assert any(problem(row.text, names("dmu60p").of(row)) for row in changed)
 
 
 def test_every_equation_of_sections_2_and_3_is_a_formula_of_the_page() -> None:

@@ -1,6 +1,7 @@
 """What the page says of the kernels, carried out: readings and points by its sentences, unknowns in its order."""
 
 import re
+from functools import cache
 from types import ModuleType
 from typing import Any
 
@@ -27,6 +28,7 @@ ERRORS = {
 }
 
 
+@cache
 def module() -> ModuleType:
     kernels = ModuleType("kernels")
     exec(numpy_source(derived("dmu60p").machine, derived("dmu60p").routines), kernels.__dict__)
