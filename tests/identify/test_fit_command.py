@@ -28,7 +28,10 @@ def test_a_cubic_comes_back_and_all_else_stays(tmp_path: Path, capsys: pytest.Ca
     noise = np.random.default_rng(3).normal(scale=1e-6, size=28) * (x > 0)
     points = tables(tmp_path, EXX=(x.tolist(), (2e-5 * x - 4e-11 * x**3 + noise).tolist()))
     out, picture = tmp_path / "fitted.json", tmp_path / "p.png"
-    assert main(["fit", MACHINE, "--errors", str(points), "--out", str(out), "--picture", str(picture)]) == 0
+    arguments = ["fit", MACHINE, "--errors", str(points), "--out", str(out), "--picture", str(picture)]
+    assert main(arguments) == 0
+    assert "adjusted R^2" not in capsys.readouterr().out, "a line for each curve"
+    assert main([*arguments, "--statistics"]) == 0
     found = json.loads(out.read_text())
     assert found["parameters"] == {"eps_xy": 1e-5}
     curve = found["motion_errors"]["EXX"]
