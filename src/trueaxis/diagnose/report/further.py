@@ -109,7 +109,8 @@ def warnings(diagnosis: Diagnosis) -> Iterator[str]:
             rivals = _labels([rival.effect for rival in cause.rivals])
             yield f"{cause.effect.label} and {rivals} predict the same readings"
     if diagnosis.outliers:
-        yield f"left out as outliers: {len(diagnosis.outliers)} readings"
+        count = len(diagnosis.outliers)
+        yield f"left out as outliers: {count} {'reading' if count == 1 else 'readings'}"
 
 
 def _smallest(told: Told) -> str:
