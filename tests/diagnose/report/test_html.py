@@ -162,7 +162,7 @@ def test_everything_found_is_in_the_page() -> None:
     text = page("explained").text.replace("\u00a0", " ")
     for said in (
         "mill <3 & more>",
-        "left out as outliers: 1 readings",
+        "left out as outliers: 1 reading",
         "with temperature_c empty in 3 of 9 readings: thermal offset cannot be seen",
         "separate backlash in EXX from servo lag in EXX",
         "smallest backlash in EXX that is told apart: 0.40",
