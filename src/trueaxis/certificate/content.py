@@ -1,7 +1,6 @@
 """What the document of error values says, as numbers: errors, the tool point over the volume, changes since a file."""
 
 from dataclasses import dataclass, replace
-from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +10,8 @@ from trueaxis.runtime.covariance import Covariance
 from trueaxis.runtime.effect_values import EffectValues
 from trueaxis.runtime.errors import Determined, Fit
 from trueaxis.runtime.model import MachineModel
+from trueaxis.runtime.planes import middle_planes
 from trueaxis.runtime.uncertainty import home_of, tool_uncertainty
-from trueaxis.spec.machine import LINEAR
 
 FloatArray = NDArray[np.float64]
 
@@ -229,17 +228,10 @@ def _u_squares(of: Known, positions: FloatArray, tool: tuple[float, float, float
 
 def _slices(now: Known, tool: tuple[float, float, float]) -> tuple[Slice, ...]:
     """One for each pair of linear axes, other linear axes in the middle, rotary axes at home."""
-    model = now.model
-    home = dict(zip(model.axes, home_of(model)[:, 0].tolist(), strict=True))
-    middle = {axis: 0.5 * sum(model.travel[axis]) if axis in LINEAR else home[axis] for axis in model.axes}
     made = []
-    for one, other in combinations([axis for axis in model.axes if axis in LINEAR], 2):
-        first, second = (np.linspace(*model.travel[axis], STEPS) for axis in (one, other))
-        grid = dict(zip((one, other), np.meshgrid(first, second), strict=True))
-        rows = [grid[axis].ravel() if axis in grid else np.full(STEPS**2, middle[axis]) for axis in model.axes]
-        length = np.linalg.norm(deviations(model, np.array(rows), tool), axis=0).reshape(STEPS, STEPS)
-        at = {axis: value for axis, value in middle.items() if axis not in grid}
-        made.append(Slice(axes=(one, other), first=first, second=second, length=length, at=at))
+    for one in middle_planes(now.model, STEPS):
+        length = np.linalg.norm(deviations(now.model, one.positions, tool), axis=0).reshape(STEPS, STEPS)
+        made.append(Slice(axes=one.axes, first=one.first, second=one.second, length=length, at=one.at))
     return tuple(made)
 
 

@@ -10,6 +10,7 @@ from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
 
 from trueaxis.certificate.content import Content, ErrorLine, OverVolume, Slice
+from trueaxis.diagnose.report.html import rendered
 from trueaxis.diagnose.report.picture import Picture
 from trueaxis.diagnose.report.quantity import NBSP, UM, quantity
 from trueaxis.diagnose.report.svg import picture
@@ -18,7 +19,6 @@ from trueaxis.diagnose.report.words import effect_title
 from trueaxis.effects.kind import Kind, Parameter
 from trueaxis.reporting.reliance import misfit_sentence
 from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.template_folders import template_folders
 
 TEMPLATE = "certificate.html.j2"
 DASH = "\N{EN DASH}"
@@ -29,18 +29,9 @@ LEVELS = 6
 
 def certificate(content: Content, kinds: dict[str, Kind]) -> str:
     """The page, the same for the same content to the byte. kinds: of the effects, by name."""
-    import jinja2  # noqa: PLC0415 - right of the generated files only pages need templates
-
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(template_folders()),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=True,
-    )
     compared = content.against is not None
-    return environment.get_template(TEMPLATE).render(
+    return rendered(
+        TEMPLATE,
         machine=content.machine,
         title=content.title,
         facts=_facts(content),

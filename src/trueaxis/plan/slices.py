@@ -2,16 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations
-
-import numpy as np
 
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import tool_point
 from trueaxis.measure.machine import FloatArray
 from trueaxis.measure.setup import Vector
-from trueaxis.runtime.uncertainty import home_of
-from trueaxis.spec.machine import LINEAR
+from trueaxis.runtime.planes import middle_planes
 
 STEPS = 25  # along either side of a slice
 
@@ -29,15 +25,7 @@ class Slice:
 
 def slices(found: Estimate, tools: Sequence[Vector]) -> tuple[Slice, ...]:
     """One for each pair of linear axes, other linear axes in the middle, rotary axes at home."""
-    model = found.layout.model
-    home = dict(zip(model.axes, home_of(model)[:, 0].tolist(), strict=True))
-    middle = {axis: 0.5 * sum(model.travel[axis]) if axis in LINEAR else home[axis] for axis in model.axes}
-    made = []
-    for one, other in combinations([axis for axis in model.axes if axis in LINEAR], 2):
-        first, second = (np.linspace(*model.travel[axis], STEPS) for axis in (one, other))
-        grid = dict(zip((one, other), np.meshgrid(first, second), strict=True))
-        rows = [grid[axis].ravel() if axis in grid else np.full(STEPS**2, middle[axis]) for axis in model.axes]
-        u = tool_point(found, np.array(rows), tools).u.reshape(STEPS, STEPS)
-        at = {axis: value for axis, value in middle.items() if axis not in grid}
-        made.append(Slice((one, other), first, second, u, at))
-    return tuple(made)
+    return tuple(
+        Slice(one.axes, one.first, one.second, tool_point(found, one.positions, tools).u.reshape(STEPS, STEPS), one.at)
+        for one in middle_planes(found.layout.model, STEPS)
+    )

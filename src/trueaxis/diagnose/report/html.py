@@ -57,18 +57,9 @@ def report_html(diagnosis: Diagnosis, pictures: Pictures) -> str:
 
     Figures are SVG within it, formulas MathML; colours follow the reader's preference, light or dark.
     """
-    import jinja2  # noqa: PLC0415 - diagnosing without a report needs no templates
-
     kinds = frozenset(one.effect.kind for one in diagnosis.limits)
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(template_folders()),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=True,
-    )
-    return environment.get_template(TEMPLATE).render(
+    return rendered(
+        TEMPLATE,
         machine=diagnosis.machine,
         verdict=diagnosis.verdict,
         title=TITLES[diagnosis.verdict],
@@ -88,6 +79,21 @@ def report_html(diagnosis: Diagnosis, pictures: Pictures) -> str:
             if one.pictures or any(table.rows for table in one.tables)
         ],
     )
+
+
+def rendered(template: str, **content: object) -> str:
+    """A page by its template, whose variables are those given; texts are escaped."""
+    import jinja2  # noqa: PLC0415 - right of the generated files only pages need templates
+
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(template_folders()),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=True,
+    )
+    return environment.get_template(template).render(**content)
 
 
 def _key_figures(diagnosis: Diagnosis) -> list[tuple[str, str]]:
