@@ -16,7 +16,7 @@ def test_the_verdict_is_the_first_word(verdict: Verdict) -> None:
     assert text.startswith(f"{verdict}: ")
     assert text.endswith("\n")
     assert text.isascii()
-    assert text.count("left out as outliers: 1 readings\n") == 1
+    assert text.count("left out as outliers: 1 reading\n") == 1
 
 
 def test_a_cause_on_the_console() -> None:
