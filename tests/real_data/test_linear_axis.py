@@ -77,7 +77,7 @@ def test_what_the_name_gains_lies_between_plain_least_squares_with_and_without_a
 
 def test_the_last_cycles_hold_more_than_the_first_ones_tell() -> None:
     """The middle creeps: no term named accounts for that, and the scatter of the held-out residuals says so."""
-    assert diagnosis().gain.standardised == pytest.approx(1.97, abs=0.1)
+    assert diagnosis().gain.standardised == pytest.approx(1.82, abs=0.1)
 
 
 def test_lost_motion_is_not_the_same_everywhere_in_any_cycle() -> None:

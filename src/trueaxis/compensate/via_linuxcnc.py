@@ -21,6 +21,7 @@ from trueaxis.compensate.offsets import NUMBERED, Offsets, half_width, middle
 from trueaxis.compensate.settings import BlockDelete
 from trueaxis.compensate.tools import ToolTable
 from trueaxis.faults import Fault, InputError
+from trueaxis.files import write_files
 
 CALLS = Path(__file__).with_name("linuxcnc_calls.py")
 PYTHON = "/usr/bin/python3"  # the one that the package's module is made for
@@ -105,7 +106,7 @@ def unrolled(
     lengths = {} if tools is None else {number: tool.shift[2] for number, tool in tools.tools.items()}
     with tempfile.TemporaryDirectory() as folder:
         here = Path(folder)
-        (here / "program.ngc").write_bytes(source)
+        write_files({here / "program.ngc": source})
         _write_state(here, offsets, lengths)
         env = {
             "PATH": os.defpath, "HOME": folder,
@@ -144,8 +145,6 @@ def _check_offsets(calls: str, offsets: Offsets, name: str) -> None:
 
 
 def _write_state(here: Path, offsets: Offsets, lengths: Mapping[int, float]) -> None:
-    (here / "units.ini").write_text("[TRAJ]\nLINEAR_UNITS = mm\n")
-    (here / "tool.tbl").write_text("".join(f"T{tool} P{tool} Z{length:.6f}\n" for tool, length in lengths.items()))
     first = offsets.first or "G54"
     values = {5220: NUMBERED.index(first) + 1.0}
     for place, system in enumerate(NUMBERED):
@@ -156,8 +155,11 @@ def _write_state(here: Path, offsets: Offsets, lengths: Mapping[int, float]) -> 
         values |= {base + row: 0.0 for row in range(9)}
     values[5210] = 0.0
     text = "".join(f"{number}\t{value:.6f}\n" for number, value in sorted(values.items()))
-    for file in ("calls.var", "motions0.var", "motions1.var"):
-        (here / file).write_text(text)
+    write_files({
+        here / "units.ini": "[TRAJ]\nLINEAR_UNITS = mm\n",
+        here / "tool.tbl": "".join(f"T{tool} P{tool} Z{length:.6f}\n" for tool, length in lengths.items()),
+        **dict.fromkeys((here / file for file in ("calls.var", "motions0.var", "motions1.var")), text),
+    })  # fmt: skip
 
 
 def _run(command: Sequence[str], folder: Path, env: Mapping[str, str]) -> str:

@@ -134,12 +134,14 @@ def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArra
     rest = [mine, mine - columns @ fit.refitted, mine - columns @ fit.extended - fit.known[rows]]
     left = [less_own(own, one) for one in rest]
     freedom = float(rows.sum() - own.own_count.sum())
+    if freedom <= 0.0:
+        return Prediction(Left(*left), freedom, np.nan)
     both = columns.beside(rest[-1][:, np.newaxis]).whitened(own).weights
     spread = np.column_stack([both[:, :-1] @ fit.root, both[:, -1]])
     q = spread.shape[1] - 1
     r = np.asarray(np.linalg.qr(np.vstack([spread, np.eye(q, q + 1)]), mode="r"))
     squares = float(r[-1, -1] ** 2)
-    return Prediction(Left(*left), freedom, float(np.sqrt(squares / freedom)) if freedom > 0 else np.nan)
+    return Prediction(Left(*left), freedom, float(np.sqrt(squares / freedom)))
 
 
 def gain_of(everything: Prediction, held: Prediction, split: str, floor: float) -> Gain:

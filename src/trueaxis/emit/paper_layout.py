@@ -168,8 +168,13 @@ ERRATA: dict[int | str, tuple[int, ...]] = {
 """Errata of docs/errata.md by equation or table."""
 
 
+def erratum(number: int) -> str:
+    """A link to one erratum."""
+    return f"[E{number}]({ERRATA_PAGE}#e{number})"
+
+
 def beside(*sources: int | str, linked: bool = True) -> str:
     """Errata of equations or tables, for behind their numbers, as links or as numbers; empty where there are none."""
     numbers = sorted({number for source in sources for number in ERRATA.get(source, ())})
-    texts = ", ".join(f"[E{number}]({ERRATA_PAGE}#e{number})" if linked else f"E{number}" for number in numbers)
+    texts = ", ".join(erratum(number) if linked else "E" + str(number) for number in numbers)
     return f" (errata: {texts})" if texts else ""

@@ -8,7 +8,7 @@ import sympy as sp
 from trueaxis.derive.model import DerivedModel
 from trueaxis.emit.latex import Latex, is_negative, joined
 from trueaxis.emit.paper_kernels import kernel_lines, reduced
-from trueaxis.emit.paper_layout import ERRATA_PAGE, PATTERNS, RUNS, Pattern, Reading, System, beside
+from trueaxis.emit.paper_layout import ERRATA_PAGE, PATTERNS, RUNS, Pattern, Reading, System, beside, erratum
 from trueaxis.emit.paper_notation import AXES, Form, form, monomial_terms, motion, paper_latex
 from trueaxis.emit.paper_tables import Table1, points, position_errors, table_1, table_3
 from trueaxis.emit.rows import broken
@@ -75,7 +75,7 @@ class PaperPart:
 
     def erratum(self, number: int) -> str:
         """A link to one erratum."""
-        return f"[E{number}]({ERRATA_PAGE}#e{number})"
+        return erratum(number)
 
 
 def is_the_papers(model: DerivedModel) -> bool:
