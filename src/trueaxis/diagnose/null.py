@@ -21,7 +21,7 @@ ROUNDS = 20  # of looking for outliers: they end by themselves, a few later than
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Null:
     """rows: those that count; values: (n,) mm, readings less what is expected; outliers: those left out; found: of the
-    noise, where it was estimated.
+    noise, where it was estimated; given: (of_machine, k), by how much given values may be off, see `given_by_chance`.
     """
 
     rows: Rows

@@ -56,7 +56,7 @@ def notation(model: DerivedModel, *, paper: bool) -> Iterator[Entry]:
         "motion errors, location errors",
         "the error motions of an axis and the constant errors of its place (ISO 230-1)",
     )
-    yield "view", _view()
+    yield "view", "a point of one body in the frame of another: `tool_in_bed` is a point of the tool in the bed frame"
     yield "$P_T$, $P_T^W$", _tool_point(paper)
     yield "$P$", "error-free tool point in the bed frame"
     yield (
@@ -83,10 +83,6 @@ def _ends(machine: Machine) -> str:
         f"$B$ is the bed (body 1), $W$ the workpiece (body {machine.workpiece}), $T$ the tool (body {machine.tool}), "
         "$k$ any body"
     )
-
-
-def _view() -> str:
-    return "a point of one body in the frame of another: `tool_in_bed` is a point of the tool in the bed frame"
 
 
 def _tool_point(paper: bool) -> str:

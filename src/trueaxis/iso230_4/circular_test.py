@@ -13,6 +13,7 @@ FloatArray = NDArray[np.float64]
 
 FEWEST_READINGS = 12  # of an arc: fewer do not fix centre, radius and harmonics
 LARGEST_DEVIATION = 10.0  # mm: beyond it radius and reading are not in one unit, or not of one circle
+SAME_FEED = 0.01  # share by which feeds that are read may differ: servo mismatch is off by no more
 SMALLEST_SPAN = np.pi  # rad, of the longest arc: less of a circle does not fix its centre
 
 
@@ -50,7 +51,8 @@ def circular_test(
 ) -> CircularTest:
     """The test that runs of a ball bar are. feed: where no run has it.
 
-    Raises InputError with every fault: angles that do not go one way, too few readings, readings of another size.
+    Raises InputError with every fault: angles that do not go one way, too few readings, readings of another size,
+    arcs at different feeds.
     """
     faults = Faults(source)
     arcs = [_arc(run, radius, faults) for run in runs]
@@ -60,6 +62,12 @@ def circular_test(
         faults.add("", f"no arc spans more than {np.degrees(longest):.0f} degrees", "at least half a circle")
         faults.raise_if_any()
     feeds = [float(np.median(run.feed)) for run in runs if run.feed is not None]
+    if feeds and max(feeds) - min(feeds) > SAME_FEED * max(feeds):
+        named = ", ".join(f"{one:g}" for one in feeds)
+        faults.add(
+            "column feed", f"arcs at different feeds, {named} mm/min", "one feed a test: it scales servo mismatch"
+        )
+        faults.raise_if_any()
     return CircularTest(plane=plane, radius=radius, feed=feeds[0] if feeds else feed, arcs=tuple(arcs))
 
 

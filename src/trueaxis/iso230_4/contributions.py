@@ -26,9 +26,9 @@ CHANCE = 1e-3  # that the strongest period of noise alone is taken for a cyclic 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Contribution:
-    """error: identifier, one of those of `ERRORS`; of: axis or plane, with the end of the axis where it has one; value,
-    u: with standard uncertainty, in unit; range: of the radial deviations that it causes, mm; share: of the sum of the
-    ranges; pitch: of a cyclic error, mm.
+    """error: identifier, a key of `NAMES` in the report; of: axis or plane, with the end of the axis where it has one;
+    value, u: with standard uncertainty, in unit; range: of the radial deviations that it causes, mm; share: of the sum
+    of the ranges; pitch: of a cyclic error, mm.
     """
 
     error: str
@@ -166,12 +166,7 @@ def _cyclic(test: CircularTest, angle: FloatArray, deviation: FloatArray, others
         between = rates[max(best - 1, 0)], rates[min(best + 1, rates.size - 1)]
         finer = minimize_scalar(_loss, bounds=between, args=known, method="bounded")
         rate, gain = float(finer.x), -float(finer.fun)
-        freedom = max(_independent(rest), 3.0)
-        ratio = min(gain / float(rest @ rest), 1.0)
-        chance = rates.size * (1.0 - ratio) ** (
-            0.5 * (freedom - 2.0)
-        )  # Fisher's g: 1 - ratio is a power of 2 / freedom
-        if chance < CHANCE:
+        if rates.size * _chance(gain / float(rest @ rest), _independent(rest)) < CHANCE:
             columns = _waves(rate, *known[:2])
             found.append(_Term("cyclic_error", axis, "um", 2e3, columns, 1.0 / rate))
             space = _orthonormal(np.hstack([space, columns]))
@@ -191,6 +186,11 @@ def _loss(rate: float, position: FloatArray, along: FloatArray, space: FloatArra
     columns = _waves(rate, position, along)
     own = _orthonormal(columns - space @ (space.T @ columns))
     return -float(np.sum((own.T @ rest) ** 2))
+
+
+def _chance(share: float, readings: float) -> float:
+    """That a wave of a given period explains this share of the squares of noise: Fisher's g of one period."""
+    return float((1.0 - min(share, 1.0)) ** (0.5 * max(readings - 2.0, 1.0)))
 
 
 def _independent(rest: FloatArray) -> float:
@@ -229,17 +229,17 @@ def _estimated(
     import statsmodels.api as sm  # noqa: PLC0415  takes long to import
 
     design = np.hstack([set_up, *(one.columns for one in terms)])
-    sizes = np.linalg.lstsq(design, deviation, rcond=None)[0][set_up.shape[1] :]
-    bent = [size * one.bent for size, one in zip(sizes, terms, strict=False) if one.bent is not None]
+    starts = np.cumsum([set_up.shape[1], *(one.columns.shape[1] for one in terms)])[:-1]
+    sizes = np.linalg.lstsq(design, deviation, rcond=None)[0][starts]
+    bent = [size * one.bent for size, one in zip(sizes, terms, strict=True) if one.bent is not None]
     if bent:  # how far spikes last is not known either: their u holds it
         design = np.column_stack([design, np.sum(bent, axis=0)])
     lags = int(4.0 * (deviation.size / 100.0) ** (2.0 / 9.0))  # Newey and West 1994
     fit = sm.OLS(deviation, design).fit(cov_type="HAC", cov_kwds={"maxlags": lags, "use_correction": True})
     values, covariance = np.asarray(fit.params), np.asarray(fit.cov_params())
-    found, start = [], set_up.shape[1]
-    for term in terms:
+    found = []
+    for start, term in zip(starts, terms, strict=True):
         part = slice(start, start + term.columns.shape[1])
-        start = part.stop
         caused = term.columns @ values[part]
         size = float(np.linalg.norm(values[part])) if term.pitch is not None else float(values[part][0])
         ahead = values[part] / (size or 1.0) if term.pitch is not None else np.ones(1)

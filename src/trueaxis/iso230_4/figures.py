@@ -7,6 +7,7 @@ import numpy as np
 from scipy.optimize import linprog
 
 from trueaxis.iso230_4.circular_test import Arc, CircularTest, FloatArray
+from trueaxis.measure.circularity import circularity
 
 STANDARD = "ISO 230-4"
 
@@ -69,10 +70,8 @@ def _of_arc(arc: Arc) -> OfArc:
 
 def _about_centre(arcs: Sequence[Arc]) -> tuple[FloatArray, tuple[float, float]]:
     """Radial deviations, (n,) mm, about the least-squares centre of all arcs, and that centre."""
-    angle, deviation = (np.concatenate([getattr(arc, name) for arc in arcs]) for name in ("angle", "deviation"))
-    design = np.column_stack([np.ones_like(angle), np.cos(angle), np.sin(angle)])
-    (_, x, y), *_ = np.linalg.lstsq(design, deviation, rcond=None)
-    return deviation - design[:, 1:] @ (x, y), (float(x), float(y))
+    circle = circularity(np.concatenate([arc.angle for arc in arcs]), np.concatenate([arc.deviation for arc in arcs]))
+    return circle.radial, circle.centre
 
 
 def _zone(arc: Arc) -> float:
