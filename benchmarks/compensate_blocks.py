@@ -14,9 +14,9 @@ import tempfile
 import time
 from pathlib import Path
 
-from trueaxis.compensate.files import compensate_file
-from trueaxis.compensate.settings import Settings
-from trueaxis.runtime.model import load_model
+from trueaxis.compensation.files import compensate_file
+from trueaxis.compensation.settings import Settings
+from trueaxis.model.model import load_model
 
 ROOT = Path(__file__).parents[1]
 MACHINE = ROOT / "machines" / "dmu60p.toml"

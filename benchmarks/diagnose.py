@@ -25,8 +25,8 @@ import numpy as np
 from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.cli import ONE_THREAD
-from trueaxis.cli import main as trueaxis
+from trueaxis.cli.main import ONE_THREAD
+from trueaxis.cli.main import main as trueaxis
 
 SIZES = (3_750, 15_000, 60_000)
 LINES, REPEATS, CIRCLES = 12, 3, 12
@@ -133,7 +133,7 @@ def of_stages(folder: Path) -> None:
     stages = Stages()
     for module, name, stage in STAGES:
         stages.watch(module, name, stage)
-    command = import_module("trueaxis.commands.diagnose")
+    command = import_module("trueaxis.cli.diagnose")
     command.ThreadPoolExecutor, command.beside = InTurn, _here  # type: ignore[attr-defined]
     stages.seconds[START] = time.process_time()
     stages.change([REST])

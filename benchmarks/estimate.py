@@ -19,9 +19,9 @@ from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.state import linearised, started
-from trueaxis.measure.setup import PointOn, Run
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import load_model
+from trueaxis.measurement.setup import PointOn, Run
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import load_model
 
 ROOT = Path(__file__).parents[1]
 NOISE = 1e-3

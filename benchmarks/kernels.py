@@ -19,14 +19,14 @@ from typing import Any
 import numpy as np
 
 from benchmarks.rivals import Case, Contestant, FloatArray, casadi_functions, hand_written, lambdify, strided
-from trueaxis.derive.library import derive_routines
-from trueaxis.derive.routine import Argument, Routine
-from trueaxis.emit.c_source import c_header, c_source
-from trueaxis.emit.meta import ABI
-from trueaxis.emit.numpy_source import numpy_source
-from trueaxis.runtime.c_kernels import CRoutine, load_c_kernels
-from trueaxis.runtime.compiler import find_compiler
-from trueaxis.spec import Machine, read_machine
+from trueaxis.codegen.c_source import c_header, c_source
+from trueaxis.codegen.meta import ABI
+from trueaxis.codegen.numpy_source import numpy_source
+from trueaxis.derivation.library import derive_routines
+from trueaxis.derivation.routine import Argument, Routine
+from trueaxis.machine import Machine, read_machine
+from trueaxis.model.c_kernels import CRoutine, load_c_kernels
+from trueaxis.model.compiler import find_compiler
 
 ROOT = Path(__file__).resolve().parent.parent
 MODEL = "tool_in_workpiece_deviation_first_order_curves"

@@ -16,13 +16,13 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from trueaxis.derive import symbols
-from trueaxis.derive.first_order import first_order
-from trueaxis.derive.folded import coefficient, curve
-from trueaxis.derive.views import view
+from trueaxis.derivation import symbols
+from trueaxis.derivation.first_order import first_order
+from trueaxis.derivation.folded import coefficient, curve
+from trueaxis.derivation.views import view
 from trueaxis.error_name import ErrorName
-from trueaxis.runtime.compiler import FLAGS, NATIVE, find_compiler
-from trueaxis.spec import Machine
+from trueaxis.machine import Machine
+from trueaxis.model.compiler import FLAGS, NATIVE, find_compiler
 
 FloatArray = npt.NDArray[np.float64]
 HERE = Path(__file__).resolve().parent

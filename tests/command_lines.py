@@ -16,7 +16,7 @@ import polars as pl
 
 from tests.instrument_files.writers import rtl
 from tests.machines import DMU60P, ROOT, serial_text
-from trueaxis.cli import main
+from trueaxis.cli.main import main
 
 KERNELS = ROOT / "generated"
 ERRORS = ROOT / "machines" / "dmu60p_errors.json"

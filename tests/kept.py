@@ -12,7 +12,7 @@ from pathlib import Path
 
 import sympy as sp
 
-from trueaxis.cli import main
+from trueaxis.cli.main import main
 
 ROOT = Path(__file__).resolve().parent.parent
 DERIVING = ("spec", "derive", "emit", "effects")

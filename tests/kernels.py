@@ -11,10 +11,10 @@ import numpy.typing as npt
 
 from tests.kept import kept
 from tests.machines import machine_of
-from trueaxis.derive.model import DerivedModel, derive_model
-from trueaxis.emit.numpy_source import numpy_source
-from trueaxis.emit.render import render
-from trueaxis.files import write_files
+from trueaxis.codegen.numpy_source import numpy_source
+from trueaxis.codegen.render import render
+from trueaxis.derivation.model import DerivedModel, derive_model
+from trueaxis.io.files import write_files
 
 FloatArray = npt.NDArray[np.float64]
 

@@ -5,9 +5,9 @@ from itertools import permutations
 from pathlib import Path
 from typing import Any
 
-from trueaxis.faults import Faults
-from trueaxis.spec import Machine
-from trueaxis.spec.read import parse_machine
+from trueaxis.io.faults import Faults
+from trueaxis.machine import Machine
+from trueaxis.machine.read import parse_machine
 
 ROOT = Path(__file__).resolve().parent.parent
 DMU60P = ROOT / "machines" / "dmu60p.toml"

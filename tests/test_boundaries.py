@@ -16,11 +16,11 @@ import pytest
 import trueaxis
 
 SOURCE = Path(trueaxis.__file__).parent
-LEFT = {"derive", "emit"}
+LEFT = {"derivation", "codegen"}
 SYMBOLIC = {"sympy", "jinja2"}
 # The HTML report is a template too. It loads Jinja2 when a report is written, never when it is imported
 # (test_a_fresh_interpreter_runs_without_symbolic_libraries holds it to that); SymPy stays forbidden to it.
-REPORT = "trueaxis.diagnose.report."
+REPORT = "trueaxis.reporting.diagnosis."
 
 
 @cache
@@ -38,7 +38,7 @@ def parsed(module: str) -> ast.Module:
 
 
 def package_of(module: str) -> str:
-    """`derive` of trueaxis.derive.chain, `files` of trueaxis.files."""
+    """`derivation` of trueaxis.derivation.chain, `view` of trueaxis.view."""
     return [*module.split("."), ""][1]
 
 
@@ -65,7 +65,7 @@ def imported(module: str, *, lazily: bool) -> Iterator[str]:
 
 
 def test_every_module_is_found_and_parsed() -> None:
-    assert {"trueaxis.derive.chain", "trueaxis.runtime.model", "trueaxis.commands.derive"} <= modules().keys()
+    assert {"trueaxis.derivation.chain", "trueaxis.model.model", "trueaxis.cli.derive"} <= modules().keys()
     assert len(modules()) == sum(1 for path in SOURCE.rglob("*.py"))
 
 
@@ -92,7 +92,7 @@ def test_what_lies_right_of_the_generated_files_does_not_import_what_lies_left()
     for module in modules():
         if package_of(module) in LEFT:
             continue
-        for name in imported(module, lazily=package_of(module) not in ("commands", "demo")):
+        for name in imported(module, lazily=package_of(module) not in ("cli", "demo")):
             assert package_of(name) not in LEFT or not name.startswith("trueaxis."), f"{module} imports {name}"
             allowed = {"jinja2"} if module.startswith(REPORT) else set()
             assert name.split(".")[0] not in SYMBOLIC - allowed, f"{module} imports {name}"
@@ -103,14 +103,12 @@ def test_what_lies_left_imports_nothing_that_only_runs() -> None:
         if package_of(module) in LEFT:
             found = {package_of(name) for name in imported(module, lazily=True) if name in modules()}
             allowed = {
-                "spec",
+                "machine",
                 "effects",
                 "error_name",
                 "view",
-                "topology",
                 "blocks",
-                "faults",
-                "files",
+                "io",
                 "c_prefix",
                 "template_folders",
             }
@@ -121,11 +119,11 @@ def test_effects_import_nothing_of_the_project_but_faults_and_names() -> None:
     for module in modules():
         if package_of(module) == "effects":
             found = {package_of(name) for name in imported(module, lazily=True) if name in modules()}
-            assert found <= {"effects", "faults", "error_name"}, module
+            assert found <= {"effects", "io", "error_name"}, module
 
 
 def test_what_computes_a_diagnosis_writes_no_sentences() -> None:
-    computing = [name for name in modules() if name.startswith("trueaxis.diagnose.") and not name.startswith(REPORT)]
+    computing = [name for name in modules() if name.startswith("trueaxis.diagnosis.") and not name.startswith(REPORT)]
     found = [
         f"{module} imports {name}"
         for module in computing
@@ -137,13 +135,13 @@ def test_what_computes_a_diagnosis_writes_no_sentences() -> None:
 
 def test_a_fresh_interpreter_runs_without_symbolic_libraries() -> None:
     right = [module for module in modules() if package_of(module) not in LEFT and not module.endswith("__main__")]
-    assert any(module.startswith("trueaxis.compensate.") for module in right)
+    assert any(module.startswith("trueaxis.compensation.") for module in right)
     code = f"""
 import importlib, sys
 for name in {right!r}:
     importlib.import_module(name)
-import trueaxis.cli
-trueaxis.cli.build_parser()
+import trueaxis.cli.main
+trueaxis.cli.main.build_parser()
 print(sorted({{name.split(".")[0] for name in sys.modules}} & {SYMBOLIC!r}))
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
@@ -167,7 +165,12 @@ def test_public_functions_and_classes_have_docstrings() -> None:
 
 def test_every_module_can_be_imported_first() -> None:
     # An import circle hides until its modules are imported in another order.
-    for module in ("trueaxis.spec.machine", "trueaxis.runtime.model", "trueaxis.measure.data", "trueaxis.derive.chain"):
+    for module in (
+        "trueaxis.machine.machine",
+        "trueaxis.model.model",
+        "trueaxis.measurement.data",
+        "trueaxis.derivation.chain",
+    ):
         done = subprocess.run([sys.executable, "-c", f"import {module}"], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
     assert importlib.import_module("trueaxis").__version__

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from tests.command_lines import SMALL
+from tests.machine.test_faults import BASE
 from tests.machines import DMU60P
-from tests.spec.test_faults import BASE
 from trueaxis import __version__
-from trueaxis.cli import COMMANDS, build_parser, main
+from trueaxis.cli.main import COMMANDS, build_parser, main
 
 FAULTY = BASE.replace("schema = 1", "schema = 7").replace("lower = 5", "lower = 6").replace("[0.0, 700.0]", "[9, 1]")
 FAULTS = ("line 1, key schema", "line 31, key body[3].lower", "line 10, key body[0].travel", "line 35, key ends.tool")

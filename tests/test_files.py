@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from trueaxis.faults import InputError
-from trueaxis.files import write_files
+from trueaxis.io.faults import InputError
+from trueaxis.io.files import write_files
 
 
 def contents(folder: Path) -> dict[str, bytes]:

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from trueaxis.faults import Fault, InputError
-from trueaxis.input_files import gathering, input_bytes, utf8_text
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.input_files import gathering, input_bytes, utf8_text
 
 
 def test_a_file_that_cannot_be_read_is_named_with_the_reason(tmp_path: Path) -> None:

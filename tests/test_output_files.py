@@ -15,11 +15,11 @@ import pytest
 
 from tests.command_lines import COMMANDS, KERNELS, command_line, leftovers, run, words_of
 from tests.machines import ROOT
-from trueaxis import staging
-from trueaxis.cli import main
-from trueaxis.faults import InputError
-from trueaxis.files import OutputFiles, write_files
-from trueaxis.staging import staged_file, staged_folder, staged_name, sweep
+from trueaxis.cli.main import main
+from trueaxis.io import staging
+from trueaxis.io.faults import InputError
+from trueaxis.io.files import OutputFiles, write_files
+from trueaxis.io.staging import staged_file, staged_folder, staged_name, sweep
 
 Program = Callable[[list[str]], tuple[int, str]]
 
@@ -260,7 +260,7 @@ def test_a_disk_that_is_full(prepared: Path, tmp_path: Path) -> None:
 class TestSweeping:
     def test_what_a_killed_run_left_is_removed_by_the_next(self, tmp_path: Path) -> None:
         code = (
-            "import os, sys; from pathlib import Path; from trueaxis.files import OutputFiles\n"
+            "import os, sys; from pathlib import Path; from trueaxis.io.files import OutputFiles\n"
             "OutputFiles().open(Path(sys.argv[1])).write(b'x' * 10**6); os.kill(os.getpid(), 9)"
         )
         subprocess.run([sys.executable, "-c", code, str(tmp_path / "a")], check=False)

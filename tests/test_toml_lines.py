@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trueaxis.faults import Faults, InputError
-from trueaxis.toml_lines import LARGEST_TEXT, MOST_PARTS, KeyPath, error_line, key_lines, parse_toml, place
+from trueaxis.io.faults import Faults, InputError
+from trueaxis.io.toml_lines import LARGEST_TEXT, MOST_PARTS, KeyPath, error_line, key_lines, parse_toml, place
 
 TEXT = """\
 # 1: a comment

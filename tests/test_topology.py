@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 from tests.kernels import kernels_of
 from tests.machines import DMU60P, machine_at, machine_of, serial_text, spec_text
-from trueaxis.spec import Body, Machine
-from trueaxis.topology import branch, branches, format_lower_body_array, lower_body_array, tool_senses
+from trueaxis.machine import Body, Machine
+from trueaxis.machine.topology import branch, branches, format_lower_body_array, lower_body_array, tool_senses
 
 
 def test_the_papers_machine() -> None:

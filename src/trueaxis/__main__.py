@@ -14,7 +14,7 @@ def main() -> int:
 
     try:
         with stoppable():
-            from trueaxis.cli import main as run  # noqa: PLC0415  what takes time is loaded where a signal may come
+            from trueaxis.cli.main import main as run  # noqa: PLC0415  what takes time is loaded where a signal may come
 
             return run()
     except Stopped as stopped:

@@ -7,10 +7,10 @@ import numpy.typing as npt
 
 from tests.kernels import kernels_of
 from tests.machines import machine_of
-from trueaxis.runtime.curves import Curve, PolynomialCurve
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.kernels import Kernels
-from trueaxis.runtime.model import MachineModel
+from trueaxis.model.curves import Curve, PolynomialCurve
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.kernels import Kernels
+from trueaxis.model.model import MachineModel
 
 FloatArray = npt.NDArray[np.float64]
 GANTRY = """schema = 1

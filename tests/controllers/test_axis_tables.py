@@ -14,11 +14,11 @@ from trueaxis.controllers import heidenhain, linuxcnc, siemens
 from trueaxis.controllers.axis_tables import AxisTable, axis_tables, nodes, round_step
 from trueaxis.controllers.formats import TABLE_FORMATS, all_pairs, export_tables, untabled_effects
 from trueaxis.controllers.remaining import remaining, taken_by_tables
+from trueaxis.model.curves import PolynomialCurve
+from trueaxis.model.effect_values import EffectValues
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 from trueaxis.reporting.control_tables import export_sentences
-from trueaxis.runtime.curves import PolynomialCurve
-from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
 
 ORIGIN = np.zeros((3, 1))
 

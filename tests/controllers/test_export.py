@@ -10,7 +10,7 @@ import pytest
 from tests.command_lines import ERRORS, KERNELS
 from tests.controllers import control_files
 from tests.machines import DMU60P, ROOT
-from trueaxis.cli import main
+from trueaxis.cli.main import main
 from trueaxis.controllers.formats import FORMATS
 
 GANTRY = ROOT / "machines" / "gantry_mill.toml"

@@ -9,8 +9,8 @@ from tests.command_lines import KERNELS
 from tests.controllers import control_files
 from tests.instrument_files.writers import rtl
 from tests.machines import ROOT
-from trueaxis.cli import main
-from trueaxis.runtime.model import load_model
+from trueaxis.cli.main import main
+from trueaxis.model.model import load_model
 
 MACHINE = ROOT / "machines" / "gantry_mill.toml"
 POINT = np.array([[0.0], [0.0], [-100.0]])

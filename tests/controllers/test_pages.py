@@ -8,8 +8,8 @@ import pytest
 from tests.controllers.machines import GANTRY, model_of
 from tests.machines import ROOT
 from trueaxis.controllers.formats import FORMATS, export_tables
-from trueaxis.runtime.curves import PolynomialCurve
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.model.curves import PolynomialCurve
+from trueaxis.model.errors import ErrorValues
 
 FOLDER = ROOT / "docs" / "controllers"
 PAGES = {name: FOLDER / f"{'siemens' if name.startswith('siemens') else name}.md" for name in FORMATS}

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from tests.machines import ROOT
-from trueaxis.compensate.ends import commanded_ends
+from trueaxis.compensation.ends import commanded_ends
 from trueaxis.demo import inputs
 from trueaxis.demo.evaluate import path_errors, read_wanted
 from trueaxis.demo.steps import run_demo
 from trueaxis.demo.study import ESTIMATE, PROPOSED, STEPWISE
-from trueaxis.faults import InputError
+from trueaxis.io.faults import InputError
 
 
 class ShiftedMachine:

@@ -10,10 +10,10 @@ from tests.machines import ROOT
 from trueaxis.demo import study as module
 from trueaxis.demo.study import ESTIMATE, PROPOSED, STEPWISE, Study, study, study_text
 from trueaxis.demo.volume import left_um
-from trueaxis.pictures.noise import noise_picture
-from trueaxis.runtime.curves import PolynomialCurve
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.model.curves import PolynomialCurve
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel, load_model
+from trueaxis.reporting.pictures.noise import noise_picture
 
 MACHINES = ROOT / "machines"
 PLAN = MACHINES / "dmu60p_regular_runs"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.fuzz.seeds import TINY
-from trueaxis.cli import main
+from trueaxis.cli.main import main
 from trueaxis.effects.expression import HIGHEST_DEGREE, parse
 from trueaxis.effects.tokens import ExpressionError
 

@@ -19,10 +19,14 @@ from hypothesis import strategies as st
 
 from tests.effects.expressions import NAMES, SYMBOLS, Drawn, expressions
 from tests.kernels import kernels_at, model_of
+from tests.machine.test_effects import effect
 from tests.machines import DMU60P, machine_at
-from tests.spec.test_effects import effect
-from trueaxis.derive.effect_terms import effect_routines, library_routines
-from trueaxis.derive.routine import Routine
+from trueaxis.codegen.c_source import c_header, c_source
+from trueaxis.codegen.effect_library import FILE, library_source
+from trueaxis.codegen.meta import ABI
+from trueaxis.codegen.numpy_source import numpy_source
+from trueaxis.derivation.effect_terms import effect_routines, library_routines
+from trueaxis.derivation.routine import Routine
 from trueaxis.effects.evaluate import evaluate
 from trueaxis.effects.expression import parse
 from trueaxis.effects.kind import Effect, Kind, Parameter
@@ -30,14 +34,10 @@ from trueaxis.effects.library import BY_NAME, KINDS
 from trueaxis.effects.placement import context_of
 from trueaxis.effects.tokens import LONGEST
 from trueaxis.effects.variables import FARTHEST
-from trueaxis.emit.c_source import c_header, c_source
-from trueaxis.emit.effect_library import FILE, library_source
-from trueaxis.emit.meta import ABI
-from trueaxis.emit.numpy_source import numpy_source
-from trueaxis.runtime import effect_library
-from trueaxis.runtime.c_kernels import load_c_kernels
-from trueaxis.runtime.compiler import find_compiler
-from trueaxis.spec import Machine
+from trueaxis.machine import Machine
+from trueaxis.model import effect_library
+from trueaxis.model.c_kernels import load_c_kernels
+from trueaxis.model.compiler import find_compiler
 
 FloatArray = npt.NDArray[np.float64]
 Kernel = Callable[[FloatArray, FloatArray], FloatArray]
@@ -178,7 +178,7 @@ def test_the_record_tells_context_parameters_and_place() -> None:
 
 
 def test_the_library_is_as_it_is_emitted() -> None:
-    assert FILE.read_text(encoding="utf-8") == library_source(), "run: python -m trueaxis.emit.effect_library"
+    assert FILE.read_text(encoding="utf-8") == library_source(), "run: python -m trueaxis.codegen.effect_library"
 
 
 def test_a_machine_has_the_effects_of_its_spec_alone() -> None:

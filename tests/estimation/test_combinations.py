@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.plan.data import folder, model
+from tests.planning.data import folder, model
 from trueaxis.estimation.combinations import Combination, Part, combinations
 from trueaxis.estimation.expected import expected
 from trueaxis.estimation.result import Estimate
-from trueaxis.identify.words import combination_text
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.identification.words import combination_text
+from trueaxis.model.errors import ErrorValues
 
 
 def found(name: str, um: float, **known: float) -> Estimate:

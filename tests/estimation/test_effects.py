@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.diagnose.prepared import SMALL, prepared
+from tests.diagnosis.prepared import SMALL, prepared
 from tests.generator.dmu60p import PARAMETERS, cubic_errors
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.hidden import Hidden
-from tests.identify.data import with_estimation
-from tests.identify.effect_data import SIGMA, Row, Term, five_axis, measured, model_with, plan
+from tests.identification.data import with_estimation
+from tests.identification.effect_data import SIGMA, Row, Term, five_axis, measured, model_with, plan
 from tests.kernels import kernels_of
 from tests.machines import machine_of
 from trueaxis.effects.kind import Effect
@@ -22,19 +22,19 @@ from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.estimation.runs import measured_runs
-from trueaxis.faults import InputError
-from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
-from trueaxis.identify.paper.method import identify_paper
-from trueaxis.identify.paper.result import PaperOptions
-from trueaxis.identify.report import Identification
-from trueaxis.identify.report_text import report_text
-from trueaxis.measure.readings import Readings
-from trueaxis.measure.setup import PointOn, Run
-from trueaxis.runtime.curves import Curve, PolynomialCurve
-from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.runtime.errors import ErrorValues, dump_errors, read_errors
-from trueaxis.runtime.kernels import Kernels
-from trueaxis.runtime.model import MachineModel
+from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.identification.paper.method import identify_paper
+from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.identification.report import Identification
+from trueaxis.identification.report_text import report_text
+from trueaxis.io.faults import InputError
+from trueaxis.measurement.readings import Readings
+from trueaxis.measurement.setup import PointOn, Run
+from trueaxis.model.curves import Curve, PolynomialCurve
+from trueaxis.model.effect_values import EffectValues
+from trueaxis.model.errors import ErrorValues, dump_errors, read_errors
+from trueaxis.model.kernels import Kernels
+from trueaxis.model.model import MachineModel
 
 KNOWN = ErrorValues("dmu60p", PARAMETERS)
 OPTIONS = IdentifyOptions("known", KNOWN)

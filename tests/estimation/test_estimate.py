@@ -12,10 +12,10 @@ from tests.worlds.truth import draw_machine, random_points
 from trueaxis.estimation.estimate import EstimationOptions, NothingHeldError, estimate
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.result import Estimate
-from trueaxis.measure.setup import Device
-from trueaxis.runtime.curves import PolynomialCurve
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.spec.machine import LINEAR
+from trueaxis.machine.machine import LINEAR
+from trueaxis.measurement.setup import Device
+from trueaxis.model.curves import PolynomialCurve
+from trueaxis.model.errors import ErrorValues
 
 SMALL = 36  # a design of three axes, 20 runs, ball bars alone, with outliers
 

@@ -15,8 +15,8 @@ from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.reduce import OwnBlock, Reduced
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.triangle import triangle_of
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.bases import travel_basis
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.bases import travel_basis
 
 KINDS = [("laser zero", "laser drift"), ("laser zero", "laser drift"), ("ballbar zero", "ballbar drift")]
 DEGREE, RUN = 5, 12

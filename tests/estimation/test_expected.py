@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.plan.data import folder, model
-from tests.plan.promise import NOISE, TOOL, outcomes, prior_sizes, ratio, shop
+from tests.planning.data import folder, model
+from tests.planning.promise import NOISE, TOOL, outcomes, prior_sizes, ratio, shop
 from trueaxis.estimation.expected import expected, expected_posterior, informing_rows
 from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import pieces
@@ -17,10 +17,10 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.tool_point import moved_by, tool_point, volume
-from trueaxis.measure.machine import FloatArray
-from trueaxis.plan.candidates import Kit, candidates
-from trueaxis.plan.runs import no_runs
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.errors import ErrorValues
+from trueaxis.planning.candidates import Kit, candidates
+from trueaxis.planning.runs import no_runs
 
 GIVEN = ErrorValues("dmu60p")
 

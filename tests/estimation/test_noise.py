@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from trueaxis.estimation.noise import Noise, Whitening
 from trueaxis.estimation.noise_of_residuals import first_noise, noise_of_draws
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 
 def covariance(noise: Noise, time: FloatArray) -> FloatArray:

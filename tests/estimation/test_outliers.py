@@ -4,7 +4,7 @@ import numpy as np
 
 from trueaxis.estimation.noise import Noise
 from trueaxis.estimation.outliers import spoilt
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 NOISE, STEPS = Noise(3e-4, 2e-4, 10.0), np.r_[0.0, np.ones(99)]
 ALONE = np.arange(100)

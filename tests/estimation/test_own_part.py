@@ -5,7 +5,7 @@ import pytest
 
 from tests.estimation.test_effects import KNOWN
 from tests.generator.dmu60p import cubic_errors
-from tests.identify.data import dmu60p_model, mixed_data
+from tests.identification.data import dmu60p_model, mixed_data
 from trueaxis.estimation import jacobian
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.own_part import by_shared, own_part, own_part_of

@@ -15,8 +15,8 @@ from trueaxis.estimation.reduce import Reduced
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.triangle import triangle_of
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.uncertainty import home_of, tool_uncertainty
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.uncertainty import home_of, tool_uncertainty
 
 READINGS, DRAWS = 150, 6000
 

@@ -7,7 +7,7 @@ import pytest
 
 from tests.estimation.test_state import GIVEN, begun
 from tests.generator.dmu60p import cubic_errors
-from tests.identify.data import mixed_data
+from tests.identification.data import mixed_data
 from trueaxis.estimation import jacobian
 from trueaxis.estimation.evidence import posterior_at
 from trueaxis.estimation.noise import Noise
@@ -15,7 +15,7 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, linearised, with_noise
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 
 def repeated(data: Observations, times: int) -> Observations:

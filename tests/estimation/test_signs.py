@@ -8,11 +8,11 @@ import pytest
 
 from tests.estimation.test_effects import KNOWN
 from tests.generator.dmu60p import cubic_errors
-from tests.identify.data import mixed_data
-from tests.identify.effect_data import model_with
+from tests.identification.data import mixed_data
+from tests.identification.effect_data import model_with
 from trueaxis.estimation.estimate import EstimationOptions, estimate
 from trueaxis.estimation.observations import Observations
-from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
+from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.generator.dmu60p import PARAMETERS, cubic_errors
-from tests.identify.data import bar, circle, dmu60p_model, mixed_data
+from tests.identification.data import bar, circle, dmu60p_model, mixed_data
 from trueaxis.estimation import state as module
 from trueaxis.estimation.evidence import posterior_at
 from trueaxis.estimation.layout import layout_of
@@ -15,8 +15,8 @@ from trueaxis.estimation.posterior import OwnPosterior, Posterior
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, at_share, linearised, moved, started
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.errors import ErrorValues
 
 GIVEN = ErrorValues("dmu60p", PARAMETERS)
 SQUARE = ErrorValues("dmu60p", PARAMETERS | {"eps_xy": 0.0, "eps_xz": 0.0, "eps_yz": 0.0})

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trueaxis.estimation.triangle import inverse, triangle_of, with_rows, with_triangle
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 SEEDS = st.integers(0, 2**32 - 1)
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from tests.fuzz.judge import Case, Outcome, case_of, judged, minimised
 from tests.fuzz.readers import DRILLS, READERS, Reader
-from trueaxis.runtime import kernels
+from trueaxis.model import kernels
 
 SECONDS = 20.0  # a case may take, and one more for every SLOWEST bytes: the machine may be busy
 SLOWEST = 20_000

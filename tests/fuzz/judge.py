@@ -20,9 +20,9 @@ from tests.fuzz.expressions import expression
 from tests.fuzz.readers import KERNELS, Reader
 from tests.fuzz.seeds import MACHINES, random_spec, valid_files, write_all
 from tests.machines import machine_of
-from trueaxis import cli
-from trueaxis.faults import InputError
-from trueaxis.spec import Machine
+from trueaxis.cli import main as command_line
+from trueaxis.io.faults import InputError
+from trueaxis.machine import Machine
 
 RANDOM_MACHINES, VARIANTS = 60, 4  # machines that no file describes; sets of valid files of each machine
 LONGEST_MESSAGE = 6000  # characters of one fault
@@ -116,7 +116,7 @@ def _command(reader: Reader, folder: Path) -> Outcome:
     ]
     told, said = io.StringIO(), io.StringIO()
     with contextlib.redirect_stderr(told), contextlib.redirect_stdout(said):
-        code = cli.main(words)
+        code = command_line.main(words)
     written = [path for path in (folder / "out").rglob("*") if path.is_file()]
     if code not in (0, 1, 2):
         return Outcome("finding", f"exit code {code}", told.getvalue()[:500])

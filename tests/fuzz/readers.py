@@ -19,30 +19,30 @@ import polars as pl
 from tests.fuzz import expressions, mutate
 from tests.fuzz.seeds import TINY
 from tests.machines import ROOT
-from trueaxis.compensate.offset_files import read_offsets
-from trueaxis.compensate.tool_files import read_tools
-from trueaxis.derive.effect_terms import effect_routine
+from trueaxis.codegen.effect_check import faults_of_kinds
+from trueaxis.codegen.numpy_source import numpy_source
+from trueaxis.compensation.offset_files import read_offsets
+from trueaxis.compensation.tool_files import read_tools
+from trueaxis.derivation.effect_terms import effect_routine
 from trueaxis.effects.domain import sampled_parameters, sampled_positions, samples
 from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
-from trueaxis.emit.effect_check import faults_of_kinds
-from trueaxis.emit.numpy_source import numpy_source
-from trueaxis.faults import Faults, InputError
+from trueaxis.evaluation.iso230_2.evaluation import evaluate
+from trueaxis.evaluation.iso230_2.read import read_positioning_test
 from trueaxis.instrument_files.data_folder import readings_bytes, setup_text
 from trueaxis.instrument_files.data_run import data_run, renamed
 from trueaxis.instrument_files.read import read_instrument_file
 from trueaxis.instrument_files.user_keys import UserKeys
-from trueaxis.iso230_2.evaluation import evaluate
-from trueaxis.iso230_2.read import read_positioning_test
-from trueaxis.measure import table
-from trueaxis.measure.data import read_data
-from trueaxis.measure.points import read_points
-from trueaxis.measure.readings_reader import read_readings
-from trueaxis.measure.setup_reader import read_setup
-from trueaxis.runtime.covariance_file import read_covariance
-from trueaxis.runtime.errors import read_errors
-from trueaxis.spec import Machine, read_machine
-from trueaxis.spec.read import parse_machine
+from trueaxis.io.faults import Faults, InputError
+from trueaxis.machine import Machine, read_machine
+from trueaxis.machine.read import parse_machine
+from trueaxis.measurement import table
+from trueaxis.measurement.data import read_data
+from trueaxis.measurement.points import read_points
+from trueaxis.measurement.readings_reader import read_readings
+from trueaxis.measurement.setup_reader import read_setup
+from trueaxis.model.covariance_file import read_covariance
+from trueaxis.model.errors import read_errors
 
 
 @dataclass(frozen=True)

@@ -13,10 +13,10 @@ import polars as pl
 from tests.fuzz.expressions import expression
 from tests.instrument_files.writers import rtl
 from tests.machines import ROOT, machine_of
-from trueaxis.runtime.bases import LegendreBasis
-from trueaxis.runtime.covariance import Covariance
-from trueaxis.runtime.covariance_file import dump_covariance
-from trueaxis.spec import Machine
+from trueaxis.machine import Machine
+from trueaxis.model.bases import LegendreBasis
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.covariance_file import dump_covariance
 
 MACHINES = tuple(sorted((ROOT / "machines").glob("*.toml")))  # with kernels in generated/
 TINY = """schema = 1

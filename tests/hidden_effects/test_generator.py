@@ -21,9 +21,9 @@ from tests.hidden_effects.readings import Truth, ideal_along, polar_angle
 from tests.hidden_effects.schedule import plan_runs
 from tests.hidden_effects.state import Plan
 from tests.kept import derived
-from trueaxis.cli import main
-from trueaxis.measure.data import read_data
-from trueaxis.spec import read_machine
+from trueaxis.cli.main import main
+from trueaxis.machine import read_machine
+from trueaxis.measurement.data import read_data
 
 SMALL = Design(lines=1, repeats=1, targets=11, samples=72)
 CIRCLES = Design(laser=False, samples=360)

@@ -15,10 +15,10 @@ from tests.command_lines import ERRORS, KERNELS
 from tests.instrument_files.writers import rtl
 from tests.machines import DMU60P, machine_at
 from tests.real_data import linear_axis_data
-from trueaxis.cli import main
-from trueaxis.measure.data import MeasuredData, read_data
-from trueaxis.measure.setup import Device, PointOn, Run
-from trueaxis.measure.setup_writer import run_table
+from trueaxis.cli.main import main
+from trueaxis.measurement.data import MeasuredData, read_data
+from trueaxis.measurement.setup import Device, PointOn, Run
+from trueaxis.measurement.setup_writer import run_table
 
 DMU = machine_at(DMU60P)
 LONG_AXIS = [0.0, 100.0, 200.0, 300.0, 400.0, 500.0]

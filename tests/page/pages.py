@@ -9,11 +9,11 @@ from tests.page.chain_names import ChainNames
 from tests.page.numeric_chain import NumericChain
 from tests.page.paper_names import PaperNames
 from tests.page.rows import Row, rows_of
-from trueaxis.commands.derive import identification_runs
-from trueaxis.derive.model import DerivedModel, derive_model
-from trueaxis.emit.equations import equations_page
-from trueaxis.spec import read_machine
-from trueaxis.spec.machine import Machine
+from trueaxis.cli.derive import identification_runs
+from trueaxis.codegen.equations import equations_page
+from trueaxis.derivation.model import DerivedModel, derive_model
+from trueaxis.machine import read_machine
+from trueaxis.machine.machine import Machine
 
 
 @cache

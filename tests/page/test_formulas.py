@@ -17,7 +17,7 @@ from tests.paper.entries import follows
 from tests.paper.errata import ERRATA
 from tests.paper.notation import DIRECTIONS, MOTION_ERRORS, SQUARENESS, delta, eps, place
 from tests.paper.printed.tables import POINTS_LINKAGE, POINTS_SINGLE
-from trueaxis.emit.paper_layout import ERRATA as BESIDE
+from trueaxis.codegen.paper_layout import ERRATA as BESIDE
 
 PAGES = ("dmu60p", "dmu60p_5axis")
 SIX = ("EX", "EY", "EZ", "EA", "EB", "EC")

@@ -13,8 +13,8 @@ from tests.page.chain_names import AXES, Names
 from tests.page.latex_value import names_in, value_of
 from tests.page.pages import derived, names, page
 from tests.page.paper_names import RUNS
-from trueaxis.emit.c_source import c_header
-from trueaxis.emit.numpy_source import numpy_source
+from trueaxis.codegen.c_source import c_header
+from trueaxis.codegen.numpy_source import numpy_source
 
 LINE = re.compile(
     r"- `(system_\d)` takes the displacements less those of the error-free machine, (.*), and the points in TCS and "

@@ -10,9 +10,9 @@ from tests.page.checking import problem
 from tests.page.pages import derived, names
 from tests.page.rows import Row, rows_of
 from tests.page.test_mutants import survivors
-from trueaxis.derive.model import DerivedModel
-from trueaxis.derive.systems import IdentificationSystem
-from trueaxis.emit.equations import equations_page
+from trueaxis.codegen.equations import equations_page
+from trueaxis.derivation.model import DerivedModel
+from trueaxis.derivation.systems import IdentificationSystem
 
 
 @cache

@@ -11,12 +11,12 @@ from pathlib import Path
 
 import sympy as sp
 
-from trueaxis.derive import symbols
-from trueaxis.derive.chain import chains, product
-from trueaxis.derive.first_order import FirstOrder
-from trueaxis.derive.motion import motion_equation
-from trueaxis.derive.squareness import squarenesses
-from trueaxis.spec import Machine, read_machine
+from trueaxis.derivation import symbols
+from trueaxis.derivation.chain import chains, product
+from trueaxis.derivation.first_order import FirstOrder
+from trueaxis.derivation.motion import motion_equation
+from trueaxis.derivation.squareness import squarenesses
+from trueaxis.machine import Machine, read_machine
 from trueaxis.view import Carrier
 
 from . import reference

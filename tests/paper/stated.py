@@ -13,7 +13,7 @@ import sympy as sp
 from tests.page.latex_value import value_of
 from tests.page.pages import names
 from tests.page.rows import rows_of
-from trueaxis.identify.paper.squareness import accumulated_slope
+from trueaxis.identification.paper.squareness import accumulated_slope
 
 from . import claims_systems as systems
 from . import reference

@@ -27,7 +27,7 @@ def concerning(source: int | str, label: str) -> list[Erratum]:
 
 
 def test_every_equation_occurs_once() -> None:
-    """Eqs. (49)-(52) are one polynomial with its figures: tests/identify/polynomial/test_printed_statistics.py."""
+    """Eqs. (49)-(52) are a polynomial with its figures: tests/identification/polynomial/test_printed_statistics.py."""
     assert sorted(int(item.number) for item in EQUATIONS) == [*range(1, 49), *range(53, 57)]
     assert {f"Table {n}" for n in range(1, 8)} | {"Sect. 2.1", "Sect. 5.1"} == {
         n for n in PRINTED if isinstance(n, str)

@@ -11,11 +11,11 @@ import pytest
 import sympy as sp
 
 from trueaxis.demo import inputs
-from trueaxis.derive.chain import chains, matrix
-from trueaxis.derive.first_order import first_order
-from trueaxis.derive.systems import RunPattern, identification
-from trueaxis.derive.views import view
-from trueaxis.topology import branches, lower_body_array
+from trueaxis.derivation.chain import chains, matrix
+from trueaxis.derivation.first_order import first_order
+from trueaxis.derivation.systems import RunPattern, identification
+from trueaxis.derivation.views import view
+from trueaxis.machine.topology import branches, lower_body_array
 from trueaxis.view import Carrier
 
 from . import chain, project, reference

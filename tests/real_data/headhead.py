@@ -11,14 +11,14 @@ import numpy as np
 
 from tests.real_data.headhead_data import DIMENSIONS, FILE, probe_data, write
 from tests.real_data.headhead_least_squares import BIG, FORMS, SMALL, Form, fitted, left_out, rms_3d
-from trueaxis.cli import main as trueaxis
+from trueaxis.cli.main import main as trueaxis
 from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.instruments import own_kinds
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.residuals import residual_of
 from trueaxis.estimation.runs import measured_runs
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel, load_model
 
 ROOT = Path(__file__).parents[2]
 SPEC = ROOT / "machines" / "headhead_mill.toml"

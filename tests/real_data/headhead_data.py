@@ -21,8 +21,8 @@ import polars as pl
 from scipy.spatial.transform import Rotation
 
 from trueaxis.estimation.observations import Observations
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.setup import PointOn, Run, Vector
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.setup import PointOn, Run, Vector
 
 FOLDER = Path(__file__).parents[3] / "shared" / "data" / "headhead_5axis"
 FILE = FOLDER / "zero_correction.csv"

@@ -13,19 +13,19 @@ from tests.kernels import kernels_of
 from tests.real_data.headhead import SPEC
 from tests.real_data.headhead_data import DIMENSIONS, FILE, probe_data, write
 from tests.real_data.headhead_least_squares import rms_3d
-from trueaxis.cli import main as trueaxis
-from trueaxis.diagnose.base import base_of
-from trueaxis.diagnose.procedure import diagnose
-from trueaxis.diagnose.result import Diagnosis, FloatArray
-from trueaxis.diagnose.rows import Rows, rows_of
-from trueaxis.diagnose.signatures import parameter_signature, readings_of
+from trueaxis.cli.main import main as trueaxis
+from trueaxis.diagnosis.base import base_of
+from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.result import Diagnosis, FloatArray
+from trueaxis.diagnosis.rows import Rows, rows_of
+from trueaxis.diagnosis.signatures import parameter_signature, readings_of
 from trueaxis.effects.kind import Effect
-from trueaxis.faults import Faults
-from trueaxis.measure.data import MeasuredData, read_data
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.kernels import Kernels
-from trueaxis.runtime.model import MachineModel
-from trueaxis.spec.read import parse_machine
+from trueaxis.io.faults import Faults
+from trueaxis.machine.read import parse_machine
+from trueaxis.measurement.data import MeasuredData, read_data
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.kernels import Kernels
+from trueaxis.model.model import MachineModel
 
 LOBES = """
 [[effect_kind]]

@@ -10,11 +10,11 @@ import numpy as np
 
 from tests.real_data.headhead_data import DIMENSIONS
 from trueaxis.estimation.observations import Observations
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_model import expected_readings
-from trueaxis.runtime.curves import PolynomialCurve
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_model import expected_readings
+from trueaxis.model.curves import PolynomialCurve
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 
 OFFSETS = ("EX0C", "EY0C", "EX0B", "EZ0B", "EX0T", "EY0T", "EZ0T")
 TILTS = ("EA0C", "EB0C", "EA0B", "EC0B")

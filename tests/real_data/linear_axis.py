@@ -12,16 +12,16 @@ import numpy.typing as npt
 
 from tests.kernels import kernels_of
 from tests.real_data.linear_axis_data import FILE, SPEC, readings, write
-from trueaxis.cli import main as trueaxis
-from trueaxis.diagnose.procedure import diagnose
-from trueaxis.diagnose.result import Cause, Diagnosis
-from trueaxis.faults import Faults
-from trueaxis.iso230_2.read import read_positioning_test
-from trueaxis.measure.data import read_data
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.kernels import Kernels
-from trueaxis.runtime.model import MachineModel
-from trueaxis.spec.read import parse_machine
+from trueaxis.cli.main import main as trueaxis
+from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.result import Cause, Diagnosis
+from trueaxis.evaluation.iso230_2.read import read_positioning_test
+from trueaxis.io.faults import Faults
+from trueaxis.machine.read import parse_machine
+from trueaxis.measurement.data import read_data
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.kernels import Kernels
+from trueaxis.model.model import MachineModel
 
 FloatArray = npt.NDArray[np.float64]
 TARGETS, CYCLES, FITTED = 9, 5, 3  # FITTED: cycles to which terms are fitted; the other two are predicted

@@ -17,8 +17,8 @@ from tests.real_data.headhead_least_squares import (
     rms_3d,
 )
 from trueaxis.estimation.estimate import estimate
-from trueaxis.identify.notes import FAR
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.identification.notes import FAR
+from trueaxis.model.errors import ErrorValues
 
 pytestmark = pytest.mark.skipif(not FILE.exists(), reason="../shared/data/headhead_5axis is not here")
 

@@ -5,9 +5,9 @@ import pytest
 
 from tests.real_data.linear_axis import BOWED, TURNING, command, diagnosis, gained, lost_motion
 from tests.real_data.linear_axis_data import FILE, readings
-from trueaxis.diagnose.result import Diagnosis, StructureClass
-from trueaxis.iso230_2.evaluation import evaluate
-from trueaxis.iso230_2.read import read_positioning_test
+from trueaxis.diagnosis.result import Diagnosis, StructureClass
+from trueaxis.evaluation.iso230_2.evaluation import evaluate
+from trueaxis.evaluation.iso230_2.read import read_positioning_test
 
 pytestmark = pytest.mark.skipif(not FILE.exists(), reason="../shared/data/ess_iso230_2 is not here")
 

@@ -13,14 +13,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tests.compensate.analytic_machine import XyzMachine, paper_sized
-from tests.compensate.path_distance import FloatArray, apart, distances, sampled, way
+from tests.compensation.analytic_machine import XyzMachine, paper_sized
+from tests.compensation.path_distance import FloatArray, apart, distances, sampled, way
 from tests.shop_programs.interpreter import Ran, ended, run
-from trueaxis.compensate.files import compensate_file
-from trueaxis.compensate.offsets import Offsets
-from trueaxis.compensate.settings import Settings
-from trueaxis.compensate.tools import Tool, ToolTable
-from trueaxis.faults import InputError
+from trueaxis.compensation.files import compensate_file
+from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.tools import Tool, ToolTable
+from trueaxis.io.faults import InputError
 
 TRAVEL = 1500.0  # mm each way
 TOLERANCE = 0.0015  # mm along the path: half a word in each axis, and the height of a chord

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tests.worlds.design import Design, draw_design
-from trueaxis.identify.notes import FAR
+from trueaxis.identification.notes import FAR
 
 Line = Mapping[str, Any]
 NEAR = 2.0  # factor within which a size counts as estimated

@@ -21,10 +21,10 @@ from trueaxis.estimation.estimate import estimate
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.estimation.result import Estimate
-from trueaxis.measure.data import read_data
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel, load_model
-from trueaxis.runtime.uncertainty import home_of, tool_uncertainty
+from trueaxis.measurement.data import read_data
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel, load_model
+from trueaxis.model.uncertainty import home_of, tool_uncertainty
 
 POINTS = 200
 TOOL = np.zeros((3, 1))

@@ -11,7 +11,7 @@ from tests.worlds.estimates import world
 from tests.worlds.readings import measure
 from tests.worlds.truth import draw_machine
 from trueaxis.estimation.estimate import estimate
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.model.errors import ErrorValues
 
 
 def named(seed: int, folder: Path) -> tuple[str, list[str], list[str]]:

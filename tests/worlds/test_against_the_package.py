@@ -15,9 +15,9 @@ from tests.worlds.readings import exact_readings, measure
 from tests.worlds.stale import truth_given
 from tests.worlds.test_shop import perfect
 from tests.worlds.truth import draw_machine, random_points
-from trueaxis.cli import main
-from trueaxis.measure.data import read_data
-from trueaxis.spec import read_machine
+from trueaxis.cli.main import main
+from trueaxis.machine import read_machine
+from trueaxis.measurement.data import read_data
 
 TOLERANCE = 1e-8  # mm; found: 2e-12
 TOOL = np.array([10.0, -20.0, 30.0])

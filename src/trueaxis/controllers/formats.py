@@ -10,9 +10,9 @@ from trueaxis.controllers.remaining import Remaining, TakenOff, remaining, taken
 from trueaxis.effects.placement import context_of
 from trueaxis.effects.variables import SINCE_REVERSAL
 from trueaxis.error_name import DIRECTIONS
-from trueaxis.runtime.curves import Curve, FloatArray, TableCurve
-from trueaxis.runtime.model import MachineModel
-from trueaxis.spec.machine import LINEAR
+from trueaxis.machine.machine import LINEAR
+from trueaxis.model.curves import Curve, FloatArray, TableCurve
+from trueaxis.model.model import MachineModel
 
 ISG = "isg-csv"
 

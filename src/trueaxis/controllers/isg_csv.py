@@ -21,10 +21,10 @@ import numpy as np
 from trueaxis.controllers.axis_tables import approached, nodes
 from trueaxis.controllers.numbers import plain
 from trueaxis.error_name import DIRECTIONS
-from trueaxis.runtime.curves import FloatArray
-from trueaxis.runtime.model import MachineModel
-from trueaxis.runtime.uncertainty import home_of
-from trueaxis.spec.machine import AXES, BED, LINEAR, Body
+from trueaxis.machine.machine import AXES, BED, LINEAR, Body
+from trueaxis.model.curves import FloatArray
+from trueaxis.model.model import MachineModel
+from trueaxis.model.uncertainty import home_of
 
 MM_DIGITS, RAD_DIGITS, POSITION_DIGITS = 7, 12, 6
 

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.controllers.axis_tables import AxisTable, approached
-from trueaxis.runtime.context import Context
-from trueaxis.runtime.curves import FloatArray
-from trueaxis.runtime.model import MachineModel
-from trueaxis.runtime.uncertainty import home_of
+from trueaxis.model.context import Context
+from trueaxis.model.curves import FloatArray
+from trueaxis.model.model import MachineModel
+from trueaxis.model.uncertainty import home_of
 
 # (n_axes, n) from positions (n_axes, n) and directions of approach (n_axes,): by how much the control takes each axis
 # to be off, mm or deg

@@ -5,12 +5,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.compensate.word_choice import bar_error
-from trueaxis.measure.circularity import Circularity, circularity
-from trueaxis.measure.data import read_data
-from trueaxis.measure.reading_model import ideal_bar
-from trueaxis.pictures.error_map import PathErrors
-from trueaxis.runtime.model import MachineModel
+from trueaxis.compensation.word_choice import bar_error
+from trueaxis.measurement.circularity import Circularity, circularity
+from trueaxis.measurement.data import read_data
+from trueaxis.measurement.reading_model import ideal_bar
+from trueaxis.model.model import MachineModel
+from trueaxis.reporting.pictures.error_map import PathErrors
 
 FloatArray = NDArray[np.float64]
 _ORIGIN = np.zeros((3, 1))

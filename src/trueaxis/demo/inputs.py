@@ -3,7 +3,7 @@
 import math
 from pathlib import Path
 
-from trueaxis.files import write_files
+from trueaxis.io.files import write_files
 
 # The S path of Sect. 5.2 (its figure gives no size) and the circle of Table 7, in axis positions, mm.
 CENTRE = (270.0, 350.0)

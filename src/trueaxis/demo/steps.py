@@ -5,19 +5,19 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.compensate.ends import commanded_ends
+from trueaxis.compensation.ends import commanded_ends
 from trueaxis.demo import inputs
 from trueaxis.demo.evaluate import circles, path_errors, read_wanted
 from trueaxis.demo.study import ESTIMATE, NOISE_UM, PROPOSED, STEPWISE, study, study_text
 from trueaxis.demo.summary import Figures, format_summary
 from trueaxis.demo.volume import left_um
-from trueaxis.files import write_files
+from trueaxis.io.files import write_files
+from trueaxis.io.told import NOT_DELIVERED
+from trueaxis.model.model import MachineModel, load_errors, load_model
 from trueaxis.own_python import own_python
-from trueaxis.pictures.error_map import PathErrors, error_map
-from trueaxis.pictures.noise import noise_picture
-from trueaxis.pictures.polar import Trace, polar_plot
-from trueaxis.runtime.model import MachineModel, load_errors, load_model
-from trueaxis.told import NOT_DELIVERED
+from trueaxis.reporting.pictures.error_map import PathErrors, error_map
+from trueaxis.reporting.pictures.noise import noise_picture
+from trueaxis.reporting.pictures.polar import Trace, polar_plot
 
 MACHINE, TRUTH = "machine/dmu60p.toml", "machine/dmu60p_errors.json"
 PAPER_NOISE_UM = 0.004  # what the residual error of the paper implies

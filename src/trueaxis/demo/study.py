@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 
 from trueaxis.demo.volume import left_um
 from trueaxis.estimation.observations import Observations, observations
-from trueaxis.identify.estimated import IdentifyOptions, identify_estimated
-from trueaxis.identify.paper.method import identify_paper
-from trueaxis.identify.paper.result import PaperOptions
-from trueaxis.measure.data import MeasuredData, read_data
-from trueaxis.measure.simulate import simulate
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
+from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.identification.paper.method import identify_paper
+from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.measurement.data import MeasuredData, read_data
+from trueaxis.measurement.simulate import simulate
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 
 FloatArray = NDArray[np.float64]
 NOISE_UM = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0)

@@ -8,9 +8,9 @@ and Z over random points; the length of the error vector is sqrt(3) times that.
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
-from trueaxis.runtime.uncertainty import home_of
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
+from trueaxis.model.uncertainty import home_of
 from trueaxis.view import View
 
 FloatArray = NDArray[np.float64]

@@ -9,7 +9,7 @@ from trueaxis.estimation.own_part import by_shared, own_part_of
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 
 def beside(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> Others:

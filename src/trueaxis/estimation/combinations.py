@@ -12,8 +12,8 @@ import numpy as np
 
 from trueaxis.estimation.instruments import SharedUnknown
 from trueaxis.estimation.result import Estimate
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.setup import PointOn
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.setup import PointOn
 
 TENTH = 0.1  # of the standard uncertainty, as what rests on the prior is judged
 MOST_PARTNERS = 3  # a sum of more than four is no statement on any of them: that none is known is in their u

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial import legendre
 
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.bases import LegendreBasis
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.bases import LegendreBasis
 
 DEGREE = 14  # waves of a quarter of the travel are resolved; what is finer counts as noise of the instrument
 SHAPE = ("waves", "falling")  # logarithms of both are estimated

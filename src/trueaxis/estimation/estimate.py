@@ -30,10 +30,10 @@ from trueaxis.estimation.state import (
     with_noise,
     without_outliers,
 )
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.effect_values import EffectValues
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 
 LEAST_ROUNDS, MOST_ROUNDS = 5, 30  # in which noise, outliers and sizes are estimated
 SEARCH_ROUNDS = 3  # before the start of an effect is searched: the noise then still holds it, and its start is rough

@@ -17,7 +17,7 @@ from trueaxis.estimation.posterior import OwnPosterior, Posterior
 from trueaxis.estimation.reduce import OwnBlock, Reduced
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.triangle import inverse, with_rows, with_triangle
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 MOST_STEPS = 60
 NO_GAIN = 3e-4  # of a step, in the logarithm of the likelihood: likelihoods as near as that say the same

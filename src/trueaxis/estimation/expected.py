@@ -23,9 +23,9 @@ from trueaxis.estimation.reduce import reduced
 from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.sizes import Sizes
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 
 UNIT = Noise(1.0)  # white; the standard deviation of each run, mm, is its scale
 NEGLIGIBLE = 1e-3  # variance of a combination of readings over that of its noise: it lowers no variance by more

@@ -3,9 +3,9 @@
 import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_model import column, home_positions, run_terms, sensed_directions
-from trueaxis.measure.setup import Run
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_model import column, home_positions, run_terms, sensed_directions
+from trueaxis.measurement.setup import Run
 
 
 def sensed(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:

@@ -9,10 +9,10 @@ nanometre, is then taken back by the other values, as little of each as there is
 import numpy as np
 
 from trueaxis.estimation.layout import Layout
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.covariance import Covariance
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.uncertainty import derivative, home_of
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.uncertainty import derivative, home_of
 
 POSITIONS, SEED = 40, 3
 # mm: what moves none of these points of the tool frame moves no other. Where a rotary axis turns the tool behind the

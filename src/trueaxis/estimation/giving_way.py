@@ -9,8 +9,8 @@ import numpy as np
 from trueaxis.estimation.jacobian import pieces
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.measure.columns import BoolArray
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.machine import FloatArray
 
 SAME = 1e-3  # of an unknown's column: what effects leave of it is the curvature of their own columns
 

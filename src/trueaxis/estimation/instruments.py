@@ -29,11 +29,11 @@ from trueaxis.estimation.set_up import (
     is_straightness,
     relative_motion,
 )
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_context import along
-from trueaxis.measure.reading_geometry import along_line
-from trueaxis.measure.reading_model import home_positions, sensed_directions
-from trueaxis.measure.setup import Run
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_context import along
+from trueaxis.measurement.reading_geometry import along_line
+from trueaxis.measurement.reading_model import home_positions, sensed_directions
+from trueaxis.measurement.setup import Run
 
 # By what the size of a class may be larger or smaller, one standard deviation. Set-ups differ by orders of magnitude,
 # and many runs tell; a laser is calibrated and aligned as its makers say, and one value tells nothing of a size; what a

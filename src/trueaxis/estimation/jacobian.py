@@ -10,10 +10,10 @@ from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.instruments import own_columns, shared_column
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.machine import IntArray
-from trueaxis.measure.columns import BoolArray
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_model import home_positions
-from trueaxis.measure.setup import Run
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_model import home_positions
+from trueaxis.measurement.setup import Run
 
 PIECE = 2**21  # entries held at a time: 16 MB
 

@@ -6,9 +6,9 @@ import numpy as np
 
 from trueaxis.error_name import ErrorName
 from trueaxis.estimation.result import Estimate
-from trueaxis.measure.columns import BoolArray
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.errors import Determined
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.errors import Determined
 
 SAMPLES = 33  # positions of a travel at which a curve is judged
 TENTH, NINE_TENTHS = 0.1, 0.9  # of the prior: below the one the prior hardly matters, above the other nothing else does

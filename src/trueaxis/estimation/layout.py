@@ -11,12 +11,12 @@ from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.instruments import SharedUnknown, shared_unknowns, straight_runs
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.bases import LegendreBasis, travel_basis
-from trueaxis.runtime.curves import Curve, LegendreCurve
-from trueaxis.runtime.effect_values import in_order
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.bases import LegendreBasis, travel_basis
+from trueaxis.model.curves import Curve, LegendreCurve
+from trueaxis.model.effect_values import in_order
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 
 EFFECT = "effect"  # class of all unknowns of effects: their size is not estimated, 1 mm of a reading is any size at all
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from trueaxis.estimation.posterior import OwnPosterior, Posterior
 from trueaxis.estimation.sizes import FLAT
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 OPEN = 1.0  # uncertainty of a combination, in sizes of [prior], from which on it is open
 

@@ -7,9 +7,9 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.error_name import ErrorName
-from trueaxis.measure.machine import FloatArray, MeasuredMachine
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.spec.machine import LINEAR
+from trueaxis.machine.machine import LINEAR
+from trueaxis.measurement.machine import FloatArray, MeasuredMachine
+from trueaxis.model.errors import ErrorValues
 from trueaxis.view import View
 
 IntArray = npt.NDArray[np.int64]

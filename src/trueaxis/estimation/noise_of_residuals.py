@@ -10,7 +10,7 @@ from itertools import product
 import numpy as np
 
 from trueaxis.estimation.noise import Noise, Whitening
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 SHARES = (0.0, 0.03, 0.07, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95)  # of the variance that is slow
 LASTING = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0)  # typical steps

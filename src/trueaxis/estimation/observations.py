@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from trueaxis.faults import Fault, InputError
-from trueaxis.measure.approach import DirectionArray
-from trueaxis.measure.context import context_of
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.readings import IntArray, Readings
-from trueaxis.measure.setup import Run
-from trueaxis.runtime.context import Context
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.measurement.approach import DirectionArray
+from trueaxis.measurement.context import context_of
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.readings import IntArray, Readings
+from trueaxis.measurement.setup import Run
+from trueaxis.model.context import Context
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -5,8 +5,8 @@ from scipy.special import ndtri
 
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise import Noise, Whitening
-from trueaxis.measure.columns import BoolArray
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.machine import FloatArray
 
 EXPECTED = 0.05  # good readings that are taken for outliers, of a whole data set
 NEIGHBOURS = 2  # more than two spoilt readings in a row are not chance

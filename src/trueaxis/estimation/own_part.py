@@ -12,7 +12,7 @@ import numpy as np
 from trueaxis.estimation.instruments import own_columns
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)

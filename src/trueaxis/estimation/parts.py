@@ -13,7 +13,7 @@ from scipy.linalg import solve_triangular
 
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.triangle import triangle_of
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 
 def prior_root(posterior: Posterior, of_machine: int) -> FloatArray:

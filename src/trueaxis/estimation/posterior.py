@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)

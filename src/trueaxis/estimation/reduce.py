@@ -13,7 +13,7 @@ from trueaxis.estimation.jacobian import Derivative, RunRows, derivatives
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Whitening
 from trueaxis.estimation.triangle import triangle_of, with_rows
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

@@ -5,7 +5,7 @@ import polars as pl
 
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 MOSTLY, FEWEST_COPIES = 0.5, 3  # a coarse display makes some repeats equal, hardly ever most of them
 DECIMALS = 6  # of mm and deg, within which commanded positions are the same

@@ -9,11 +9,11 @@ from trueaxis.estimation.instruments import own_columns, shared_column
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.set_up import ball_of
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_model import expected_reading
-from trueaxis.measure.setup import PointOn, Run
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_model import expected_reading
+from trueaxis.measurement.setup import PointOn, Run
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 
 CENTRE = "ballbar centre"
 

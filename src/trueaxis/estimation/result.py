@@ -10,10 +10,10 @@ from trueaxis.effects.kind import Effect
 from trueaxis.estimation.gauge import exactly_level, levelling
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.noise import Noise
-from trueaxis.measure.columns import BoolArray
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.effect_values import identity
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.effect_values import identity
+from trueaxis.model.errors import ErrorValues
 
 T = TypeVar("T")
 

@@ -8,8 +8,8 @@ from trueaxis.estimation.jacobian import RunRows
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import places
-from trueaxis.measure.columns import BoolArray
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.machine import FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

@@ -5,10 +5,10 @@ from typing import cast
 import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_geometry import ideal_displacement
-from trueaxis.measure.reading_model import home_positions, measuring_frame, sensed_directions
-from trueaxis.measure.setup import PointOn, Run
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_geometry import ideal_displacement
+from trueaxis.measurement.reading_model import home_positions, measuring_frame, sensed_directions
+from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.view import view_of
 
 STRAIGHT = 1e-6  # share of a motion that may lie along the sensed direction or beside the line of the motion

@@ -16,8 +16,8 @@ from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import State, linearised
-from trueaxis.measure.columns import BoolArray
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.machine import FloatArray
 
 # Logarithm of the ratio of likelihoods from which on a run is said to be reversed: were one run of a thousand reversed,
 # one statement of a thousand would be wrong.

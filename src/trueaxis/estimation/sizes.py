@@ -13,7 +13,7 @@ from trueaxis.estimation.instruments import CLASSES
 from trueaxis.estimation.layout import EFFECT, Layout
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.posterior import Posterior
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 CLASS_FACTOR = 4.0  # by which a size may be other than expected, one standard deviation
 FIXED = 1.0  # of a size that is not estimated

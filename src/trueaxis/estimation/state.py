@@ -15,9 +15,9 @@ from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.reduce import Reduced, reduced
 from trueaxis.estimation.residuals import residuals_of
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.measure.columns import BoolArray
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.errors import ErrorValues
 
 NOTHING, LEAST_SHARE = 1e-3, 1e-3  # of a sum of squares in units of their variances; of a step
 DISPLAY = 12.0**-0.5  # of its step: the standard deviation of rounding

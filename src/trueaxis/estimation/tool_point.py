@@ -9,13 +9,13 @@ import numpy as np
 from trueaxis.estimation.gauge import covariance_of
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.result import Estimate
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.setup import Vector
-from trueaxis.runtime.best_fit import placements
-from trueaxis.runtime.covariance import Covariance
-from trueaxis.runtime.extent import uncertainty_extent, volume_grid
-from trueaxis.runtime.model import MachineModel
-from trueaxis.runtime.uncertainty import derivative, home_of
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.setup import Vector
+from trueaxis.model.best_fit import placements
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.extent import uncertainty_extent, volume_grid
+from trueaxis.model.model import MachineModel
+from trueaxis.model.uncertainty import derivative, home_of
 
 Datum = Literal["home", "best-fit"]
 POINTS, SEED = 200, 11  # of the volume; a mean over them is good to some percent

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.linalg.lapack import dgeqrt, dtpqrt, dtrtri
 
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 PANEL, FOLDED = 32, 16  # columns at a time, of rows and of rows below a triangle: the fastest from 250 to 450 columns
 

@@ -7,14 +7,14 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.faults import Faults
 from trueaxis.instrument_files.delimited import DelimitedText, read_delimited
-from trueaxis.instrument_files.instrument_run import FloatArray, InstrumentRun, approach_of_passes
 from trueaxis.instrument_files.numbers import decimal
 from trueaxis.instrument_files.units import Dimension, Heading, factor, heading, units_of
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
-from trueaxis.measure.limits import LONGEST_ID
-from trueaxis.plain_text import shown
+from trueaxis.io.faults import Faults
+from trueaxis.io.plain_text import shown
+from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun, approach_of_passes
+from trueaxis.measurement.limits import LONGEST_ID
 
 MOST_FAULTS = 20
 LONGEST_SHOWN = 40

@@ -7,15 +7,15 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.faults import Fault
-from trueaxis.instrument_files.instrument_run import DirectionArray, FloatArray, InstrumentRun
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
-from trueaxis.measure.limits import COLDEST, FARTHEST_POINT, FASTEST, LONGEST_ID, LONGEST_TIME, WARMEST
-from trueaxis.measure.readings_reader import LARGEST_READING
-from trueaxis.measure.setup import Instrument, PointOn, Run, Vector
-from trueaxis.measure.setup_reader import LONGEST_BAR
-from trueaxis.plain_text import escaped
-from trueaxis.spec.machine import BED, LINEAR, Machine
+from trueaxis.io.faults import Fault
+from trueaxis.io.plain_text import escaped
+from trueaxis.machine.machine import BED, LINEAR, Machine
+from trueaxis.measurement.instrument_run import DirectionArray, FloatArray, InstrumentRun
+from trueaxis.measurement.limits import COLDEST, FARTHEST_POINT, FASTEST, LONGEST_ID, LONGEST_TIME, WARMEST
+from trueaxis.measurement.readings_reader import LARGEST_READING
+from trueaxis.measurement.setup import Instrument, PointOn, Run, Vector
+from trueaxis.measurement.setup_reader import LONGEST_BAR
 from trueaxis.view import Carrier, Frame
 
 PLANES = {"XY": ("X", "Y"), "YZ": ("Y", "Z"), "ZX": ("Z", "X")}

@@ -4,13 +4,13 @@ import csv
 from dataclasses import dataclass
 from pathlib import Path
 
-from trueaxis.faults import Faults, InputError
-from trueaxis.input_files import input_bytes
-from trueaxis.instrument_files.instrument_run import MOST_ROWS
 from trueaxis.instrument_files.numbers import decimal
 from trueaxis.instrument_files.rtl_file import decoded
 from trueaxis.instrument_files.units import UNITS
-from trueaxis.measure.limits import MOST_COLUMNS
+from trueaxis.io.faults import Faults, InputError
+from trueaxis.io.input_files import input_bytes
+from trueaxis.measurement.instrument_run import MOST_ROWS
+from trueaxis.measurement.limits import MOST_COLUMNS
 
 SEPARATORS = (";", "\t", ",", "|")  # in the order in which they are tried: a comma may be that of decimals
 MOST_PREAMBLE = 200  # lines before the header: a page of text

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.instrument_files.instrument_run import InstrumentRun
-from trueaxis.iso230_2.dat_file import read_dat
-from trueaxis.iso230_2.read import read_positioning_test
+from trueaxis.evaluation.iso230_2.dat_file import read_dat
+from trueaxis.evaluation.iso230_2.read import read_positioning_test
+from trueaxis.measurement.instrument_run import InstrumentRun
 
 ORDER = "the targets were approached cycle by cycle, all in the positive direction and then all in the negative one"
 

@@ -3,14 +3,14 @@
 from pathlib import Path
 from typing import Literal
 
-from trueaxis.faults import Fault, InputError
-from trueaxis.input_files import input_bytes
 from trueaxis.instrument_files.csv_file import is_ball_bar, read_csv
 from trueaxis.instrument_files.delimited import read_delimited
-from trueaxis.instrument_files.instrument_run import InstrumentRun
 from trueaxis.instrument_files.positioning_file import read_positioning
 from trueaxis.instrument_files.rtl_file import is_rtl, read_rtl
 from trueaxis.instrument_files.user_keys import UserKeys
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.input_files import input_bytes
+from trueaxis.measurement.instrument_run import InstrumentRun
 
 Format = Literal["rtl", "iso230-2", "ballbar-csv", "csv"]
 FORMATS: tuple[Format, ...] = ("rtl", "iso230-2", "ballbar-csv", "csv")

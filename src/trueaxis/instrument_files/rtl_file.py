@@ -19,11 +19,11 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.faults import Faults, InputError
-from trueaxis.input_files import input_bytes
-from trueaxis.instrument_files.instrument_run import MOST_ROWS, FloatArray, InstrumentRun, approach_of_passes
 from trueaxis.instrument_files.numbers import decimal
-from trueaxis.plain_text import shown
+from trueaxis.io.faults import Faults, InputError
+from trueaxis.io.input_files import input_bytes
+from trueaxis.io.plain_text import shown
+from trueaxis.measurement.instrument_run import MOST_ROWS, FloatArray, InstrumentRun, approach_of_passes
 
 MOST_FAULTS = 20  # of one kind: a file of another kind is wrong in every line
 LONGEST_SHOWN = 40  # characters of the file in a message

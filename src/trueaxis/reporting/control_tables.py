@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from trueaxis.controllers.formats import ISG, TABLE_FORMATS, Export, untabled_effects
-from trueaxis.runtime.model import MachineModel
-from trueaxis.spec.machine import LINEAR
+from trueaxis.machine.machine import LINEAR
+from trueaxis.model.model import MachineModel
 
 _OWN = "errors of each axis along itself"
 _CROSS = "errors of each linear axis across the others (straightness, squareness)"

@@ -3,12 +3,12 @@
 from collections.abc import Collection, Mapping, Sequence
 from math import isfinite
 
-from trueaxis.compensate.reliance import Reliance
-from trueaxis.runtime.curves import FloatArray
-from trueaxis.runtime.errors import ErrorValues, Fit
-from trueaxis.runtime.extent import UncertaintyExtent
-from trueaxis.runtime.measured_range import BeyondMeasured
-from trueaxis.spec.machine import LINEAR
+from trueaxis.compensation.reliance import Reliance
+from trueaxis.machine.machine import LINEAR
+from trueaxis.model.curves import FloatArray
+from trueaxis.model.errors import ErrorValues, Fit
+from trueaxis.model.extent import UncertaintyExtent
+from trueaxis.model.measured_range import BeyondMeasured
 
 _CONTINUED = "the curve is continued there, which nothing supports"
 NOTICEABLE = 0.001  # mm: a displacement at home that a work offset shows

@@ -7,12 +7,12 @@ from pathlib import Path
 from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.power.grade import Name, Said
 from tests.kept import derived
-from trueaxis.diagnose.procedure import diagnose
-from trueaxis.diagnose.report.structures import check_name
-from trueaxis.diagnose.result import Diagnosis
+from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.effects.kind import Effect
-from trueaxis.measure.data import read_data
-from trueaxis.runtime.model import load_model
+from trueaxis.measurement.data import read_data
+from trueaxis.model.model import load_model
+from trueaxis.reporting.diagnosis.structures import check_name
 
 
 @dataclass(frozen=True)

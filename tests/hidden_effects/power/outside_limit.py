@@ -16,18 +16,18 @@ from tests.hidden_effects.case import Case, generate
 from tests.hidden_effects.hidden import Hidden
 from tests.hidden_effects.machine import Array
 from tests.kept import derived
-from trueaxis.diagnose.audit import CONFOUNDED, DETECTION, ISOLATION
-from trueaxis.diagnose.candidates import candidates
-from trueaxis.diagnose.freedom import freedom_of
-from trueaxis.diagnose.null import null_of
-from trueaxis.diagnose.projection import Projection, spanned
-from trueaxis.diagnose.rows import Rows, rows_of
-from trueaxis.diagnose.search import MOST_CAUSES, Ground, scan_all, whitened_columns, zoomed
-from trueaxis.diagnose.signatures import readings_of
-from trueaxis.diagnose.temperature import smoothed
-from trueaxis.measure.data import read_data
-from trueaxis.measure.reading_model import expected_readings
-from trueaxis.runtime.model import MachineModel, load_model
+from trueaxis.diagnosis.audit import CONFOUNDED, DETECTION, ISOLATION
+from trueaxis.diagnosis.candidates import candidates
+from trueaxis.diagnosis.freedom import freedom_of
+from trueaxis.diagnosis.null import null_of
+from trueaxis.diagnosis.projection import Projection, spanned
+from trueaxis.diagnosis.rows import Rows, rows_of
+from trueaxis.diagnosis.search import MOST_CAUSES, Ground, scan_all, whitened_columns, zoomed
+from trueaxis.diagnosis.signatures import readings_of
+from trueaxis.diagnosis.temperature import smoothed
+from trueaxis.measurement.data import read_data
+from trueaxis.measurement.reading_model import expected_readings
+from trueaxis.model.model import MachineModel, load_model
 
 UNIT = 1e-3  # mm or rad, of the signature
 CLOSEST = 5  # candidates whose searched parameters are looked at between the points of their grids

@@ -13,12 +13,12 @@ from pathlib import Path
 from typing import Any
 
 from tests.hidden_effects.power.grade import Name, Said
-from trueaxis.cli import main
-from trueaxis.diagnose.procedure import DiagnoseOptions, diagnose
-from trueaxis.diagnose.report.json_file import diagnosis_json
-from trueaxis.measure.data import read_data
-from trueaxis.runtime.model import load_model
-from trueaxis.runtime.uncertainty import load_uncertainty
+from trueaxis.cli.main import main
+from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
+from trueaxis.measurement.data import read_data
+from trueaxis.model.model import load_model
+from trueaxis.model.uncertainty import load_uncertainty
+from trueaxis.reporting.diagnosis.json_file import diagnosis_json
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from tests.worlds.machine import Array
 from tests.worlds.readings import measure
 from tests.worlds.stale import Given, before, nothing_given, truth_given
 from tests.worlds.truth import Truth
-from trueaxis.cli import main
+from trueaxis.cli.main import main
 
 EARLIER = 500_000_000  # between the seeds of a case and of the readings from which its values were identified
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from trueaxis.effects.kind import Kind, Role
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 QUARTER = -0.5 * np.pi  # the phase at which a cosine is a sine
 

@@ -7,8 +7,8 @@ import numpy as np
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.placement import concerns, used_variables
 from trueaxis.estimation.effects.signature import Ground, RunRows
-from trueaxis.faults import Faults
-from trueaxis.runtime.context import FloatArray
+from trueaxis.io.faults import Faults
+from trueaxis.model.context import FloatArray
 
 COLUMNS = {"t": "time_s", "T": "temperature_c", "v": "feed", "d_time": "time_s (or, by ball bar, feed)"}
 

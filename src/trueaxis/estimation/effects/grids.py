@@ -8,9 +8,9 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect, Kind, Parameter
 from trueaxis.effects.variables import FARTHEST
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.context import Context
-from trueaxis.spec.machine import LINEAR
+from trueaxis.machine.machine import LINEAR
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.context import Context
 
 PITCH_MM = 6.0  # shortest pitch on linear axes so long that it is the shorter: screws are no coarser for being long
 FEWEST_PERIODS = 2.0

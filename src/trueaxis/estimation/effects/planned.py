@@ -13,9 +13,9 @@ from trueaxis.estimation.effects.signature import Ground, RunRows, all_rows, gro
 from trueaxis.estimation.effects.start import zero
 from trueaxis.estimation.effects.unknowns import EffectUnknown, EffectUnknowns, member_at, sized
 from trueaxis.estimation.observations import Observations
-from trueaxis.runtime.effect_values import EffectValues, identity
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
+from trueaxis.model.effect_values import EffectValues, identity
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 
 ASSUMED = 5e-3  # mm: what an effect is assumed to change a reading by at most: worth a name, and no misfit of machines
 

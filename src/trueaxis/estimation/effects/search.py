@@ -17,7 +17,7 @@ from trueaxis.estimation.effects.signature import Ground, of_term, reaches, rows
 from trueaxis.estimation.effects.unknowns import EffectUnknown
 from trueaxis.estimation.effects.variable_projection import explained
 from trueaxis.estimation.machine import IntArray
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 ZOOMS = 2
 ENTRIES = 2**22  # of signatures held at a time: 32 MB

@@ -14,13 +14,13 @@ from trueaxis.effects.placement import concerns
 from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_context import reading_context
-from trueaxis.measure.reading_model import expected_readings, home_positions
-from trueaxis.runtime.context import Context, ReadingContext
-from trueaxis.runtime.effect_terms import component_term, reading_term
-from trueaxis.runtime.effect_values import EffectValues, identity
-from trueaxis.runtime.model import MachineModel
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_context import reading_context
+from trueaxis.measurement.reading_model import expected_readings, home_positions
+from trueaxis.model.context import Context, ReadingContext
+from trueaxis.model.effect_terms import component_term, reading_term
+from trueaxis.model.effect_values import EffectValues, identity
+from trueaxis.model.model import MachineModel
 
 STEP_OF_BAR = 1e-2  # mm: the distance of a ball bar is curved in its points
 STEP_OF_LINE = 1.0  # mm: what laser and probe read is affine in theirs

@@ -10,10 +10,10 @@ from trueaxis.estimation.effects.search import Others, searched_start
 from trueaxis.estimation.effects.signature import all_rows, ground_of
 from trueaxis.estimation.effects.unknowns import EffectUnknown, EffectUnknowns, member_at, sized
 from trueaxis.estimation.observations import Observations
-from trueaxis.measure.machine import FloatArray
-from trueaxis.runtime.effect_values import EffectValues, identity
-from trueaxis.runtime.errors import ErrorValues
-from trueaxis.runtime.model import MachineModel
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.effect_values import EffectValues, identity
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -17,11 +17,11 @@ from trueaxis.estimation.effects.amplitudes import (
     searched_names,
 )
 from trueaxis.estimation.effects.signature import Ground, RunRows, by_differences, of_term
-from trueaxis.measure.machine import FloatArray
-from trueaxis.measure.reading_effects import placed_run
-from trueaxis.measure.setup import Run
-from trueaxis.runtime.effect_values import EffectValues
-from trueaxis.runtime.errors import ErrorValues
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_effects import placed_run
+from trueaxis.measurement.setup import Run
+from trueaxis.model.effect_values import EffectValues
+from trueaxis.model.errors import ErrorValues
 
 UNSEEN = 1e-9  # mm of reading per unit of a parameter, below which no reading holds it
 POINT_SIZE = (

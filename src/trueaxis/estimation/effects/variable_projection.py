@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trueaxis.measure.machine import FloatArray
+from trueaxis.measurement.machine import FloatArray
 
 UNOBSERVABLE = 1e-9  # share of a squared signature that the other unknowns leave
 

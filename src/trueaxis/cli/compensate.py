@@ -1,0 +1,246 @@
+"""`trueaxis compensate`: an NC program in, the same with compensated positions out."""
+
+import argparse
+import re
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import get_args
+
+from trueaxis.cli.arguments import file_to_write, positive, size
+from trueaxis.cli.misfit import check_fit, misfit_option
+from trueaxis.cli.paths import named, overwritten
+from trueaxis.cli.progress import progress
+from trueaxis.compensation.files import compensate_file
+from trueaxis.compensation.offset_files import offset_of_option, read_offsets, with_options
+from trueaxis.compensation.offsets import Offsets, Range
+from trueaxis.compensation.reliance import Limits, judge_of
+from trueaxis.compensation.settings import Arcs, Dialect, Integers, Settings
+from trueaxis.compensation.tool_files import read_tools
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.input_files import gathering
+from trueaxis.model.model import load_model
+from trueaxis.model.uncertainty import covariance_file, load_uncertainty
+from trueaxis.reporting.reliance import (
+    error_free_sentences,
+    prior_sentences,
+    program_sentences,
+    refusal_sentences,
+)
+
+_DESCRIPTION = """\
+Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
+no longer move the tool: the commands are iterated until the actual tool point is the one that an error-free machine
+would reach (Eqs. 55, 56); with --orientation correct rotary axes turn too, until the tool axis points where it would.
+Positions in the program are axis positions (machine coordinates), or those of work offsets that --offset, --offsets
+or the program give; --tools gives tool lengths.
+
+Blocks that move nothing come back byte for byte. Arcs become chords; lines are cut where the errors along them bend;
+canned cycles are written out. Whatever moves or shifts axes in a way that is not followed (macros, cutter radius
+compensation, mirror, scaling, turned frames ...) is a fault with its line, and nothing is written. So is an M code that
+does not mean the same on every control, unless --pass-m names it, and a number without a decimal point, unless
+--integers says what it counts.
+An axis has no known position until the program gives it one; rapids before that are compensated for [start] of the
+spec, else home; --start states where the machine stands. An axis that the program has not commanded, in this frame,
+gets no word. What is written holds a mark in a comment, and a program with the mark is refused: compensated twice,
+every correction would double.
+"""
+
+_EPILOG = """\
+Write negative coordinates with an equals sign: --ball=-10,0,5.
+
+words: `nearest` rounds. With --ball, `ends` chooses among the words within one step of the wanted position those whose
+error lies across the ball bar, and `middles` passes points in the middle of short blocks (0.04 mm), where half
+steps can be reached: the smallest error, at the price of up to twice the blocks.
+
+effects of the spec ([[effect]]) are compensated where they depend on positions, directions of approach, distances
+since a reversal and velocity (F); the report names each. At a reversal a short block takes up the lost motion. Effects
+of time and temperature take --time and --temperature, the same for the whole program.
+
+orientation: words of 0.0001 deg leave up to 1.3 urad where two rotary axes turn the tool axis; --rotary-resolution
+sets their step. Where the tool axis comes within 0.57 deg of the line of a rotary axis (a singular pose), one direction
+of it cannot be corrected without turning far: the axis then keeps to its programmed position, and the report names the
+lines.
+
+exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
+at whose end their words stop (see the report); 2 the input is wrong and nothing was written.
+"""
+
+
+def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command's options."""
+    parser = subparsers.add_parser(
+        "compensate",
+        help="rewrite an NC program so that geometric errors are undone",
+        description=_DESCRIPTION,
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    default = Settings()
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine")
+    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
+    parser.add_argument("program", type=Path, metavar="PROGRAM", help="NC program or APT CL file")
+    parser.add_argument("--out", type=file_to_write, required=True, metavar="PROGRAM", help="NC program to write")
+    parser.add_argument("--format", choices=("nc", "apt"), help="of the program; default: by extension and content")
+    parser.add_argument("--tolerance", type=float, default=default.tolerance, metavar="MM",
+                        help="largest tool point error allowed (default %(default)s)")  # fmt: skip
+    parser.add_argument("--resolution", type=float, default=default.resolution, metavar="MM",
+                        help="step of words written in mm (default %(default)s)")  # fmt: skip
+    parser.add_argument("--inch-resolution", type=float, default=default.inch_resolution, metavar="INCH",
+                        help="step of words written under G20 (default 0.00001)")  # fmt: skip
+    parser.add_argument("--rotary-resolution", type=float, default=default.rotary_resolution, metavar="DEG",
+                        help="step of words of rotary axes (default %(default)s)")  # fmt: skip
+    parser.add_argument("--chord-tolerance", type=float, default=default.chord_tolerance, metavar="MM",
+                        help="largest distance of an arc from its chords (default %(default)s)")  # fmt: skip
+    parser.add_argument("--method", choices=("iterative", "ordinary"), default=default.method,
+                        help="iterate, or correct once (default %(default)s)")  # fmt: skip
+    parser.add_argument("--arcs", choices=get_args(Arcs), default=default.arcs,
+                        help="arcs stay arcs, cut where the shifted points are on none, or all become chords "
+                        "(default %(default)s)")  # fmt: skip
+    parser.add_argument("--words", choices=("nearest", "ends", "middles"), default=default.words,
+                        help="how words are chosen, see below (default %(default)s)")  # fmt: skip
+    parser.add_argument("--ball", type=_point, metavar="X,Y,Z",
+                        help="centre of the workpiece ball, workpiece frame: reports E of Eq. (6)")  # fmt: skip
+    parser.add_argument("--tool-point", type=_point, default=default.tool_point, metavar="X,Y,Z",
+                        help="the point to be compensated, tool frame (default 0,0,0)")  # fmt: skip
+    parser.add_argument("--orientation", choices=("keep", "correct"), default=default.orientation,
+                        help="correct with the linear axes alone, or turn rotary axes too so that the tool axis points "
+                        "as on the error-free machine (default %(default)s)")  # fmt: skip
+    parser.add_argument("--orientation-tolerance-urad", type=float, default=default.orientation_tolerance_urad,
+                        metavar="URAD", help="largest error of the tool axis allowed with --orientation correct "
+                        "(default %(default)g)")  # fmt: skip
+    parser.add_argument("--tool-axis", type=_point, default=default.tool_axis, metavar="X,Y,Z",
+                        help="direction of the tool axis, tool frame (default 0,0,1)")  # fmt: skip
+    parser.add_argument("--start", type=_start, default={}, metavar="X0Y0Z0",
+                        help="axis positions before the first block, in machine coordinates "
+                        "(default: not known)")  # fmt: skip
+    parser.add_argument("--temperature", type=float, metavar="C",
+                        help="degC at which the program runs, for effects that depend on it (default 20)")  # fmt: skip
+    parser.add_argument("--time", type=float, metavar="S",
+                        help="time since start, for effects that depend on it (default: left alone)")  # fmt: skip
+    parser.add_argument("--block-delete", choices=("fault", "run", "skip"), default=default.block_delete,
+                        help="what motions in / blocks are (default %(default)s)")  # fmt: skip
+    parser.add_argument("--dialect", choices=get_args(Dialect),
+                        help="the control's language: what codes, T and X100 mean (default: siemens or heidenhain "
+                        "where the program can be nothing else, otherwise not known)")  # fmt: skip
+    parser.add_argument("--via-linuxcnc", type=Path, nargs="?", const=Path("/"), metavar="DIR",
+                        help="have LinuxCNC's interpreter unroll macros, subprograms and cutter compensation "
+                        "first; DIR: where the Debian package linuxcnc-uspace is, if not in /")  # fmt: skip
+    parser.add_argument("--integers", choices=get_args(Integers),
+                        help="what numbers without a decimal point count: mm (inch, deg), or least increments of "
+                        "0.001 mm (0.0001 inch, 0.001 deg); default: mm where --dialect is linuxcnc, siemens or "
+                        "heidenhain, else such a number is a fault")  # fmt: skip
+    parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
+                        help="M codes that move no axis and change no mode on this control")  # fmt: skip
+    parser.add_argument("--offset", type=_offset, action="append", default=[], metavar="G54=X1.0,Y2.0,Z3.0",
+                        help="machine position of the zero of a work offset, mm and deg; once for each. It need be "
+                        "known only roughly: the report says what 10 mm cost. A range like X0:500 asks for the worst "
+                        "case")  # fmt: skip
+    parser.add_argument("--offsets", type=Path, metavar="FILE",
+                        help="work offsets: LinuxCNC's .var, or TOML with tables [offset.G54]")  # fmt: skip
+    parser.add_argument("--tools", type=Path, metavar="FILE",
+                        help="tools by number: LinuxCNC's tool.tbl, or TOML with tables [tool.1] of length and offset; "
+                        "G43 then adds the length to Z, and the tip of each tool is compensated")  # fmt: skip
+    parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
+                        help="folder of derived kernels (default %(default)s)")  # fmt: skip
+    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON too")
+    parser.add_argument("--max-u", type=size, metavar="MM",
+                        help="write nothing, exit code 1, where a standard uncertainty of the tool point, relative to "
+                        "home, is larger at a place of the program; what is not known or not determined counts as "
+                        "infinite")  # fmt: skip
+    parser.add_argument("--max-correction", type=positive, metavar="MM",
+                        help="write nothing, exit code 1, where a correction is larger (default: three times what "
+                        "errors of the sizes in [prior] of the spec make of the tool point)")  # fmt: skip
+    misfit_option(parser)
+    parser.set_defaults(run=run)
+
+
+def _point(text: str) -> tuple[float, float, float]:
+    parts = text.split(",")
+    if len(parts) != 3:
+        raise argparse.ArgumentTypeError(f"{text!r} is not x,y,z")
+    try:
+        x, y, z = map(float, parts)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not x,y,z") from None
+    return x, y, z
+
+
+def _codes(text: str) -> tuple[int, ...]:
+    if not re.fullmatch(r"[Mm]?\d{1,6}(,[Mm]?\d{1,6})*", text, re.ASCII):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a list of M codes like 70,110")
+    return tuple(sorted({int(code.lstrip("Mm")) for code in text.split(",")}))
+
+
+def _start(text: str) -> dict[str, float]:
+    compact = re.sub(r"[\s,]", "", text.upper())
+    if not re.fullmatch(r"([XYZABC][-+]?(\d+\.?\d*|\.\d+))+", compact):
+        raise argparse.ArgumentTypeError(f"{text!r} is not like X0Y0Z100")
+    found = re.findall(r"([XYZABC])([-+.\d]+)", compact)
+    if len(dict(found)) != len(found):
+        raise argparse.ArgumentTypeError(f"{text!r} names an axis twice")
+    return {axis: float(value) for axis, value in found}
+
+
+def _offset(text: str) -> tuple[str, dict[str, Range]]:
+    try:
+        return offset_of_option(text)
+    except ValueError as problem:
+        raise argparse.ArgumentTypeError(str(problem)) from None
+
+
+def _settings(args: argparse.Namespace) -> Settings:
+    try:
+        return Settings(**{field.name: getattr(args, field.name) for field in fields(Settings) if field.name in args})
+    except ValueError as problem:
+        raise InputError([Fault("options", "", str(problem))]) from None
+
+
+def run(args: argparse.Namespace) -> int:
+    """Compensate; returns the exit code.
+
+    Raises InputError when the input is wrong.
+    """
+    inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "PROGRAM": args.program}
+    inputs |= {
+        option: path for option, path in {"--offsets": args.offsets, "--tools": args.tools}.items() if path is not None
+    }
+    found = overwritten(inputs, {"--out": args.out, "--report": args.report}, args.kernels)
+    with gathering(found):
+        args.offsets = with_options(Offsets() if args.offsets is None else read_offsets(args.offsets), args.offset)
+    with gathering(found):
+        args.tools = None if args.tools is None else read_tools(args.tools)
+    with gathering(found):
+        settings = _settings(args)
+    model = covariance = None
+    with gathering(found):
+        model = load_model(args.machine, args.errors, args.kernels)
+        check_fit(model.errors, args.errors, args.accept_misfit)
+        covariance = load_uncertainty(args.errors, model.errors, model.machine)
+        read = {"the covariance of --errors": covariance_file(args.errors, model.errors)}
+        found += overwritten(read, {"--out": args.out, "--report": args.report})
+    if found or model is None or covariance is None:
+        raise InputError(found)
+    points = {code: dict(position) for code, position in model.machine.reference_points}
+    settings = replace(settings, assumed=dict(model.machine.start), reference_points=points)
+    limits = Limits(max_u=args.max_u, max_correction=args.max_correction)
+    judge = judge_of(model, covariance, limits)
+    try:
+        with progress() as show:
+            report = compensate_file(
+                args.program, args.out, model, settings, language=args.format, report_file=args.report,
+                progress=lambda lines: show(f"{lines} blocks read"), judge=judge,
+                via_linuxcnc=args.via_linuxcnc,
+            )  # fmt: skip
+    except OSError as problem:
+        name = problem.filename or args.program
+        raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None
+    print(report)
+    for sentence in error_free_sentences(model.error_free):
+        print(f"note: {sentence}")
+    if report.reliance is not None:
+        rests = prior_sentences(model.errors, report.reliance.uncertainty.components)
+        for sentence in (*program_sentences(report.reliance), *rests):
+            print(f"note: {sentence}")
+        for sentence in refusal_sentences(report.reliance, args.max_u):
+            print(f"{named(args.out)}: not written: {sentence}")
+    return 0 if report.good else 1

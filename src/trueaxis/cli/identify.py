@@ -1,0 +1,271 @@
+"""trueaxis identify: error values from measured data."""
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from trueaxis.cli.arguments import file_to_write
+from trueaxis.cli.identify_options import (
+    FROM_ANGLES,
+    GLOBAL,
+    STEPWISE,
+    degree_option,
+    method_option,
+    noise_option,
+    squareness_option,
+)
+from trueaxis.cli.measured import compensation_note, read_measured
+from trueaxis.cli.paths import named, overwritten
+from trueaxis.estimation.curve_prior import DEGREE
+from trueaxis.estimation.estimate import EstimationOptions
+from trueaxis.estimation.observations import Observations, observations
+from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.identification.fit_quality import NotConvergedError
+from trueaxis.identification.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
+from trueaxis.identification.paper.method import identify_paper
+from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.identification.report import Identification, IdentificationReport
+from trueaxis.identification.report_text import fit_text, report_json, report_text, runs_text
+from trueaxis.identification.weighting import NoiseModel
+from trueaxis.identification.words import enumerated
+from trueaxis.io.faults import Fault, Faults, InputError
+from trueaxis.io.files import write_files
+from trueaxis.machine import Machine
+from trueaxis.measurement.active_compensation import active_file
+from trueaxis.measurement.data import MeasuredData
+from trueaxis.measurement.setup import Setup
+from trueaxis.model.believable import check_believable
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.covariance_file import linked
+from trueaxis.model.errors import ErrorValues, dump_errors
+from trueaxis.model.model import MachineModel
+from trueaxis.model.uncertainty import load_uncertainty
+
+if TYPE_CHECKING:
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+DESCRIPTION = """\
+Find the motion and location errors of a machine from readings. Method global estimates all errors from all readings at
+once, ball bar included, with what may be expected of them ([prior] of the spec) and what nobody knows of instruments;
+noise, sizes of errors and outliers are found from the readings. Method stepwise, the paper's, goes point by point and
+step by step: each run gives the components that it alone still holds, at every position, with those found before. Both
+work on the exact model, give standard uncertainties, and say what the readings cannot determine (which is no failure:
+exit code 0). Exit code 1: the readings determine nothing at all; the fit has not converged, and nothing is written; or
+its residuals are far from the noise that is known, and the values are written as a misfit."""
+
+DEFAULT: Literal["convention"] = "convention"
+DEGREE_WITHOUT_PRIOR = 7  # nothing keeps curves of a higher order from following the noise
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add this command to the command line."""
+    parser = subparsers.add_parser("identify", help="error values from measured data", description=DESCRIPTION)
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
+    parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
+    parser.add_argument(
+        "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
+    )
+    parser.add_argument(
+        "--method",
+        type=method_option,
+        default=GLOBAL,
+        metavar="global|stepwise",
+        help="(default global; paper is another name of stepwise)",
+    )
+    parser.add_argument(
+        "--prior",
+        choices=("spec", "none"),
+        default="spec",
+        help="method global: spec (default) expects errors of the sizes of [prior], which readings correct; none "
+        "expects nothing (least squares): what the readings do not determine is zero and said",
+    )
+    parser.add_argument(
+        "--squareness",
+        type=squareness_option,
+        default=DEFAULT,
+        metavar="convention|known|from-angles",
+        help="what gives the squareness: convention (default) the slope of the straightness, whose least-squares lines "
+        "become level as in ISO 230-1; known the file --known (zero where it is silent); from-angles the yaw and pitch "
+        "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method stepwise; sect36 is its old name)",
+    )
+    parser.add_argument(
+        "--known",
+        type=Path,
+        metavar="E.json",
+        help="error values taken as they are: dimensions, location errors, whole components; the rest is identified",
+    )
+    parser.add_argument(
+        "--noise-um",
+        type=noise_option,
+        default=NoiseModel(),
+        metavar="S",
+        help="standard deviation of a reading, um; method global also: laser=0.3,ballbar=0.5,RUN=1 (instruments or "
+        "runs, which weigh the readings), or repeats, repeats-by-run: from repeated readings of each instrument, of "
+        "each run (else from what is left over, all readings equal)",
+    )
+    parser.add_argument(
+        "--curves",
+        choices=("table", "polynomial", "held-out"),
+        help="method stepwise: components as tables of the measured positions (default), polynomials by the paper's "
+        "procedure, or polynomials whose order held-out positions choose",
+    )
+    parser.add_argument(
+        "--degree",
+        type=degree_option,
+        metavar="N",
+        help=f"method global: highest order of the curves ({DEGREE}; with --prior none {DEGREE_WITHOUT_PRIOR})",
+    )
+    parser.add_argument(
+        "--instruments",
+        choices=("real", "ideal"),
+        default="real",
+        help="method global: what is unknown of the instruments: real (default): zero and drift of every run, slope of "
+        "straightness lines, centre and length of ball bars, zero and centre of probes, scale and alignment of lasers; "
+        "ideal: nothing",
+    )
+    parser.add_argument("--robust", help="gone: outliers are left out without it")
+    parser.add_argument(
+        "--covariance",
+        type=file_to_write,
+        metavar="FILE.npz",
+        help="where the covariance of the values goes (default: beside --out, with the ending .npz)",
+    )
+    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON, too")
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Identify and write; raises InputError with the faults of every file."""
+    found = _faults_of_options(args)
+    read = read_measured(args, found)
+    machine, model, data, known = read.model.machine, read.model, read.data, read.known
+    if found := overwritten({"the active compensation of --data": active_file(args.data, data.setup)}, _outputs(args)):
+        raise InputError(found)
+    observed = observations(str(args.data), data.setup.runs, data.readings)
+    try:
+        identified = _identify(args, model, observed, known)
+    except NotConvergedError as failure:
+        print(f"trueaxis: {failure}; nothing was written", file=sys.stderr)
+        print(f"trueaxis: residuals of the worst runs: {runs_text(failure.runs)}", file=sys.stderr)
+        return 1
+    unbelievable = Faults(str(args.out))
+    check_believable(machine, identified.values, unbelievable)
+    if unbelievable.found:
+        for fault in unbelievable.found:
+            print(f"trueaxis: not written: {fault}", file=sys.stderr)
+        worst = identified.report.quality.runs
+        print(f"trueaxis: residuals of the worst runs: {runs_text(worst)}", file=sys.stderr)
+        return 1
+    identified = replace(identified, report=_with_setup(_with_unread(identified.report, data), data.setup, args.data))
+    file = args.covariance or args.out.with_suffix(".npz")
+    joined = _with_known(args, machine, identified.covariance, known)
+    values, covariance = linked(identified.values, joined, args.out, file)
+    contents: dict[Path, str | bytes] = {file: covariance}
+    contents[args.out] = dump_errors(
+        values, components=machine.components, parameters=machine.parameters, effects=machine.effects
+    )
+    if args.report is not None:
+        contents[args.report] = report_json(identified.report)
+    write_files(contents)
+    if args.squareness == FROM_ANGLES:
+        print(f"trueaxis: {FROM_ANGLES_WARNING}", file=sys.stderr)
+    print(report_text(identified.report), end="")
+    print(f"written: {', '.join(map(named, contents))}")
+    judged = identified.report.quality
+    if judged.fit.state == "misfit":
+        print(f"trueaxis: {fit_text(judged)}", file=sys.stderr)
+        return 1
+    return 1 if identified.report.nothing_determined else 0
+
+
+def _with_known(
+    args: argparse.Namespace, machine: Machine, identified: Covariance, known: ErrorValues | None
+) -> Covariance:
+    """The covariance with what is known of the values of --known, which were taken as they are."""
+    if known is None:
+        return identified
+    given = load_uncertainty(args.known, known, machine)
+    components = set(given.components) & set(known.motion_errors)
+    locations = set(given.locations) & set(known.parameters) - set(identified.locations)
+    effects = set(given.effects) - set(identified.effects)
+    return identified.joined(given.of(components - set(identified.components), locations, effects))
+
+
+def _with_setup(report: IdentificationReport, setup: Setup, folder: Path) -> IdentificationReport:
+    notes = (*report.notes, compensation_note(setup, folder))
+    return replace(report, notes=notes, measurement=setup.report)
+
+
+def _with_unread(report: IdentificationReport, data: MeasuredData) -> IdentificationReport:
+    """Says which runs of the set-up have no reading, or not all of theirs yet."""
+    planned, run = data.readings.planned, data.readings.run
+    counts = {one.id: (int((run == k).sum()), int(planned[run == k].sum())) for k, one in enumerate(data.setup.runs)}
+    unread = [name for name, (rows, empty) in counts.items() if rows == empty]
+    partly = [f"{name} ({empty} of {rows} rows)" for name, (rows, empty) in counts.items() if 0 < empty < rows]
+    said = [f"no reading yet in {enumerated(unread)}"] if unread else []
+    said += [f"readings are missing in {enumerated(partly)}"] if partly else []
+    return replace(report, caveats=(*report.caveats, *(f"{one}: the others alone are used" for one in said)))
+
+
+def _identify(
+    args: argparse.Namespace, model: MachineModel, observed: Observations, known: ErrorValues | None
+) -> Identification:
+    noise: NoiseModel = args.noise_um
+    if args.method == STEPWISE:
+        options = PaperOptions(args.squareness, known, noise.um, args.curves or "table")
+        return identify_paper(model, observed, options)
+    prior = args.prior == "spec"
+    return identify_estimated(
+        model,
+        observed,
+        IdentifyOptions(
+            args.squareness,
+            known,
+            noise,
+            EstimationOptions(
+                prior=prior,
+                ideal=args.instruments == "ideal",
+                degree=args.degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR),
+            ),
+        ),
+    )
+
+
+def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
+    found = []
+    if args.robust is not None:
+        remedy = "leave it out: readings that no noise explains are left out without it, and counted in the report"
+        found.append(Fault("--robust", "", "is an option no more", remedy))
+    if args.method == GLOBAL:
+        if args.squareness == FROM_ANGLES:
+            found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method stepwise", "convention or known"))
+        if args.curves is not None:
+            found.append(Fault("--curves", "", "goes with --method stepwise", "method global has curves of its own"))
+    if args.squareness == "known" and args.known is None:
+        found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
+    if args.method == STEPWISE:
+        of_global = {
+            "--noise-um": bool(args.noise_um.by_group or args.noise_um.repeats),
+            "--degree": args.degree is not None,
+            "--instruments": args.instruments != "real",
+            "--prior": args.prior != "spec",
+        }
+        for option, used in of_global.items():
+            if used:
+                remedy = "one value" if option == "--noise-um" else "--method global"
+                found.append(Fault(option, "", "goes with --method global", remedy))
+    if args.covariance is not None and args.covariance.suffix != ".npz":
+        found.append(Fault(str(args.covariance), "", "is not a .npz file", "a name that ends in .npz"))
+    inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}
+    found += overwritten(inputs, _outputs(args), args.kernels)
+    return found
+
+
+def _outputs(args: argparse.Namespace) -> dict[str, Path | None]:
+    covariance = args.covariance or args.out.with_suffix(".npz")
+    return {"--out": args.out, "--report": args.report, "--covariance": covariance}

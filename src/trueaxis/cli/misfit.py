@@ -1,0 +1,24 @@
+"""Error values that do not fit the readings they come from are taken on request alone."""
+
+import argparse
+from pathlib import Path
+
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.model.errors import ErrorValues
+from trueaxis.reporting.reliance import misfit_sentence
+
+OPTION = "--accept-misfit"
+
+
+def misfit_option(parser: argparse.ArgumentParser) -> None:
+    """Add the option to a command."""
+    parser.add_argument(
+        OPTION, action="store_true", help="take error values that do not fit the readings they come from"
+    )
+
+
+def check_fit(errors: ErrorValues, path: Path, accepted: bool) -> None:
+    """Raise InputError where the values are a misfit that was not accepted."""
+    if errors.fit is not None and errors.fit.state == "misfit" and not accepted:
+        remedy = f"correct the set-up or the data and identify again, or {OPTION}"
+        raise InputError([Fault(str(path), "fit", misfit_sentence(errors.fit), remedy)])

@@ -1,0 +1,136 @@
+"""trueaxis predict: the deviation of the tool point at given axis positions."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trueaxis.cli.arguments import file_to_write, size
+from trueaxis.cli.paths import named, overwritten
+from trueaxis.io.faults import InputError
+from trueaxis.io.files import write_files
+from trueaxis.io.input_files import gathering
+from trueaxis.machine import read_machine
+from trueaxis.measurement.context_needs import faults_of_points
+from trueaxis.measurement.points import Points, dump_predicted, read_points
+from trueaxis.measurement.predict import check_predicted, predict
+from trueaxis.model.best_fit import Placements, placements
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.curves import FloatArray
+from trueaxis.model.extent import MOST_NAMED, open_names
+from trueaxis.model.measured_range import beyond_measured
+from trueaxis.model.model import MachineModel, load_model
+from trueaxis.model.uncertainty import (
+    ToolUncertainty,
+    covariance_file,
+    home_of,
+    load_uncertainty,
+    prior_size,
+    tool_uncertainty,
+)
+from trueaxis.reporting.reliance import (
+    above_sentence,
+    misfit_sentence,
+    open_sentence,
+    placement_sentence,
+    range_sentences,
+)
+
+if TYPE_CHECKING:
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+DESCRIPTION = """\
+Predict where the tool point really is. For each row of --at (a column per axis: mm, rotary axes deg; optionally tool_x,
+tool_y, tool_z: the point in the tool frame, mm; dir_X ..., time_s and temperature_c: how the axes came there, when, how
+warm, for machines with effects) the deviation, actual minus ideal, is computed on the exact model and
+written as dx, dy, dz (mm, workpiece frame) behind the columns of the row, and its standard uncertainty as u_dx, u_dy,
+u_dz: empty where it is not known, or where the deviation rests on values that no reading determined. u_prior_dx,
+u_prior_dy, u_prior_dz are the part of it that rests on [prior] of the spec; the rest comes from the readings, and the
+squares of both parts add up."""
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add this command to the command line."""
+    parser = subparsers.add_parser(
+        "predict", help="the deviation of the tool point at given axis positions", description=DESCRIPTION
+    )
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
+    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
+    parser.add_argument("--at", type=Path, required=True, metavar="POINTS", help="axis positions, .csv or .parquet")
+    parser.add_argument(
+        "--covariance", type=Path, metavar="FILE.npz",
+        help="covariance of the error values (default: the file that they name, else their own uncertainties)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--datum", choices=("machine", "home", "best-fit"), default="machine",
+        help="what deviations and their uncertainties are relative to: the error-free machine; the tool point at home "
+        "(every axis at 0, or at the end of its travel next to it), where work offsets are touched off; or the rigid "
+        "placement of the workpiece, a shift and a small rotation, that fits the points best (%(default)s)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--max-u", type=size, metavar="MM",
+        help="write nothing, exit code 1, where a standard uncertainty is larger; what is not known or not determined "
+        "counts as infinite",
+    )  # fmt: skip
+    parser.add_argument(
+        "--out", type=file_to_write, required=True, metavar="OUT", help="table to write, .csv or .parquet"
+    )
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Predict and write; raises InputError with the faults of every file."""
+    inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--at": args.at, "--covariance": args.covariance}
+    found = overwritten(inputs, {"--out": args.out}, args.kernels)
+    machine = read_machine(args.machine)
+    with gathering(found):
+        model = load_model(args.machine, args.errors, args.kernels)
+        covariance = load_uncertainty(args.errors, model.errors, machine, args.covariance)
+        found += overwritten(
+            {"the covariance of --errors": covariance_file(args.errors, model.errors)}, {"--out": args.out}
+        )
+    with gathering(found):
+        points = read_points(args.at, machine)
+    if found:
+        raise InputError(found)
+    if model.effect_values:
+        if lacking := faults_of_points(model, points.context, str(args.at)):
+            raise InputError(lacking)
+        model = model.in_context(points.context)
+    home = home_of(model) if args.datum == "home" else None
+    datum: FloatArray | Placements | None = home
+    deviation = predict(model, points, home)
+    check_predicted(deviation, prior_size(model, points.positions, points.tool), str(args.errors))
+    if args.datum == "best-fit":
+        datum = placements(model.ideal(points.positions, points.tool))
+        deviation, placement = datum.fit(deviation)
+        print(f"note: {placement_sentence(placement, datum.centre)}")
+    uncertainty = tool_uncertainty(
+        model, covariance, points.positions, points.tool, datum=datum, context=points.context
+    )
+    largest = np.max(np.where(np.isnan(uncertainty.u), np.inf, uncertainty.u), initial=0.0)
+    for sentence in _reliance(model, points, covariance, uncertainty):
+        print(f"note: {sentence}")
+    if args.max_u is not None and largest > args.max_u:
+        print(f"{named(args.out)}: not written: {above_sentence(float(largest), args.max_u)}")
+        return 1
+    write_files({args.out: dump_predicted(points, deviation, args.out.suffix, uncertainty.u, uncertainty.u_prior)})
+    print(f"{named(args.out)}: {deviation.shape[1]} points")
+    return 0
+
+
+def _reliance(model: MachineModel, points: Points, covariance: Covariance, uncertainty: ToolUncertainty) -> list[str]:
+    """What a user must know of these deviations besides their values."""
+    count = points.positions.shape[1]
+    fit, rests = model.errors.fit, (uncertainty.open > 0.0).any(axis=0)
+    sentences = [misfit_sentence(fit)] if fit is not None and fit.state == "misfit" else []
+    sentences += range_sentences(beyond_measured(model.errors, model.axes, points.positions), count)
+    if rests.any():
+        largest = float(uncertainty.open.max())
+        names = open_names(model, covariance, points.positions[:, rests][:, :MOST_NAMED], points.tool[:, rests][:, :1])
+        sentences.append(open_sentence(int(rests.sum()), count, largest, names))
+    return sentences

@@ -1,0 +1,119 @@
+"""trueaxis simulate: readings made from error values and a measuring plan."""
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trueaxis.cli.arguments import noise_or_none, whole
+from trueaxis.cli.paths import named, overwritten
+from trueaxis.identification.believable_setup import setup_faults
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.files import write_files
+from trueaxis.io.input_files import gathering
+from trueaxis.machine import read_machine
+from trueaxis.measurement import readings as readings_files
+from trueaxis.measurement import setup as setup_file
+from trueaxis.measurement.active_compensation import active_values, compensated_part, moved_setup
+from trueaxis.measurement.context import context_of
+from trueaxis.measurement.context_needs import faults_of_readings
+from trueaxis.measurement.data import read_data, readings_path
+from trueaxis.measurement.readings import dump_readings
+from trueaxis.measurement.simulate import check_simulated, rows_to_fill, simulate
+from trueaxis.model.model import load_model
+
+if TYPE_CHECKING:
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+DESCRIPTION = """\
+Fill in a measuring plan: every row of readings.csv in --data whose reading is empty gets what the instrument would
+read on the exact model, plus Gaussian noise on request; effects of the machine act as directions, feeds, times and
+temperatures of the plan say. Rows with a reading keep it unless --replace is given. The
+folder --out gets readings.csv and a copy of setup.toml. Where setup.toml names a compensation that is active, readings
+are those of the compensated machine."""
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add this command to the command line."""
+    parser = subparsers.add_parser(
+        "simulate", help="readings made from error values and a measuring plan", description=DESCRIPTION
+    )
+    parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
+    parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
+    parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="another folder, to be written")
+    parser.add_argument(
+        "--noise-um",
+        type=noise_or_none,
+        default=0.0,
+        metavar="S",
+        help="standard deviation of the noise, micrometres (0)",
+    )
+    parser.add_argument("--seed", type=whole(0), default=0, metavar="N", help="seed of the noise (%(default)s)")
+    parser.add_argument("--replace", action="store_true", help="replace readings that are there, too")
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Simulate and write; raises InputError with the faults of every file."""
+    found = _faults_of_out(args)
+    machine = read_machine(args.machine)
+    with gathering(found):
+        model = load_model(args.machine, args.errors, args.kernels)
+    with gathering(found):
+        data = read_data(args.data, machine)
+        active = active_values(args.data, data.setup, machine)
+    if found:
+        raise InputError(found)
+    found += setup_faults(model, data, args.data)
+    if found:
+        raise InputError(found)
+    setup, readings = data.setup, data.readings
+    context = None
+    if model.effect_values:
+        context = context_of(setup.runs, readings)
+        asked = rows_to_fill(readings, args.replace)
+        found = faults_of_readings(model, setup.runs, readings, context, asked, str(readings_path(args.data)))
+        if found:
+            raise InputError(found)
+    simulated = simulate(
+        model,
+        setup.runs,
+        readings,
+        noise_um=args.noise_um,
+        seed=args.seed,
+        replace_all=args.replace,
+        context=context,
+    )
+    if active is not None:
+        fill = rows_to_fill(readings, args.replace)
+        taken = compensated_part(model, active, setup.runs, readings)
+        simulated = replace(simulated, reading=np.where(fill, simulated.reading - taken, simulated.reading))
+    check_simulated(simulated, str(readings_path(args.data)))
+    write_files(
+        {
+            args.out / setup_file.FILE_NAME: moved_setup(args.data, args.out),
+            args.out / readings_files.FILE_NAME: dump_readings(simulated),
+        }
+    )
+    kept = 0 if args.replace else int((~readings.planned).sum())
+    told = f"; {kept} were there already and stay (--replace makes them anew)" if kept else ""
+    print(f"{named(args.out)}: {len(setup.runs)} runs, {len(readings.run) - kept} readings made{told}")
+    return 0
+
+
+def _faults_of_out(args: argparse.Namespace) -> list[Fault]:
+    out, data = args.out, args.data
+    if out.resolve() == data.resolve():
+        return [Fault(str(out), "", "is the folder of the data itself", "another folder for --out")]
+    other = out / readings_files.PARQUET_NAME
+    if other.exists():
+        return [Fault(str(other), "", f"would stand beside the new {readings_files.FILE_NAME}", "remove it")]
+    inputs = {"MACHINE.toml": args.machine, "--errors": args.errors, "--data": data}
+    outputs = {f"{name} of --out": out / name for name in (setup_file.FILE_NAME, readings_files.FILE_NAME)}
+    return overwritten(inputs, outputs, args.kernels)

@@ -1,0 +1,209 @@
+"""The C kernels: one function per routine, whose loop over the points a compiler vectorises."""
+
+import textwrap
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from trueaxis.c_prefix import c_prefix
+from trueaxis.codegen.c_printer import CPrinter
+from trueaxis.codegen.meta import ABI, spec_name
+from trueaxis.codegen.names import rows_text, variable_names
+from trueaxis.codegen.paper_layout import TITLE
+from trueaxis.codegen.templates import environment
+from trueaxis.derivation.functions import Sign, Step
+from trueaxis.derivation.routine import Argument, Assignment, Routine
+from trueaxis.derivation.symbols import describe
+from trueaxis.machine.machine import ROTARY, Machine
+
+# Points per block where cosines and sines are computed ahead of the arithmetic: they stay in the first-level cache.
+BLOCK = 512
+
+_WIDTH = 116
+# What the functions use beside the arguments' names; the macros of stddef.h and math.h that a name may not be.
+_TAKEN = frozenset(
+    "n stride start count i j block size_t ptrdiff_t wchar_t max_align_t cos sin sqrt exp tanh fabs step sign".split()
+) | frozenset(
+    "NULL NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL MATH_ERRNO MATH_ERREXCEPT math_errhandling offsetof".split()
+)
+
+
+@dataclass(frozen=True)
+class TrigonometryText:
+    """A cosine or sine of one point, kept in an array of one block."""
+
+    name: str
+    array: str
+    value: str
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """What the header prints of one routine."""
+
+    name: str
+    comment: tuple[str, ...]
+    signature: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class FunctionText(Declaration):
+    """What the source prints of one routine; calls: whether its body calls functions, which is not vectorised."""
+
+    unused: tuple[str, ...]
+    constants: tuple[str, ...]
+    batch: tuple[str, ...]
+    positions: tuple[str, ...]
+    preparation: tuple[TrigonometryText, ...]
+    calls: bool
+    rows: tuple[str, ...]
+    body: tuple[str, ...]
+    stores: tuple[str, ...]
+
+
+def c_source(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> str:
+    """The text of kernels.c; spec: how it is named there. Same input, same bytes."""
+    return environment().get_template("kernels.c.j2").render(source_context(machine, routines, spec))
+
+
+def c_header(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> str:
+    """The text of kernels.h; spec: how it is named there."""
+    return environment().get_template("kernels.h.j2").render(header_context(machine, routines, spec))
+
+
+def source_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
+    """The variables of kernels.c.j2."""
+    values = [value for routine in routines for _, value in routine.batch + routine.body]
+    helpers = {"sign": Sign, "step": Step}
+    used = [name for name, function in helpers.items() if any(value.has(function) for value in values)]
+    functions = [_function(c_prefix(machine.name), routine) for routine in routines]
+    return _context(machine, spec) | {"functions": functions, "block": BLOCK, "helpers": used}
+
+
+def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
+    """The variables of kernels.h.j2."""
+    legend = [
+        line for row in _legend(machine) for line in textwrap.wrap(_commentable(row), _WIDTH, subsequent_indent="    ")
+    ]
+    prefix = c_prefix(machine.name)
+    functions = [_declaration(prefix, routine) for routine in routines]
+    return _context(machine, spec) | {"functions": functions, "abi": ABI, "legend": legend}
+
+
+def _context(machine: Machine, spec: str) -> dict[str, Any]:
+    return {
+        "paper_title": TITLE,
+        "turning": any(axis in ROTARY for axis in machine.axes),
+        "digest": machine.digest,
+        "prefix": c_prefix(machine.name),
+        "spec": spec or spec_name(machine),
+        "title": _commentable(machine.title),
+    }
+
+
+def _legend(machine: Machine) -> Iterable[str]:
+    """Rows and units of the arrays that the functions share."""
+    texts = describe(machine)
+    shared = {
+        "positions": [axis.lower() for axis in machine.axes],
+        "errors": machine.components,
+        "parameters": machine.parameters,
+    }
+    for name, rows in shared.items():
+        yield f"{name}: {', '.join(f'{row} {texts[row].unit}' for row in rows) or 'none'}"
+
+
+def _declaration(prefix: str, routine: Routine) -> Declaration:
+    return Declaration(f"{prefix}_{routine.name}", tuple(_comment(routine)), tuple(_signature(routine)))
+
+
+def _function(prefix: str, routine: Routine) -> FunctionText:
+    names = variable_names(routine, _TAKEN | {f"{target.name}_block" for target, _ in routine.preparation})
+    printer = CPrinter(names)
+    varying = [a for a in routine.inputs if a.per_point]
+    body = _used(routine.body)
+    batch = _used(routine.batch)
+    used = body | batch | _used(routine.preparation)
+    constants = [
+        _declared(names[row], f"{a.name}[{k}]")
+        for a in routine.inputs
+        if not a.per_point
+        for k, row in enumerate(a.rows)
+        if row in body | batch
+    ]
+    outputs = [(row, f"{a.name}[{k} * stride + i]") for a in routine.outputs for k, row in enumerate(a.rows)]
+    stored = dict(outputs)
+    direct = {target.name: value for target, value in routine.body if target.name in stored and target.name not in body}
+    head = _declaration(prefix, routine)
+    return FunctionText(
+        head.name,
+        head.comment,
+        head.signature,
+        tuple(a.name for a in routine.inputs if used.isdisjoint(a.rows)),
+        tuple(constants),
+        tuple(_assigned(assignment, printer) for assignment in routine.batch),
+        tuple(_loads(varying, _used(routine.preparation), names)),
+        tuple(
+            TrigonometryText(names[target.name], f"{names[target.name]}_block", printer.doprint(value))
+            for target, value in routine.preparation
+        ),
+        any(value.has(sp.Function) for _, value in routine.body),
+        tuple(_loads(varying, body, names)),
+        tuple(_assigned(assignment, printer) for assignment in routine.body if assignment[0].name not in direct),
+        tuple(
+            _wrapped(f"{place} = {printer.doprint(direct[row]) if row in direct else names[row]};")
+            for row, place in outputs
+        ),
+    )
+
+
+def _used(assignments: Iterable[Assignment]) -> set[str]:
+    return {symbol.name for _, value in assignments for symbol in value.free_symbols}
+
+
+def _loads(arguments: Iterable[Argument], used: set[str], names: Mapping[str, str]) -> Iterable[str]:
+    for argument in arguments:
+        for k, row in enumerate(argument.rows):
+            if row in used:
+                yield _declared(names[row], f"{argument.name}[{k} * stride + i]")
+
+
+def _declared(name: str, value: str) -> str:
+    return _wrapped(f"const double {name} = {value};")
+
+
+def _assigned(assignment: Assignment, printer: CPrinter) -> str:
+    target, value = assignment
+    return _declared(printer.doprint(target), printer.doprint(value))
+
+
+def _wrapped(line: str) -> str:
+    """Broken where it is too long; the template indents what follows a line's end."""
+    return "\n".join(
+        textwrap.wrap(line, _WIDTH - 8, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    )
+
+
+def _signature(routine: Routine) -> list[str]:
+    arrays = [f"const double *TRUEAXIS_RESTRICT {a.name}" for a in routine.inputs]
+    arrays += [f"double *TRUEAXIS_RESTRICT {a.name}" for a in routine.outputs]
+    return ["size_t n, size_t stride", *arrays]
+
+
+def _comment(routine: Routine) -> Iterable[str]:
+    yield from textwrap.wrap(_commentable(routine.summary), _WIDTH)
+    operations = f"Operations: {routine.operations} per point"
+    operations += f", {routine.batch_operations} once per call." if routine.batch_operations else "."
+    yield _commentable(f"Source: {routine.source}. {operations}")
+    for title, arguments in (("in", routine.inputs), ("out", routine.outputs)):
+        for a in arguments:
+            layout = f"{len(a.rows)} rows of stride" if a.per_point else f"{len(a.rows)} values"
+            text = f"{title} {a.name}: {layout}, {a.unit}; {a.description} ({rows_text(a)})"
+            yield from textwrap.wrap(_commentable(text), _WIDTH, subsequent_indent="    ", break_on_hyphens=False)
+
+
+def _commentable(text: str) -> str:
+    """Text that ends no comment and starts none."""
+    return " ".join(text.replace("*/", "* /").replace("/*", "/ *").split())

@@ -1,0 +1,128 @@
+"""equations.md: the derivation of one machine as a person reads it, on a page that GitHub renders."""
+
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+import sympy as sp
+
+from trueaxis.codegen.chain_section import Row, chain_texts
+from trueaxis.codegen.dropped_terms import DRAWS, dropped_terms
+from trueaxis.codegen.effect_section import effect_symbols, effect_texts
+from trueaxis.codegen.latex import Latex, joined
+from trueaxis.codegen.meta import ABI, spec_name
+from trueaxis.codegen.notation import notation
+from trueaxis.codegen.paper_layout import TITLE, beside
+from trueaxis.codegen.paper_section import is_the_papers, paper_part
+from trueaxis.codegen.paper_tables import kinds_of_table_1
+from trueaxis.codegen.rows import WIDEST, broken, width
+from trueaxis.codegen.system_section import motion_text, system_text
+from trueaxis.codegen.templates import environment
+from trueaxis.codegen.undetermined import combination_text
+from trueaxis.derivation import symbols
+from trueaxis.derivation.first_order import first_order
+from trueaxis.derivation.model import DerivedModel
+from trueaxis.derivation.views import view
+from trueaxis.machine.machine import ROTARY, Body, Machine
+from trueaxis.machine.topology import lower_body_array
+
+_NAMES = 9.0  # em, of the first two columns of the table of sensitivities
+
+
+def equations_page(model: DerivedModel, spec: str = "") -> str:
+    """The text of equations.md; spec: how it is named there."""
+    return environment().get_template("equations.md.j2").render(page_context(model, spec))
+
+
+def page_context(model: DerivedModel, spec: str = "") -> dict[str, Any]:
+    """The variables of equations.md.j2."""
+    machine = model.machine
+    latex = Latex(machine)
+    paper = is_the_papers(model)
+    return {
+        "spec": spec or spec_name(machine),
+        "digest": machine.digest,
+        "abi": ABI,
+        "title": machine.title,
+        "paper_title": TITLE,
+        "paper": paper_part(model) if paper else None,
+        "beside": partial(beside, linked=paper),
+        "turning": any(axis in ROTARY for axis in machine.axes),
+        "bodies": list(lower_body_array(machine)),
+        "body_rows": [_body_row(body) for body in machine.bodies],
+        "symbols": _symbols(machine, paper=paper),
+        "not_in_files": [
+            s(axis).name for axis in machine.axes if axis in ROTARY for s in (symbols.cosine, symbols.sine)
+        ],
+        "notation": list(notation(model, paper=paper)),
+        "true_rotation": machine.true_rotation,
+        "chain": chain_texts(machine, latex),
+        "dropped": _dropped(model),
+        "sensitivities": _sensitivities(machine, latex),
+        "squareness": [("".join(s.axes), latex(s.product)) for s in model.squareness],
+        "correction": _correction(model, latex),
+        "effects": effect_texts(machine),
+        "effect_symbols": effect_symbols(machine),
+        "kernels": [(f"`{r.name}`", _operations(r.operations, r.batch_operations), r.summary) for r in model.routines],
+        **_systems(model, latex),
+    }
+
+
+def _systems(model: DerivedModel, latex: Latex) -> dict[str, Any]:
+    machine, found = model.machine, model.identification
+    references = dict(machine.references)
+    runs = {run.name: run for run in model.runs}
+    return {
+        "motions": [motion_text(equation, latex, references) for equation in model.motions],
+        "systems": [system_text(machine, k, s, runs, latex) for k, s in enumerate(found.systems)] if found else [],
+        "undetermined": [combination_text(machine, c) for c in found.combinations] if found else [],
+        "unseen": ", ".join((*found.unseen, *found.unreached)) if found else "",
+    }
+
+
+def _symbols(machine: Machine, *, paper: bool) -> list[tuple[str, str, str, str]]:
+    """Rows of LaTeX, name, unit and meaning; pitch and yaw of the paper's machine are told apart by its Table 1."""
+    kinds = kinds_of_table_1() if paper else {}
+    return [
+        (text.latex, name, text.unit, kinds.get(name, text.description))
+        for name, text in symbols.describe(machine).items()
+    ]
+
+
+def _body_row(body: Body) -> tuple[object, ...]:
+    located = ", ".join(f"{direction} = {linked(parameter)}" for direction, parameter in body.position_errors)
+    moved = " ".join(linked(name) for name in body.motion_errors)
+    return body.number, body.name, body.lower, body.moves or "-", moved or "-", located or "-"
+
+
+def linked(name: str) -> str:
+    """A symbol by its name in files, with a link to its row in the table of symbols."""
+    return f"[`{name}`](#{name})"
+
+
+def _sensitivities(machine: Machine, latex: Latex) -> list[tuple[str, ...]]:
+    columns = first_order(view(machine, "tool_in_workpiece"), symbols.point()).columns
+    rows = [(n, latex.symbol(n), *(joined(latex.terms(entry)) for entry in column)) for n, column in columns.items()]
+    if max(sum(width(cell) for cell in row[2:]) for row in rows) > WIDEST - _NAMES:
+        return []  # the coefficients stand in the equation above
+    return [(name, *(f"${cell}$" for cell in cells)) for name, *cells in rows]
+
+
+def _correction(model: DerivedModel, latex: Latex) -> list[Row]:
+    body = next((routine.body for routine in model.routines if routine.name == "correction"), ())
+    moves = {f"move_{axis.lower()}": rf"\Delta {axis.lower()}" for axis in model.machine.axes}
+    own = latex.with_names(moves | {f"d{axis}": f"d_{axis}" for axis in "xyz"})
+    values: dict[sp.Symbol, sp.Expr] = {}
+    for target, value in body:
+        values[target] = value.xreplace(values)  # the kernel's shared subexpressions written out
+    return [broken(moves[t.name], own.terms(value)) for t, value in values.items() if t.name in moves]
+
+
+def _dropped(model: DerivedModel) -> Mapping[str, str]:
+    found = dropped_terms(model.machine, model.routines)
+    sizes = {"deviation": found.deviation, "rms": found.rms, "largest": found.largest}
+    return {name: f"{float(f'{size:.2g}'):g}" for name, size in sizes.items()} | {"draws": str(DRAWS)}
+
+
+def _operations(per_point: int, per_call: int) -> str:
+    return f"{per_point} ({per_call})" if per_call else f"{per_point}"

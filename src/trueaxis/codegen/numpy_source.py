@@ -1,0 +1,152 @@
+"""The NumPy kernels: one function per routine, in blocks of points that stay in cache."""
+
+import textwrap
+from dataclasses import dataclass
+from typing import Any
+
+from trueaxis.codegen.meta import ABI, meta, spec_name
+from trueaxis.codegen.names import rows_text, variable_names
+from trueaxis.codegen.paper_layout import TITLE
+from trueaxis.codegen.python_literal import literal
+from trueaxis.codegen.python_printer import PythonPrinter
+from trueaxis.codegen.templates import environment
+from trueaxis.derivation.routine import Argument, Assignment, Routine
+from trueaxis.machine.machine import ROTARY, Machine
+
+# Points per block: the intermediate rows of a block stay in the processor's second-level cache.
+BLOCK = 8192
+
+_TAKEN = frozenset(("np", "at", "start", "stop", "block", "n"))  # what the functions use beside their arguments
+
+
+@dataclass(frozen=True)
+class FunctionText:
+    """What the template prints of one routine."""
+
+    name: str
+    arguments: tuple[str, ...]
+    doc: tuple[str, ...]
+    per_point: tuple[tuple[str, int], ...]
+    fixed: tuple[tuple[str, tuple[int, ...]], ...]
+    outputs: tuple[tuple[str, int], ...]
+    returns: str
+    constants: tuple[str, ...]
+    batch: tuple[str, ...]
+    rows: tuple[str, ...]
+    preparation: tuple[str, ...]
+    body: tuple[str, ...]
+
+
+def numpy_source(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> str:
+    """The text of kernels.py; spec: how it is named there."""
+    spec = spec or spec_name(machine)
+    return module_source(
+        routines,
+        meta(machine, routines),
+        digest=machine.digest,
+        spec=spec,
+        command=f"trueaxis derive {spec}",
+        title=machine.title,
+        turning=any(axis in ROTARY for axis in machine.axes),
+    )
+
+
+def module_source(routines: tuple[Routine, ...], record: dict[str, Any], **texts: object) -> str:
+    """The text of a module of kernels; record: its META; texts: further variables of the template."""
+    return (
+        environment()
+        .get_template("kernels.py.j2")
+        .render(
+            texts,
+            abi=ABI,
+            paper_title=TITLE,
+            meta=literal(record),
+            block=BLOCK,
+            functions=[_function(routine) for routine in routines],
+        )
+    )
+
+
+def shape_text(argument: Argument) -> str:
+    """`(3, n)`, `(18, 7)`, `(9,)`."""
+    sizes = [str(size) for size in argument.shape] + (["n"] if argument.per_point else [])
+    return f"({', '.join(sizes)}{',' if len(sizes) == 1 else ''})"
+
+
+def _function(routine: Routine) -> FunctionText:
+    names = variable_names(routine, _TAKEN)
+    printer = PythonPrinter(names)
+    used = {s.name for _, value in routine.batch + routine.preparation + routine.body for s in value.free_symbols}
+    constants = [a for a in routine.inputs if not a.per_point]
+    varying = [a for a in routine.inputs if a.per_point]
+    places = {row: f"{a.name}[{k}, at]" for a in routine.outputs for k, row in enumerate(a.rows)}
+    return FunctionText(
+        routine.name,
+        tuple(a.name for a in routine.inputs),
+        tuple(_doc(routine)),
+        tuple((a.name, len(a.rows)) for a in varying),
+        tuple((a.name, a.shape) for a in constants),
+        tuple((a.name, len(a.rows)) for a in routine.outputs),
+        ", ".join(_returned(a) for a in routine.outputs),
+        tuple(
+            f"{names[row]} = float({a.name}[{', '.join(str(i) for i in _unravel(a, k))}])"
+            for a in constants
+            for k, row in enumerate(a.rows)
+            if row in used
+        ),
+        tuple(_line(assignment, printer) for assignment in routine.batch),
+        tuple(f"{names[row]} = {a.name}[{k}, at]" for a in varying for k, row in enumerate(a.rows) if row in used),
+        tuple(_line(assignment, printer) for assignment in routine.preparation),
+        tuple(
+            _stored(assignment, places, used, printer)
+            for assignment in routine.body
+            if not _is_zero_output(assignment, places)
+        ),
+    )
+
+
+def _doc(routine: Routine) -> list[str]:
+    lines = [routine.summary, "", f"Source: {routine.source}. Operations: {routine.operations} per point"]
+    lines[-1] += f", {routine.batch_operations} per call." if routine.batch_operations else "."
+    lines += ["", "Arguments (float64):"]
+    for arguments in (routine.inputs, routine.outputs):
+        if arguments is routine.outputs:
+            lines += ["", "Returns:"]
+        for a in arguments:
+            lines.append(f"    {a.name} {shape_text(a)}: {a.description} [{a.unit}]")
+            rows = f"rows: {rows_text(a)}"
+            lines += textwrap.wrap(
+                rows, 108, initial_indent=" " * 8, subsequent_indent=" " * 12, break_on_hyphens=False
+            )
+    return lines
+
+
+def _line(assignment: Assignment, printer: PythonPrinter) -> str:
+    target, value = assignment
+    return f"{printer.code(target)} = {printer.code(value)}"
+
+
+def _stored(assignment: Assignment, places: dict[str, str], used: set[str], printer: PythonPrinter) -> str:
+    target, value = assignment
+    if target.name not in places:
+        return _line(assignment, printer)
+    kept = f"{printer.code(target)} = " if target.name in used else ""
+    return f"{places[target.name]} = {kept}{printer.code(value)}"
+
+
+def _is_zero_output(assignment: Assignment, places: dict[str, str]) -> bool:
+    return assignment[0].name in places and assignment[1] == 0
+
+
+def _unravel(argument: Argument, row: int) -> tuple[int, ...]:
+    index: list[int] = []
+    for size in reversed(argument.shape):
+        index.insert(0, row % size)
+        row //= size
+    return tuple(index)
+
+
+def _returned(argument: Argument) -> str:
+    if len(argument.shape) == 1:
+        return argument.name
+    return f"{argument.name}.reshape({', '.join(str(size) for size in argument.shape)}, n)"

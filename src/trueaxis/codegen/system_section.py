@@ -1,0 +1,159 @@
+"""The sections of equations.md on motion equations and identification systems."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import sympy as sp
+
+from trueaxis.codegen.chain_section import AXES, Row
+from trueaxis.codegen.latex import Latex, is_negative, joined
+from trueaxis.codegen.rows import WIDEST, broken, width
+from trueaxis.derivation import symbols
+from trueaxis.derivation.chain import Vector
+from trueaxis.derivation.model import motion_name, system_name
+from trueaxis.derivation.motion import MotionEquation
+from trueaxis.derivation.systems import IdentificationSystem, RunPattern
+from trueaxis.machine.machine import Machine
+from trueaxis.view import view_of
+
+
+@dataclass(frozen=True)
+class EquationText:
+    """A titled block of rows, and where it comes from."""
+
+    title: str
+    reference: str
+    source: str
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True)
+class ReadingText:
+    """One reading: its symbol, its run, what it senses."""
+
+    symbol: str
+    run: str
+    what: str
+
+
+@dataclass(frozen=True)
+class SystemText:
+    """One identification system: matrix times unknowns = b; b by rows; the solution by rows, none where it is left."""
+
+    title: str
+    reference: str
+    kernel: str
+    readings: tuple[ReadingText, ...]
+    points: tuple[tuple[str, str, str], ...]
+    unknowns: str
+    matrix: str
+    reduced: str
+    right: tuple[Row, ...]
+    solution: tuple[Row, ...]
+    rank: int
+    size: int
+
+
+def motion_text(equation: MotionEquation, latex: Latex, references: dict[str, str]) -> EquationText:
+    """A motion equation: displacement since home of the points of its terms."""
+    motion = equation.motion
+    rows = tuple(
+        broken(
+            f"\\Delta {row}",
+            latex.terms(motion.ideal[i]) + latex.linear({n: c[i] for n, c in motion.columns.items()}),
+        )
+        for i, row in enumerate(AXES)
+    )
+    what = " minus ".join(f"{seen} point" for _, seen, _ in equation.terms)
+    sources = " less ".join(f"`{view_of(seen, equation.frame)}`" for _, seen, _ in equation.terms)
+    reference = references.get(motion_name(equation.moves), "")
+    return EquationText(f"{' and '.join(equation.moves)}: {what}", reference, sources, rows)
+
+
+def coefficients(machine: Machine, value: sp.Expr) -> dict[str, sp.Expr]:
+    """A linear form of errors as its coefficients, in the machine's order."""
+    expanded = sp.expand(value)
+    found = {n: expanded.coeff(symbols.named(n)) for n in machine.components + machine.location_errors}
+    return {name: coefficient for name, coefficient in found.items() if coefficient != 0}
+
+
+def system_text(
+    machine: Machine, index: int, system: IdentificationSystem, runs: dict[str, RunPattern], latex: Latex
+) -> SystemText:
+    """One system of a machine, in the order in which it is solved."""
+    readings = [sp.Symbol(f"L{k + 1}", real=True) for k in range(len(system.runs))]
+    names = [_reduced(k) for k in range(len(readings))]
+    right = tuple(
+        broken(name, [f"+ {latex(reading)}", *latex.linear(coefficients(machine, -known))])
+        for name, reading, known in zip(names, readings, system.known, strict=True)
+    )
+    matrix = sp.Matrix(system.matrix)
+    return SystemText(
+        f"{index + 1}. {', '.join(system.unknowns)} ({' and '.join(''.join(m) for m in system.moves)})",
+        dict(machine.references).get(system_name(index), ""),
+        system_name(index) if system.inverse is not None else "",
+        tuple(
+            ReadingText(latex(reading), run, _sensed(runs[run]))
+            for reading, run in zip(readings, system.runs, strict=True)
+        ),
+        tuple(
+            (f"({', '.join(latex(s) for s in triple)})", on, f"({', '.join(f'{c:g}' for c in at)})")
+            for triple, on, at in system.points
+        ),
+        latex(sp.Matrix([symbols.named(name) for name in system.unknowns])),
+        latex(matrix),
+        r"\begin{bmatrix}" + r"\\".join(names) + r"\end{bmatrix}",
+        right,
+        tuple(_solution(system, names, latex)),
+        system.rank,
+        len(system.unknowns),
+    )
+
+
+def _reduced(number: int) -> str:
+    return f"b_{{{number + 1}}}"
+
+
+def _sensed(run: RunPattern) -> str:
+    """What a run reads, in words: the displacement of one end against the other, along a direction."""
+    axis = [f"{'+' if part > 0 else '-'}{letter}" for part, letter in zip(run.direction, "XYZ", strict=True) if part]
+    along = axis[0] if len(axis) == 1 else f"({', '.join(f'{part:g}' for part in run.direction)})"
+    ends = [end[0] for end in (run.target, run.reference) if end[0] != run.frame]
+    verb = "moves" if len(run.moves) == 1 else "move"
+    return f"{' against '.join(ends)} along {along} of the {run.frame}, while {' and '.join(run.moves)} {verb}"
+
+
+def _solution(system: IdentificationSystem, names: list[str], latex: Latex) -> Iterator[Row]:
+    """Each unknown by Cramer's rule from the right-hand sides b_k."""
+    if system.inverse is None or system.determinant is None:
+        return
+    adjugate, determinant = system.matrix.adjugate(), sp.expand(system.determinant)
+    plain = determinant in (1, -1)
+    if not plain:
+        yield broken("D", latex.terms(determinant))
+    for name, row in zip(system.unknowns, range(adjugate.rows), strict=True):
+        entries = [sp.expand(entry * (determinant if plain else 1)) for entry in adjugate.row(row)]
+        left = latex.symbol(name) if plain else f"D\\,{latex.symbol(name)}"
+        yield broken(left, list(products(entries, names, latex)))
+
+
+def products(entries: list[sp.Expr], names: list[str], latex: Latex) -> Iterator[str]:
+    """Terms `+ (entry) name`; an entry that is too wide for one row is multiplied out."""
+    for entry, name in zip(entries, names, strict=True):
+        if entry == 0:
+            continue
+        sign, size = ("-", sp.expand(-entry)) if is_negative(entry) else ("+", entry)
+        inner = joined(latex.terms(size))
+        if size == 1:
+            yield f"{sign} {name}"
+        elif not size.is_Add:
+            yield f"{sign} {inner}\\,{name}"
+        elif width(inner) < 0.8 * WIDEST:
+            yield f"{sign} \\left({inner}\\right) {name}"
+        else:
+            yield from (f"{term}\\,{name}" for term in latex.terms(entry))
+
+
+def point_name(triple: Vector) -> str:
+    """`rT1` of (rT1x, rT1y, rT1z)."""
+    return str(triple[0].name)[:-1]

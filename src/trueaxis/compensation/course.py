@@ -1,0 +1,144 @@
+"""How the axes get along the motions of a path: direction, distance since the last reversal, velocity."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.machine import FloatArray
+from trueaxis.compensation.path import Path
+from trueaxis.effects.variables import FARTHEST
+from trueaxis.model.context import Context
+
+LONG = 1e4  # s: no spike lasts so long; small enough for sums over many motions to keep their digits
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Course:
+    """One column for each motion of a path; rows of arrays (n_axes, n) are the axes.
+
+    direction: of each axis during the motion, +1, -1, or 0 where it has not moved yet. since (3, n_axes, n): distance
+    (mm or deg), time (s) and way along the path (mm) since its last reversal at the start of the motion, FARTHEST
+    before the first; gone (3, n_axes, n): what the motion adds to them.
+    velocity: mm/s or deg/s, at the start, in the midst and at the end of the motion; ramp (n,): share of the motion
+    over which the first passes into the second, and the second into the third, at most 1/2.
+    """
+
+    direction: FloatArray
+    since: FloatArray
+    gone: FloatArray
+    velocity: tuple[FloatArray, FloatArray, FloatArray]
+    ramp: FloatArray
+
+    def context(self, motion: NDArray[np.int64], place: FloatArray, time: float, temperature: float) -> Context:
+        """At shares `place` (n,) of the motions given; time s, temperature degC."""
+        start, midst, end = (part[:, motion] for part in self.velocity)
+        ramp = self.ramp[motion]
+        rising, falling = np.maximum(1.0 - place / ramp, 0.0), np.maximum(1.0 - (1.0 - place) / ramp, 0.0)
+        way, passed, path = self.since[..., motion] + place * self.gone[..., motion]
+        return Context(
+            directions=self.direction[:, motion],
+            velocity=midst + rising * (start - midst) + falling * (end - midst),
+            since_reversal=way,
+            time_since=passed,
+            path_since=path,
+            time=np.full(motion.size, time),
+            temperature=np.full(motion.size, temperature),
+        )
+
+    def cut(self, motion: NDArray[np.int64], low: FloatArray, high: FloatArray) -> "Course":
+        """The course of pieces, from share `low` to `high` of the motions given.
+
+        Velocity is linear within a piece: cutting goes by what bends.
+        """
+        at_low, at_half, at_high = (self.context(motion, place, 0.0, 0.0) for place in (low, 0.5 * (low + high), high))
+        return Course(
+            at_low.directions,
+            self.since[..., motion] + low * self.gone[..., motion],
+            (high - low) * self.gone[..., motion],
+            (at_low.velocity, at_half.velocity, at_high.velocity),
+            np.full(motion.size, 0.5),
+        )
+
+    def with_halts(self, motion: NDArray[np.int64], halt: NDArray[np.bool_]) -> "Course":
+        """The course of the motions given, some of which go nowhere: in the state in which they would start."""
+        start, midst, end = (part[:, motion] for part in self.velocity)
+        return Course(
+            self.direction[:, motion],
+            self.since[..., motion],
+            np.where(halt, 0.0, self.gone[..., motion]),
+            (start, np.where(halt, start, midst), np.where(halt, start, end)),
+            self.ramp[motion],
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Standing:
+    """The axes between two motions, each (n_axes,), since (3, n_axes).
+
+    extreme: farthest position reached in the present direction, corrections included, NaN where the axis has no known
+    position; direction, since as in Course; velocity with which the next motion begins.
+    """
+
+    extreme: FloatArray
+    direction: FloatArray
+    since: FloatArray
+    velocity: FloatArray
+
+    @classmethod
+    def at(cls, position: FloatArray) -> "Standing":
+        """Axes that stand and have not moved yet."""
+        still = np.zeros_like(position)
+        return cls(position.copy(), still, np.full((3, position.size), FARTHEST), still)
+
+
+def turnings(wanted: FloatArray, standing: Standing, band: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Direction of each axis during each motion, (n_axes, n), and the extremes after the last, (n_axes,).
+
+    wanted: (n_axes, n), ends of the motions with what corrections displace them by: an axis that stands in the program
+    is moved by those; NaN where the axis may stand anywhere. band: (n_axes, n), by how much it must come back from its
+    extreme for a reversal.
+    """
+    direction = np.empty_like(wanted)
+    extreme = standing.extreme.copy()
+    for row, (places, bands) in enumerate(zip(wanted.tolist(), band.tolist(), strict=True)):
+        way, far = float(standing.direction[row]), float(extreme[row])
+        ways = []
+        for place, least in zip(places, bands, strict=True):
+            ahead = place - far
+            if math.isnan(ahead):  # it stands nowhere yet, or may stand anywhere now
+                way, far = 0.0, place
+            elif way == 0.0:
+                if abs(ahead) > least:
+                    way, far = (1.0 if ahead > 0.0 else -1.0), place
+            elif ahead * way >= 0.0:
+                far = place
+            elif -ahead * way > least:
+                way, far = -way, place
+            ways.append(way)
+        direction[row] = ways
+        extreme[row] = far
+    return direction, extreme
+
+
+def since_reversal(
+    path: Path, direction: FloatArray, standing: Standing, duration: FloatArray, linear: Sequence[int]
+) -> tuple[FloatArray, FloatArray]:
+    """Distance, time and way along the path since the last reversal of each axis at the start of each motion, and what
+    the motion adds to them; (3, n_axes, n).
+
+    duration: (n,), s, 0 where a motion takes a time that is not known: then nothing of a spike is left after it;
+    linear: rows of the linear axes.
+    """
+    span = np.nan_to_num(np.abs(path.points - path.origins))
+    duration = np.where((duration == 0.0) & span.any(axis=0), LONG, duration)
+    along = np.sqrt((span[list(linear)] ** 2).sum(axis=0))
+    gone = np.stack([span, *(np.broadcast_to(each, span.shape) for each in (duration, along))])
+    before = np.concatenate([standing.direction[:, None], direction[:, :-1]], axis=1)
+    turned = direction * before < 0.0
+    way = np.cumsum(gone, axis=2) - gone
+    last = np.maximum.accumulate(np.where(turned, np.arange(path.size), -1), axis=1)
+    at_last = np.take_along_axis(way, np.maximum(last, 0)[np.newaxis], axis=2)
+    return np.where(last >= 0, way - at_last, standing.since[..., None] + way), gone

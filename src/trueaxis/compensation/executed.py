@@ -1,0 +1,166 @@
+"""What the control will execute: positions named by words, and the programmed positions they stand for."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.held import Held, standing
+from trueaxis.compensation.lattice import Lattice, Stretch
+from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_jacobian, linear_rows, rotary_rows
+from trueaxis.compensation.middles import passages, passages_allowed
+from trueaxis.compensation.path import Path
+from trueaxis.compensation.placed import of_points
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.solve import Solution
+from trueaxis.compensation.word_choice import choose
+
+
+@dataclass(frozen=True, slots=True)
+class Executed:
+    """Ends of the blocks to be written, in order.
+
+    positions: (n_axes, n), mm and deg, on the lattice of the words. reference: (n_axes, n), programmed positions that
+    they stand for. point: (n,), index of the path's point. passed: (n,), true for the second end of a short block, in
+    whose middle the path's point is passed (see middles). stopped: (n,), where a word stops at the end of the travel
+    because the compensated position lies beyond.
+    """
+
+    positions: FloatArray
+    reference: FloatArray
+    point: NDArray[np.int64]
+    passed: NDArray[np.bool_]
+    stopped: NDArray[np.bool_]
+
+    def at_points(self, previous: FloatArray) -> FloatArray:
+        """Positions (n_axes, n_points) where the path's points are reached or passed."""
+        before = np.concatenate([previous[:, None], self.positions[:, :-1]], axis=1)
+        there = np.where(self.passed, 0.5 * (before + self.positions), self.positions)
+        last = np.append(np.diff(self.point) > 0, True)
+        return np.asarray(there[:, last])
+
+
+def execute(
+    stretch: Stretch,
+    previous: FloatArray,
+    path: Path,
+    solution: Solution,
+    passable: NDArray[np.bool_],
+    model: ErrorModel,
+    tool_point: FloatArray,
+    settings: Settings,
+    held: Held,
+) -> Executed:
+    """Choose the words of one stretch; `previous` (n_axes,) is the position named by the words before it.
+
+    held: (n_axes, n_points), axes that get no word. No word names a position outside the travel.
+    """
+    held = held[:, stretch.first : stretch.last]
+    chosen = _chosen(stretch, previous, path, solution, passable, model, tool_point, settings, held)
+    base = stretch.base(previous)
+    low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
+    inside = Lattice(base[:, None], stretch.step).within(chosen.positions, low[:, None], high[:, None])
+    held_now = held[:, chosen.point - stretch.first]
+    stopped = ((inside != chosen.positions) & ~held_now).any(axis=0)
+    return replace(chosen, positions=standing(inside, held_now, previous), stopped=stopped)
+
+
+def _chosen(
+    stretch: Stretch,
+    previous: FloatArray,
+    path: Path,
+    solution: Solution,
+    passable: NDArray[np.bool_],
+    model: ErrorModel,
+    tool_point: FloatArray,
+    settings: Settings,
+    held: Held,
+) -> Executed:
+    part = slice(stretch.first, stretch.last)
+    model = of_points(model, part)
+    base = stretch.base(previous)
+    lattice = Lattice(base[:, None], stretch.step)
+    commands, target = solution.commands[:, part], solution.target[:, part]
+    near = lattice.nearest(commands)
+    point = np.arange(stretch.first, stretch.last)
+    programmed = path.points[:, part]
+    none = np.zeros(point.size, dtype=bool)
+    plain = Executed(near, programmed, point, none, none)
+    free = ~held.any(axis=0)
+    if settings.words == "nearest" or settings.ball is None:
+        return plain
+    rows = list(linear_rows(model.axes))
+    ball = np.array(settings.ball)[:, None]
+    limit = float(stretch.step[rows].max())
+    jacobian = linear_jacobian(model, commands, tool_point)
+
+    def error(positions: FloatArray, index: NDArray[np.int64]) -> FloatArray:
+        actual = model.ideal(positions, tool_point) + of_points(model, index).deviation(positions, tool_point)
+        return np.asarray(actual - target[:, index])
+
+    moves = jacobian * stretch.step[rows][None, :, :]
+    chosen, _ = choose(error(near, point - stretch.first), target, ball, moves, 1, limit)
+    near[rows] += stretch.step[rows] * chosen[:, 0] * free
+    if settings.words == "ends":
+        return plain
+
+    rotary = list(rotary_rows(model.axes))
+    still = np.ones(point.size, dtype=bool)
+    if rotary:
+        turn = np.abs(np.diff(near[rotary], axis=1)).max(axis=0) < 1e-9
+        still[1:] &= turn
+        still[:-1] &= turn
+    fed = ~path.rapid[part]
+    fed[:-1] &= fed[1:]
+    allowed, direction, half = passages_allowed(
+        commands[rows], passable[part] & fed & free, still, float(stretch.step[rows].max())
+    )
+    index = np.flatnonzero(allowed)
+    if index.size == 0:
+        return plain
+    on_half = commands[:, index].copy()
+    on_half[rotary] = near[rotary][:, index]
+    on_half[rows] = Lattice(lattice.base[rows], lattice.step[rows]).nearest(commands[rows][:, index], 2)
+    passage = passages(
+        commands[rows][:, index], error(on_half, index), target[:, index], ball, jacobian[:, :, index],
+        direction[:, index], half[index], Lattice(lattice.base[rows], lattice.step[rows]), limit,
+    )  # fmt: skip
+    kept = passage.possible
+    index = index[kept]
+    twice = np.ones(point.size, dtype=np.int64)
+    twice[index] = 2
+    source = np.repeat(np.arange(point.size), twice)
+    second = np.cumsum(twice) - 1
+    positions, reference = near[:, source], programmed[:, source]
+    passed = np.zeros(source.size, dtype=bool)
+    passed[second[index]] = True
+    for column, ends, way in (
+        (second[index] - 1, passage.before, passage.way_before),
+        (second[index], passage.after, passage.way_after),
+    ):
+        for row, linear in enumerate(rows):
+            positions[linear, column] = ends[row, kept]
+            reference[linear, column] += way[kept] * direction[row, index]
+    return Executed(positions, reference, point[source], passed, np.zeros_like(passed))
+
+
+def joined(parts: list[Executed]) -> Executed:
+    """Several stretches as one."""
+    return Executed(
+        np.concatenate([part.positions for part in parts], axis=1),
+        np.concatenate([part.reference for part in parts], axis=1),
+        np.concatenate([part.point for part in parts]),
+        np.concatenate([part.passed for part in parts]),
+        np.concatenate([part.stopped for part in parts]),
+    )
+
+
+def shares_of_time(done: Executed, owner: NDArray[np.int64], path: Path, count: int) -> FloatArray:
+    """Share of each executed motion, (n,), in the way of its move: of the time too, as F is the same all along.
+
+    owner: (n,), move of each; count: of moves. A motion that takes up a reversal has no way of its own.
+    """
+    before = np.concatenate([path.origins[:, :1], done.reference[:, :-1]], axis=1)
+    way = np.nan_to_num(np.sqrt(((done.reference - before) ** 2).sum(axis=0)))
+    whole = np.bincount(owner, weights=way, minlength=count)[owner]
+    return np.asarray(np.where(whole > 0.0, way / np.where(whole > 0.0, whole, 1.0), 1.0))

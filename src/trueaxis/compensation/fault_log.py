@@ -1,0 +1,33 @@
+"""Faults of a program: all counted, the first ones kept."""
+
+from dataclasses import dataclass, field
+
+from trueaxis.io.faults import Fault, InputError
+
+KEPT = 49  # with the count of all, 50 messages
+
+
+@dataclass(slots=True)
+class FaultLog:
+    """Gathers the faults of a program by line, keeping the text of the first `KEPT` found: a program may be garbage
+    of any length.
+    """
+
+    file: str
+    count: int = 0
+    kept: list[tuple[int, Fault]] = field(default_factory=list)
+
+    def add(self, line: int, problem: str, remedy: str = "") -> None:
+        """Note a fault of one line (from 1; 0 for the program as a whole) and go on."""
+        self.count += 1
+        if self.count <= KEPT:
+            self.kept.append((line, Fault(self.file, f"line {line}" if line else "", problem, remedy)))
+
+    def raise_if_any(self) -> None:
+        """Raise InputError with the kept faults in the order of lines, and the number of all if there are more."""
+        if not self.count:
+            return
+        found = [fault for _, fault in sorted(self.kept, key=lambda entry: entry[0])]
+        if self.count > KEPT:
+            found.append(Fault(self.file, "", f"{self.count} faults in all; the first {KEPT} are shown"))
+        raise InputError(found)

@@ -1,0 +1,158 @@
+"""A compensation from file to file."""
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from io import BytesIO
+from pathlib import Path
+from typing import BinaryIO, Literal
+
+from trueaxis.compensation.apt_reader import AptReader
+from trueaxis.compensation.dialects import NAMES, RECOGNISED, dialect_of, head_of, is_klartext
+from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.klartext_numbers import numbered
+from trueaxis.compensation.klartext_reader import KlartextReader
+from trueaxis.compensation.machine import ErrorModel
+from trueaxis.compensation.mark import MARK, comment_of, marked
+from trueaxis.compensation.moves import Notes
+from trueaxis.compensation.nc_reader import NcReader
+from trueaxis.compensation.program import Compensator
+from trueaxis.compensation.reliance import Judge
+from trueaxis.compensation.report import CompensationReport
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.sign_check import home_of
+from trueaxis.compensation.via_linuxcnc import PASSED, unrolled
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.files import OutputFiles
+
+Language = Literal["nc", "apt"]
+
+LONGEST_LINE = 65536
+UNROLLED = (
+    "LinuxCNC's interpreter has unrolled the program: what is written is in machine coordinates (G59.3 is set to 0): "
+    "offsets and tool lengths that were given are in its words, and must be those of the control exactly; "
+    "its N words are lines of the source, messages and comments are left out; lines in this report are those of the "
+    "unrolled program"
+)
+_NC = frozenset({".nc", ".tap", ".ngc", ".gcode", ".mpf", ".iso", ".cnc", ".din", ".eia", ".h", ".i", ".min"})
+_APT = frozenset({".cl", ".cls", ".clsf", ".apt", ".aptsource", ".ncl", ".cld"})
+_APT_LINE = re.compile(
+    r"\s*(?:\$\$|(?:GOTO|FROM|FEDRAT|UNITS|LOADTL|SPINDL|COOLNT|CIRCLE|TOOL PATH|CUTTER|TLDATA|MACHIN)\s*/|PARTNO\b)",
+    re.I,
+)
+
+
+def language_of(program: Path) -> Language:
+    """NC or APT, by the name's extension, else by what the first lines look like.
+
+    Raises OSError when the file cannot be read.
+    """
+    suffix = program.suffix.lower()
+    if suffix in _APT or re.search(r"\.ncl\.\d+$", program.name.lower()):
+        return "apt"
+    if suffix in _NC:
+        return "nc"
+    with program.open("rb") as file:
+        head = file.read(LONGEST_LINE).decode("latin-1").splitlines()[:200]
+    return "apt" if any(_APT_LINE.match(line) for line in head) else "nc"
+
+
+class _Lines:
+    """Lines of a file as latin-1 text, so that every byte comes back as it was; counts them."""
+
+    def __init__(self, file: BinaryIO, faults: FaultLog, progress: Callable[[int], None] | None) -> None:
+        self._file = file
+        self._faults = faults
+        self._progress = progress
+        self.count = 0
+
+    def __iter__(self) -> Iterator[str]:
+        while line := self._file.readline(LONGEST_LINE + 1):
+            self.count += 1
+            if len(line) > LONGEST_LINE:
+                self._faults.add(
+                    self.count, f"a line of more than {LONGEST_LINE} bytes: not a program, or one without line ends"
+                )
+                return
+            if self._progress is not None and self.count % 65536 == 0:
+                self._progress(self.count)
+            yield line.decode("latin-1")
+
+
+def compensate_file(
+    program: Path,
+    out: Path,
+    model: ErrorModel,
+    settings: Settings,
+    *,
+    language: Language | None = None,
+    name: str | None = None,
+    report_file: Path | None = None,
+    progress: Callable[[int], None] | None = None,
+    judge: Judge | None = None,
+    via_linuxcnc: Path | None = None,
+) -> CompensationReport:
+    """Compensate `program` and write `out`, whole or not at all; they may be the same file.
+
+    report_file: where the report goes as JSON, if anywhere. name: the program's name in messages. progress: called
+    now and then with the number of lines read. judge: says how far the program relies on what was measured; where it
+    refuses, nothing is written. via_linuxcnc: the folder of LinuxCNC whose interpreter unrolls the program first.
+    Raises InputError with every fault of the program (the first 50 in full), OSError when a file cannot be read or
+    written; everything is then as it was.
+    """
+    name = name or str(program)
+    language = language or language_of(program)
+    foreign = sorted(set(settings.start) - set(model.axes))
+    if foreign:
+        raise InputError([Fault("--start", "", f"this machine has no axis {' '.join(foreign)}")])
+    outside = [
+        f"{axis} = {at:g} is outside its travel, from {model.travel[axis][0]:g} to {model.travel[axis][1]:g}"
+        for axis, at in settings.start.items()
+        if not model.travel[axis][0] <= at <= model.travel[axis][1]
+    ]
+    if outside:
+        raise InputError([Fault("--start", "", problem, "a position that the axis reaches") for problem in outside])
+    if language == "apt" and (settings.offsets.systems or settings.tools is not None):
+        raise InputError([Fault("--offset, --tools", "", "go with NC programs: a CL file is in machine coordinates")])
+    home = dict(zip(model.axes, home_of(model).tolist(), strict=True))
+    settings = replace(settings, assumed=home | dict(settings.assumed))
+    linear = [axis for axis in model.axes if axis in "XYZ"]
+    if settings.words != "nearest" and len(linear) != 3:
+        raise InputError([Fault("--words", "", f"'{settings.words}' needs a machine with X, Y and Z")])
+    faults, notes, text = FaultLog(name), Notes(), None
+    if via_linuxcnc is not None:
+        if language == "apt" or settings.dialect not in (None, "linuxcnc"):
+            raise InputError([Fault("--via-linuxcnc", "", "goes with NC programs for LinuxCNC")])
+        text = unrolled(program, via_linuxcnc, settings.offsets, settings.tools, name, settings.block_delete)
+        settings = replace(settings, dialect="linuxcnc", judged=True, pass_m=(*settings.pass_m, *PASSED))
+        notes.add(0, UNROLLED)
+    if language == "nc" and settings.dialect is None and (dialect := dialect_of(head_of(program))):
+        notes.add(0, RECOGNISED.format(NAMES[dialect]))
+        settings = replace(settings, dialect=dialect)
+    compensator = Compensator(model, settings, faults, notes)
+    klartext = language == "nc" and settings.dialect == "heidenhain" and is_klartext(head_of(program))
+    read_by = AptReader if language == "apt" else KlartextReader if klartext else NcReader
+    reader = read_by(model.axes, settings, faults, notes)
+    mark = comment_of(program, settings.dialect) if language == "nc" else f"({MARK})"
+    with OutputFiles() as outputs:
+        target = outputs.open(out)
+        blocks_out = 0
+        ends_whole = True
+        with program.open("rb") if text is None else BytesIO(text.encode("latin-1", "replace")) as source:
+            lines = _Lines(source, faults, progress)
+            pieces = marked(compensator.texts(reader.items(lines)), mark)
+            for piece in numbered(pieces) if klartext else pieces:
+                if piece and not faults.count:
+                    target.write(piece.encode("latin-1"))
+                    blocks_out += piece.count("\n")
+                    ends_whole = piece.endswith("\n")
+        faults.raise_if_any()
+        report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
+        if judge is not None:
+            report = replace(report, reliance=judge(compensator.visited))
+        if report.refused:
+            return replace(report, blocks_out=0)
+        if report_file is not None:
+            outputs.open(report_file).write(report.to_json().encode())
+        outputs.commit()
+    return report

@@ -1,0 +1,292 @@
+"""Reads Heidenhain Klartext programs block by block; what is written is Klartext again, arcs as lines L.
+
+What is not followed is a fault of its line. Frames, tools and where axes stand are as in NcReader.
+"""
+
+import math
+from collections.abc import Iterable, Iterator
+
+from trueaxis.compensation import m_codes
+from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation.arcs import Arc, ArcError
+from trueaxis.compensation.commanded import Commanded
+from trueaxis.compensation.dialects import BYTE_ORDER_MARK
+from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.klartext_arcs import arc_of, as_arc, polar_end, pole_of
+from trueaxis.compensation.klartext_cycles import Other, other_block
+from trueaxis.compensation.klartext_lexer import MACHINE_COORDINATES, KlartextBlock, codes_alone, head_of, lex_klartext
+from trueaxis.compensation.klartext_tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
+from trueaxis.compensation.mark import COMPENSATED_ALREADY, is_marked
+from trueaxis.compensation.moves import STOP, Item, Kind, Move, Notes, Split, Start
+from trueaxis.compensation.nc_frames import FrameReader
+from trueaxis.compensation.nc_meaning import Meaning
+from trueaxis.compensation.nc_point_control import switch
+from trueaxis.compensation.nc_start import starts_elsewhere, unknown_position
+from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.nc_tools import ToolReader
+from trueaxis.compensation.settings import Settings
+
+AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
+PRESET = "the preset that CYCL DEF 247 selects is taken to be the one that --offset G54 gives"
+NO_PRESET = "no --offset G54: the preset is taken to be in machine coordinates"
+_RETRACT = 140  # M140 MB MAX: along the tool axis to the end of the travel
+_POINT_CONTROL = m_codes.POINT_CONTROL["heidenhain"]
+_ARCS = frozenset({"C", "CR", "CP"})
+_POLAR = frozenset({"LP", "CP"})
+
+
+class KlartextReader:
+    """Turns the lines of one program into items; faults and notes are gathered in the logs given."""
+
+    def __init__(self, axes: tuple[str, ...], settings: Settings, faults: FaultLog, notes: Notes) -> None:
+        self._axes, self._settings, self._faults, self._notes = axes, settings, faults, notes
+        self._state = NcState(axes, [settings.start.get(axis) for axis in axes], offsets=settings.offsets)
+        self._tools = ToolReader(self._state, settings, faults, notes)
+        self._frames = FrameReader(self._state, settings, faults, notes)
+        self._assumed = [settings.assumed.get(axis, 0.0) for axis in axes]
+        self._pole: dict[str, float] = {}  # of X and Y, in the frame in force, mm
+        self._preset = ""
+
+    def items(self, lines: Iterable[str]) -> Iterator[Item]:
+        """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
+        if self._settings.start:
+            yield Start(tuple(math.nan if value is None else value for value in self._state.position))
+        yield from self._frames.changed()
+        first, held = 0, ""
+        for number, line in enumerate(lines, 1):
+            first, held = first or number, held + line
+            if line.rstrip().endswith("~"):
+                continue  # the block goes on in the next line
+            yield from self._block(first, held)
+            first, held = 0, ""
+        if held:
+            self._faults.add(first, "the block goes on after ~, and the program ends")
+
+    def _block(self, number: int, text: str) -> list[Item]:
+        state = self._state
+        if is_marked(text):
+            self._faults.add(number, *COMPENSATED_ALREADY)
+        if number == 1:
+            text = text.removeprefix(BYTE_ORDER_MARK)
+        body = text.rstrip("\r\n")
+        if state.ended:
+            if lex_klartext(body).coordinates:
+                self._notes.add(number, AFTER_END)
+            return [text]
+        _, optional, rest = head_of(body)
+        block = lex_klartext(body)
+        if optional and self._settings.block_delete == "skip":
+            return [text]
+        if optional and self._settings.block_delete == "fault":
+            self._faults.add(
+                number, "whether this block with / is run depends on a switch",
+                "say --block-delete run or --block-delete skip",
+            )  # fmt: skip
+        content = rest.partition(";")[0].replace("~", " ")
+        if block.verb and block.verb not in ("CT", "CTP", "LN", "LT"):
+            return self._path(number, text, block)
+        if call := tool_call(content):
+            return self._tool(number, text, call)
+        if only_codes := codes_alone(content):
+            return self._path(number, text, only_codes)
+        return self._other(number, text, content)
+
+    def _other(self, number: int, text: str, content: str) -> list[Item]:
+        state, frames = self._state, self._state.frames
+        if content.strip().upper().startswith("BEGIN PGM"):
+            state.inch = content.upper().split()[-1] == "INCH"
+        differs = definition_differs(content, self._settings.tools, state.inch)
+        found = other_block(content) if differs is NO_DEFINITION else Other(problem=differs[0], remedy=differs[1])
+        if found.problem:
+            self._faults.add(number, found.problem, found.remedy)
+        if found.preset:
+            self._take_preset(number, found.preset)
+        if found.reset:
+            frames.shift_program({}, adding=False)
+        rows = {}
+        for axis, value in found.shift.items():
+            if axis not in state.row:
+                self._faults.add(number, f"{axis}: this machine has no axis {axis}")
+                continue
+            row = state.row[axis]
+            rows[row] = value * state.scale(axis) + (frames.local[row] if axis in found.added else 0.0)
+        if rows:
+            frames.shift_locally(rows, shared=False)
+        if found.stops:
+            self._stop(number)
+        if found.ends:
+            state.ended = number
+        changed = self._switch(number, found.point_control)
+        if rows or found.reset or found.preset:
+            self._pole = {}
+        return [text, *changed]
+
+    def _take_preset(self, number: int, preset: str) -> None:
+        if self._preset and preset != self._preset:
+            self._faults.add(
+                number, f"preset {preset} after preset {self._preset}: where its zero is is not known",
+                "a program for each preset",
+            )  # fmt: skip
+        self._preset = preset
+        self._notes.add(number, PRESET if self._state.frames.system else NO_PRESET)
+
+    def _switch(self, number: int, control: bool | None) -> list[Item]:
+        lost = switch(number, control, self._state, self._settings, self._faults, self._notes)
+        if lost:
+            self._pole = {}
+        return [*lost, *self._frames.changed()]
+
+    def _stop(self, number: int) -> None:
+        self._state.commanded.stop()
+        self._notes.add(number, STOP)
+
+    def _tool(self, number: int, text: str, call: ToolCall) -> list[Item]:
+        for problem, remedy in call.problems:
+            self._faults.add(number, problem, remedy)
+        if call.tool is not None:
+            meaning = Meaning(tool=f"T{call.tool}")
+            self._tools.change(number, meaning)
+            code = codes.TAKE_LENGTH if call.tool else codes.END_LENGTH
+            self._tools.length(number, Meaning(length_code=code, length_of=call.tool))
+        return [text, *self._frames.changed()]
+
+    def _path(self, number: int, text: str, block: KlartextBlock) -> list[Item]:
+        """A path function, or M codes alone."""
+        if block.problem:
+            self._faults.add(number, block.problem, "the value in the block itself")
+        if block.side in ("RL", "RR"):
+            self._faults.add(
+                number, f"{block.side} compensates the cutter's radius", "have the path of its centre written"
+            )
+        self._codes(number, block)
+        state = self._state
+        item: Item = text
+        control = next((_POINT_CONTROL[code] for code in block.codes if code in _POINT_CONTROL), None)
+        items = self._switch(number, control)
+        if block.feed is not None:
+            state.feed = block.feed * (2.54 if state.inch else 1.0)
+        if not block.problem and block.verb == "CC":
+            try:
+                self._pole = pole_of(block, state)
+            except ArcError as problem:
+                self._faults.add(number, str(problem))
+        elif not block.problem and block.verb:
+            item = self._moved(number, text, block) or text
+        items.append(item)
+        if _RETRACT in block.codes and "Z" in state.row:
+            row = state.row["Z"]
+            state.position[row] = None
+            state.commanded.lose([row])
+            items.append(Start(tuple(math.nan if n == row else None for n in range(len(self._axes)))))
+        if m_codes.STOPS.intersection(block.codes):
+            self._stop(number)
+        if m_codes.END.intersection(block.codes):
+            state.ended = number
+        return items
+
+    def _codes(self, number: int, block: KlartextBlock) -> None:
+        for code in block.codes:
+            if code == MACHINE_COORDINATES or code in _POINT_CONTROL:
+                continue
+            if problem := m_codes.problem_of(code, self._settings.pass_m, "heidenhain"):
+                self._faults.add(number, *problem)
+            elif code in self._settings.pass_m and code not in m_codes.KNOWN:
+                self._notes.pass_code(number, code)
+
+    def _moved(self, number: int, text: str, block: KlartextBlock) -> Move | None:
+        if not block.coordinates and block.verb not in _ARCS:
+            return None
+        machine = MACHINE_COORDINATES in block.codes
+        if machine and self._state.point_control:
+            self._faults.add(number, "machine coordinates under tool centre point control", "end it before")
+        state = self._state
+        if machine:
+            state.enter_frame(machine=True)
+        try:
+            return self._move(number, text, block, machine)
+        except ArcError as problem:
+            self._faults.add(number, str(problem))
+            return None
+        finally:
+            if machine:
+                state.enter_frame()
+
+    def _ends(self, number: int, block: KlartextBlock) -> tuple[list[float | None], set[str]]:
+        """Positions after a block, and the axes that it names."""
+        state = self._state
+        end, named = state.position.copy(), set()
+        coordinates = block.coordinates
+        if block.verb in _POLAR:
+            for axis, value in polar_end(block, self._pole, state).items():
+                end[state.row[axis]] = value
+                named.add(axis)
+        for axis, word in coordinates.items():
+            if axis in ("PR", "PA"):
+                continue
+            if axis not in state.row:
+                self._faults.add(
+                    number, f"{axis}: this machine has no axis {axis}", f"its axes are {' '.join(self._axes)}"
+                )
+                continue
+            row, value, before = state.row[axis], word.value * state.scale(axis), state.position[state.row[axis]]
+            if word.incremental:
+                if before is None or state.commanded.of([row]) < Commanded.ABSOLUTE:
+                    raise ArcError(f"I{axis} counts from where {axis} stands, which is not certain here")
+                end[row] = before + value
+            else:
+                end[row] = value + (state.shift[row] if state.shift else 0.0)
+            named.add(axis)
+        return end, named
+
+    def _move(self, number: int, text: str, block: KlartextBlock, machine: bool) -> Move | None:
+        state = self._state
+        circular = block.verb in _ARCS
+        start = state.position
+        end, named = self._ends(number, block)
+        if circular:
+            named |= {"X", "Y"}
+        motion = 0 if block.rapid and not circular else 1
+        state.motion = 2 if circular else motion
+        needed = start + end if circular else end
+        if None in needed and (motion or None in [end[state.row[axis]] for axis in named]):
+            missing = {row % len(end) for row, value in enumerate(needed) if value is None}
+            self._faults.add(number, *unknown_position(" ".join(self._axes[row] for row in sorted(missing))))
+            state.position = [0.0 if value is None else value for value in end]
+            return None
+        if not machine:
+            self._frames.note_first(number)
+        commands = tuple(axis in named for axis in self._axes)
+        elsewhere = starts_elsewhere(number, state, commands, "", self._faults)
+        known_end = tuple(self._assumed[row] if value is None else value for row, value in enumerate(end))
+        arc: Arc | None = None
+        if circular:
+            arc = arc_of(block, self._pole, state, tuple(v for v in start if v is not None), known_end)
+        state.position, state.moved = end, True
+        for axis in named & set(block.coordinates):
+            state.numbers[state.row[axis]] = f"0.{'0' * block.coordinates[axis].decimals}"
+        whole = "M91" if machine else ""
+        straight = block.verb == "L" and not any(word.incremental for word in block.coordinates.values())
+        return self._written(number, text, block, known_end, commands, motion, arc, elsewhere, whole, straight)
+
+    def _written(
+        self, number: int, text: str, block: KlartextBlock, end: tuple[float, ...], commands: tuple[bool, ...],
+        motion: int, arc: Arc | None, elsewhere: bool, whole: str, straight: bool,
+    ) -> Move:  # fmt: skip
+        state = self._state
+        written = tuple(axis in block.coordinates or (block.verb in _POLAR and axis in "XY") for axis in self._axes)
+        eol = text[len(text.rstrip("\r\n")) :]
+        again = f"{block.head}{block.optional}"
+        lead = f"{again}L "
+        last = [word for word in block.others if word[0] in "Mm" and int(word[1:]) in m_codes.AFTER]
+        tail = "".join(f" {word}" for word in block.others)
+        kept = "".join(f" {word}" for word in block.others if word not in last)
+        comment = f" {block.comment}" if block.comment else ""
+        split = Split(lead, kept, "".join(f" {word}" for word in last) + comment)
+        kind = Kind.ARC if arc else (Kind.RAPID, Kind.LINE)[motion]
+        stops = any(code in m_codes.AFTER for code in block.codes)
+        rounded = None if arc is None or self._settings.arcs != "keep" else as_arc(block)
+        return Move(
+            number, kind, end, written, True, state.inch, lead, tail + comment, " ", eol, text if straight else "",
+            again if rounded else lead, split, arc, not stops, state.feed, state.commanded.command(commands, True),
+            state.commanded.elsewhere, state.shift, elsewhere, whole, 0.0, rounded,
+        )  # fmt: skip

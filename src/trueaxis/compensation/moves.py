@@ -1,0 +1,164 @@
+"""What the readers hand on: text that moves nothing, and moves."""
+
+import math
+from collections import Counter
+from dataclasses import dataclass, field
+from enum import IntEnum
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from trueaxis.compensation.arcs import Arc
+from trueaxis.compensation.statistics import LineLog
+
+
+class Kind(IntEnum):
+    """How a move gets to its end."""
+
+    RAPID = 0
+    LINE = 1
+    ARC = 2
+
+
+class Split(NamedTuple):
+    """The text around the axis words when a block becomes several: words due at the end go to the last one."""
+
+    lead: str
+    tail: str
+    last: str
+
+
+CentreWords = Literal["centre", "radius"]
+
+
+class Round(NamedTuple):
+    """How an arc is written where it stays one.
+
+    lead, split_lead: as of Move and Split, with the code of the arc. code, line: what stands before the words of the
+    pieces that follow, by kind. centre: whether I J K, or the radius, which is written after `radius`; last: after it.
+    """
+
+    lead: str
+    split_lead: str
+    code: str
+    line: str
+    centre: CentreWords = "centre"
+    radius: str = "R"
+    last: str = ""
+
+
+class Move(NamedTuple):
+    """One block that moves, as programmed.
+
+    line: number in the source, from 1. end: programmed axis positions, mm and deg, order of the machine's axes.
+    written: for each axis whether the source block has its word. absolute, inch: how words are to be written.
+    lead, tail: the other text of the block before and after its axis words; gap: what separates words.
+    eol: line end as in the source. source: the whole block where it could stand unchanged, else empty.
+    again: what the further blocks of a split begin with. split: lead and tail when split, None if the same.
+    passable: whether the tool may run through the end without anything due there. feed: F in force, mm/min (deg/min);
+    NaN where it is not known or counts by turns of the spindle.
+    held: for each axis whether it gets no word here, see commanded; empty if all may. elsewhere: for each axis whether
+    it may stand anywhere, and `end` is where it is taken to stand; empty if none may. shift: position minus word of
+    each axis, mm and deg; empty if 0. start_stated: whether it starts
+    where the program has not commanded the axes to: only its end counts. whole: why it may not be cut; empty if it may.
+    inverse_time: F where it is 1/min of the block (G93), else 0. round: how an arc is written where it may stay one.
+    """
+
+    line: int
+    kind: Kind
+    end: tuple[float, ...]
+    written: tuple[bool, ...]
+    absolute: bool
+    inch: bool
+    lead: str
+    tail: str
+    gap: str
+    eol: str
+    source: str
+    again: str = ""
+    split: Split | None = None
+    arc: Arc | None = None
+    passable: bool = True
+    feed: float = math.nan
+    held: tuple[bool, ...] = ()
+    elsewhere: tuple[bool, ...] = ()
+    shift: tuple[float, ...] = ()
+    start_stated: bool = False
+    whole: str = ""
+    inverse_time: float = 0.0
+    round: Round | None = None
+
+
+class Zero(NamedTuple):
+    """A block that gives axes new values where they stand (G92): `source` if its words hold where they stand now.
+
+    rows: axes that it names. shift: position minus word in the frame of these words; lead, tail, gap, inch as in Move.
+    """
+
+    rows: tuple[int, ...]
+    shift: tuple[float, ...]
+    lead: str
+    tail: str
+    gap: str
+    inch: bool
+    source: str
+
+
+class Setup(NamedTuple):
+    """What holds from here on: the work offset (empty: machine coordinates), its values and half of their ranges for
+    each axis, mm and deg; the tool in the spindle (None: not known, the tool point is that of the settings); whether
+    positions are those of the tip, see point_control.
+    """
+
+    system: str = ""
+    values: tuple[float, ...] = ()
+    spread: tuple[float, ...] = ()
+    tool: int | None = None
+    point_control: bool = False
+
+
+class Start(NamedTuple):
+    """Where the machine stands before the next move, uncompensated, mm and deg; NaN where that is not known.
+
+    None: the axis stands where the words have put it.
+    """
+
+    position: tuple[float | None, ...]
+
+
+Item = str | Move | Start | Zero | Setup
+
+TOOL_CHANGE = (
+    "--tool-point is taken to hold after M6 too, whatever the tool; M6 may have moved any axis, so each gets words "
+    "again only once the program has commanded it"
+)
+STOP = "the operator may move axes at M0 and M1: each gets words again only once the program has commanded it"
+
+
+@dataclass(slots=True)
+class Notes:
+    """Remarks on a program that are no faults: text, how often, and the first line. passed: lines of each M code that
+    the user vouches for.
+    """
+
+    counts: Counter[str] = field(default_factory=Counter)
+    first: dict[str, int] = field(default_factory=dict)
+    passed: dict[int, LineLog] = field(default_factory=dict)
+
+    def pass_code(self, line: int, code: int) -> None:
+        """Note an M code that the user vouches for."""
+        self.passed.setdefault(code, LineLog()).add(np.array([line]))
+
+    def add(self, line: int, text: str) -> None:
+        """Note a remark once more."""
+        self.counts[text] += 1
+        self.first.setdefault(text, line)
+
+    def texts(self) -> tuple[str, ...]:
+        """`line 12 (and 3 more): remark`, in the order of first appearance; line 0 is the program as a whole."""
+        return tuple(
+            text
+            if line == 0
+            else f"line {line}{f' (and {self.counts[text] - 1} more)' if self.counts[text] > 1 else ''}: {text}"
+            for text, line in self.first.items()
+        )

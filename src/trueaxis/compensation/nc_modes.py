@@ -1,0 +1,90 @@
+"""The modes of an NC program: units, distances, planes, how F counts, what numbers without a decimal point count."""
+
+import math
+import re
+
+from trueaxis.compensation import m_codes
+from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.moves import Notes
+from trueaxis.compensation.nc_arc import keep_rounding
+from trueaxis.compensation.nc_meaning import Meaning
+from trueaxis.compensation.nc_state import MODE_NOTES, NcState
+from trueaxis.compensation.settings import MM_PER_INCH, Settings
+
+_UNITS_IN_MARK = re.compile(r"\bG\d", re.IGNORECASE)  # some controls give the unit beside the program's name
+
+
+class ModeReader:
+    """Follows the modes of one program in its state."""
+
+    def __init__(self, state: NcState, settings: Settings, faults: FaultLog, notes: Notes) -> None:
+        self._state, self._settings, self._faults, self._notes = state, settings, faults, notes
+        self._undotted_said = False  # whether the fault of numbers without a decimal point is in the log
+
+    def mark(self, number: int, text: str) -> None:
+        """A line that is empty or begins with %."""
+        state = self._state
+        if text.startswith("%"):
+            state.percents += 1
+            if state.percents == 2 and not state.ended:
+                state.ended = number
+            name = text[1:]
+            if not re.fullmatch(r"[\w .\-()]*", name, re.ASCII) or _UNITS_IN_MARK.search(name):
+                self._faults.add(number, f"{text[:20]!r} is no program mark")
+
+    def take(self, number: int, meaning: Meaning) -> None:
+        """Take in what a block sets."""
+        state = self._state
+        if meaning.motion is not None:
+            state.motion, state.cycle = meaning.motion, None
+        if meaning.cancel_cycle:
+            state.motion = state.in_force = meaning.motion
+            state.cycle = None
+        if meaning.plane is not None:
+            state.plane = meaning.plane
+        if meaning.inch is not None:
+            keep_rounding(state, meaning.inch, self._settings.undotted)
+            state.inch = meaning.inch
+            state.said.add("inch")
+        if meaning.absolute is not None:
+            state.absolute = meaning.absolute
+            state.said.add("absolute")
+        if meaning.at_initial_level is not None:
+            state.at_initial_level = meaning.at_initial_level
+        self._feed(meaning)
+        if meaning.program_number and state.moved:
+            self._faults.add(number, "a program number after motions: subprograms are not followed")
+        for code in meaning.miscellaneous:
+            if code in self._settings.pass_m and code not in m_codes.KNOWN:
+                self._notes.pass_code(number, code)
+            if code in m_codes.SPINDLE:
+                state.spindle = "" if code == m_codes.SPINDLE_STOP else f"M{code}"
+
+    def _feed(self, meaning: Meaning) -> None:
+        state = self._state
+        if meaning.feed_mode and meaning.feed_mode != state.feed_mode:
+            state.feed_mode, state.feed = meaning.feed_mode, math.nan
+        if meaning.feed is not None:
+            state.feed = meaning.feed * (MM_PER_INCH if state.inch else 1.0)
+
+    def known_numbers(self, number: int, meaning: Meaning) -> None:
+        """See to what numbers without a decimal point count."""
+        if not meaning.undotted:
+            return
+        if self._settings.undotted == "least-increment":
+            meaning.count_in_least_increments(self._state.inch)
+        elif self._settings.undotted is None and not self._undotted_said:
+            self._undotted_said = True
+            letters = " ".join(sorted(meaning.undotted))
+            self._faults.add(
+                number,
+                f"{letters} without a decimal point: X100 is 100 mm on some controls and 0.1 mm on others",
+                "say --integers mm (or inch, deg) or --integers least-increment (0.001 mm, 0.0001 inch, 0.001 deg)",
+            )
+
+    def note_unsaid(self, number: int) -> None:
+        """Note modes that the program has not stated before its first motion."""
+        if not self._state.moved:
+            for mode, text in MODE_NOTES.items():
+                if mode not in self._state.said:
+                    self._notes.add(number, text)

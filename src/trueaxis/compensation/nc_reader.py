@@ -1,0 +1,168 @@
+"""Reads NC programs (ISO 6983-1, RS-274) block by block, following every mode that bears on positions.
+
+What it does not follow is a fault of its line; nothing that could move an axis is passed over. What numbers without a
+decimal point count is for `--integers` to say. A program says where its modes begin: until it does, G90 G21 G17.
+"""
+
+import math
+import re
+from collections.abc import Iterable, Iterator
+
+from trueaxis.compensation import m_codes
+from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation.dialects import BYTE_ORDER_MARK
+from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.mark import COMPENSATED_ALREADY, is_marked
+from trueaxis.compensation.moves import STOP, Item, Notes, Start
+from trueaxis.compensation.nc_block import interpret
+from trueaxis.compensation.nc_cycles import CycleReader
+from trueaxis.compensation.nc_frames import FrameReader
+from trueaxis.compensation.nc_lexer import Block, lex
+from trueaxis.compensation.nc_meaning import Meaning
+from trueaxis.compensation.nc_modes import ModeReader
+from trueaxis.compensation.nc_motion import MotionReader
+from trueaxis.compensation.nc_plain import PLAIN, plain_move
+from trueaxis.compensation.nc_point_control import switch
+from trueaxis.compensation.nc_reference import to_reference
+from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.nc_tools import ToolReader
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.siemens_functions import take_functions
+from trueaxis.compensation.siemens_lexer import lex_siemens
+
+_ALIGNMENT = re.compile(r":\d*+")  # ISO 6983-1: a block number that may stand alone as a program number
+_OPTIONAL = re.compile(r"/[0-9]?")  # with the number of its switch: every piece of the block keeps it
+_NAME = re.compile(r"[Oo]<[\w .+-]*+>\s*+(?:\([^()]*+\))?", re.ASCII)  # of a program, on newer Fanuc controls
+_POSITION = re.compile(r"(?<![A-Za-z])[XYZABCUVW]\s*+[-+.\d]", re.IGNORECASE)
+_MACHINE_DATA = frozenset({codes.TO_REFERENCE, codes.TO_SECOND_REFERENCE, codes.SET_POSITION, codes.WRITE_DATA})
+AFTER_END = "what follows the end of the program is copied as it is: its motions are not compensated"
+
+
+class NcReader:
+    """Turns the lines of one program into items; faults and notes are gathered in the logs given."""
+
+    def __init__(self, axes: tuple[str, ...], settings: Settings, faults: FaultLog, notes: Notes) -> None:
+        self._axes = axes
+        self._settings = settings
+        self._faults = faults
+        self._notes = notes
+        self._state = NcState(axes, [settings.start.get(axis) for axis in axes], offsets=settings.offsets)
+        self._state.frames.machine_has_length = settings.dialect == "siemens"
+        self._modes = ModeReader(self._state, settings, faults, notes)
+        self._tools = ToolReader(self._state, settings, faults, notes)
+        self._frames = FrameReader(self._state, settings, faults, notes)
+        self._motions = MotionReader(
+            self._state, settings, (faults, notes), (self._modes, self._tools, self._frames)
+        )  # fmt: skip
+        self._cycles = CycleReader(self._state, settings, (faults, notes), self._modes, self._frames)
+
+    def items(self, lines: Iterable[str]) -> Iterator[Item]:
+        """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
+        if self._settings.start:
+            yield Start(tuple(math.nan if value is None else value for value in self._state.position))
+        yield from self._frames.changed()
+        plain, state, undotted_mm = PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
+        for number, line in enumerate(lines, 1):
+            match = plain(line)
+            move = plain_move(number, line, match, state, undotted_mm) if match else None
+            if move is not None:
+                yield move
+            else:
+                yield from self._any(number, line)
+
+    def _any(self, number: int, line: str) -> list[Item]:
+        """Any line: what it sets, and its moves if it has some."""
+        if is_marked(line):
+            self._faults.add(number, *COMPENSATED_ALREADY)
+        body = line.rstrip("\r\n")
+        begin = 3 if number == 1 and body.startswith(BYTE_ORDER_MARK) else 0
+        text = body[begin:].strip()
+        if self._state.ended:
+            if _POSITION.search(re.sub(r"\([^()]*\)|;.*", "", text)):
+                self._notes.add(number, AFTER_END)
+            return [line]
+        if not text or text[0] == "%":
+            self._modes.mark(number, text)
+            return [line]
+        lead = len(body) - len(body[begin:].lstrip(" \t"))
+        aligned = _ALIGNMENT.match(body, lead)
+        if aligned:
+            lead = aligned.end()
+        optional = _OPTIONAL.match(body, lead)
+        if optional:
+            if self._settings.block_delete == "skip":
+                return [line]
+            lead = optional.end()
+        named = _NAME.fullmatch(text)
+        block, meaning = self._read(body, lead, named is not None)
+        for text in meaning.notes:
+            self._notes.add(number, text)
+        meaning.program_number |= named is not None or (aligned is not None and not block.words)
+        if optional and self._settings.block_delete == "fault" and self._depends(meaning):
+            meaning.complain(
+                "whether this block with / is run depends on a switch", "say --block-delete run or --block-delete skip"
+            )
+        return self._block(number, line, body, block, meaning, optional[0] if optional else "")
+
+    def _read(self, body: str, lead: int, named: bool) -> tuple[Block, Meaning]:
+        """The words of a block and what they ask for."""
+        started = Meaning()
+        if named:
+            block = Block((), "")
+        elif self._settings.dialect == "siemens":
+            found = lex_siemens(body, lead)
+            take_functions(found, started)
+            block = found.block
+        else:
+            block = lex(body, lead)
+        return block, interpret(block, self._axes, self._settings, self._state.cycle is not None, started)
+
+    def _depends(self, meaning: Meaning) -> bool:
+        """Whether it matters to what follows if a block is run."""
+        tool = self._settings.tools is not None and (meaning.tool or m_codes.TOOL_CHANGE in meaning.miscellaneous)
+        return meaning.positions or meaning.drilling or meaning.changes_modes or bool(tool)
+
+    def _block(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
+        """A block: what it sets, and its moves if it has some."""
+        state = self._state
+        for problem, remedy in meaning.complaints:
+            self._faults.add(number, problem, remedy)
+        self._modes.take(number, meaning)
+        self._tools.change(number, meaning)
+        self._modes.known_numbers(number, meaning)
+        self._tools.length(number, meaning)
+        items = switch(number, meaning.point_control, state, self._settings, self._faults, self._notes)
+        items += self._frames.select(number, meaning)
+        if state.point_control and (meaning.in_machine_coordinates or meaning.data_code in _MACHINE_DATA):
+            self._faults.add(number, "machine coordinates under tool centre point control", "end it before")
+        if meaning.data_code is not None or meaning.drilling:
+            items += self._data(number, line, body, block, meaning, again)
+        else:
+            items.append(self._motions.block(number, line, body, block, meaning, again))
+        if meaning.changes_tool:  # after the motion too: controls do not agree which comes first
+            state.commanded.displace()
+        if m_codes.STOPS.intersection(meaning.miscellaneous):
+            state.commanded.stop()
+            self._notes.add(number, STOP)
+        if m_codes.END.intersection(meaning.miscellaneous):
+            state.ended = number
+        return items
+
+    def _data(self, number: int, line: str, body: str, block: Block, meaning: Meaning, again: str) -> list[Item]:
+        """A block whose axis words are not simply where to go."""
+        state = self._state
+        if meaning.drilling:
+            return self._cycles.block(number, line, body, block, meaning, again)
+        if meaning.motion is not None:
+            state.in_force = meaning.motion
+        if meaning.complaints:
+            return [line]
+        if meaning.motion not in (None, 0, 1) or meaning.in_machine_coordinates:
+            self._faults.add(number, "axis words that are data, and a motion, in one block", "make it two blocks")
+            return [line]
+        if meaning.data_code == codes.GIVE_LENGTH:
+            self._tools.data(number, meaning)
+            return [line, *self._frames.changed()]
+        if meaning.data_code in (codes.TO_REFERENCE, codes.TO_SECOND_REFERENCE):
+            return [line, *to_reference(number, meaning, state, self._settings, self._faults, self._notes)]
+        return self._frames.data(number, line, body, block, meaning)

@@ -1,0 +1,143 @@
+"""Tool changes and tool lengths of an NC program: T, M6, G43, G43.1 and G49."""
+
+from trueaxis.compensation import nc_codes as codes
+from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.machine import LINEAR
+from trueaxis.compensation.moves import Notes
+from trueaxis.compensation.nc_meaning import Meaning
+from trueaxis.compensation.nc_state import NcState
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.tool_changes import ToolChanges
+from trueaxis.compensation.tools import Tool, ToolTable
+
+TOOLS_REMEDY = "say --tools FILE (LinuxCNC's tool.tbl, or TOML with [tool.1] and its length)"
+_LINUXCNC = "say --dialect linuxcnc if that is the control"
+IN_SPINDLE = "no tool change before this G43: tool {} is taken to be in the spindle"
+
+
+OLD_LENGTH = (
+    "tool {} came with a tool change and no G43 since: the length of tool {} stays in force, as on LinuxCNC and Fanuc"
+)
+FIRST_EDGE = "no D after the tool change: D1 is taken to come into force by itself (MD20270 = 1, as delivered)"
+OF_ANOTHER = "the length of tool {} is put in force while tool {} is in the spindle"
+
+
+class ToolReader:
+    """Follows the tool of one program and its length in its state; remedy: as of ToolChanges."""
+
+    def __init__(self, state: NcState, settings: Settings, faults: FaultLog, notes: Notes) -> None:
+        self._state, self._faults, self._notes = state, faults, notes
+        self._table: ToolTable | None = settings.tools
+        self._on_linuxcnc = settings.dialect == "linuxcnc"
+        self._on_siemens = settings.dialect == "siemens"
+        self._length_word = {"siemens": "D1", "heidenhain": "TOOL CALL"}.get(settings.dialect or "", "G43")
+        self._changes = ToolChanges(settings.dialect, notes, None if settings.tools is None else faults)
+        self._selected: int | None = None
+        self._changed = False  # a tool has come since the last length was put in force
+
+    @property
+    def remedy(self) -> str:
+        """What else would be right where the last change was one by T."""
+        return self._changes.remedy
+
+    def change(self, number: int, meaning: Meaning) -> None:
+        """Take in what a block does to the tool."""
+        state = self._state
+        meaning.changes_tool = self._changes.may_change(number, meaning)
+        if meaning.tool:
+            self._selected = int(float(meaning.tool[1:]))
+        if not meaning.changes_tool:
+            return
+        state.commanded.displace()
+        if self._table is None:
+            return
+        if meaning.positions:
+            self._faults.add(
+                number, "a tool change and a motion in one block: with which tool it is made differs by control",
+                "give the tool change a block of its own",
+            )  # fmt: skip
+        if self._selected is None:
+            self._faults.add(number, "M6 without a T before it: which tool comes is not known", "T in the program")
+        else:
+            self._tool(number, self._selected)
+            state.tool = self._selected
+            self._changed = True
+            if self._on_siemens and meaning.length_code is None:
+                lengths = self._lengths(number, self._tool(number, self._selected))
+                self._set(number, meaning, lengths, self._selected)
+
+    def length(self, number: int, meaning: Meaning) -> None:
+        """Take in G43 and G49; note a motion with the length of the tool before the one in the spindle.
+
+        A rapid beside Z is none: programs go there first, and then to Z with the new length.
+        """
+        frames = self._state.frames
+        if meaning.length_code is None:
+            rapid = meaning.motion == 0 or (meaning.motion is None and self._state.motion == 0)
+            if self._changed and (meaning.drilling or (meaning.positions and ("Z" in meaning.axes or not rapid))):
+                self._changed = False
+                if self._on_siemens:
+                    self._notes.add(number, FIRST_EDGE)
+                if (old := frames.tool_of_length) and old != self._state.tool:
+                    self._notes.add(number, OLD_LENGTH.format(self._state.tool, old))
+            return
+        self._changed = False
+        if meaning.length_code == codes.END_LENGTH:
+            self._set(number, meaning, [0.0] * len(frames.axes), 0)
+            return
+        of_tool = meaning.length_of
+        if of_tool is None and (self._on_linuxcnc or self._on_siemens):
+            of_tool = self._state.tool or None
+        if self._table is None and (of_tool is not None or self._on_siemens):
+            self._faults.add(
+                number, f"{self._length_word} shifts positions by a tool value that is not in the program", TOOLS_REMEDY
+            )
+        elif of_tool is None and self._on_siemens:
+            self._faults.add(number, "D1 before a tool change: whose length it is is not known", "T1 M6 before it")
+        elif of_tool is None:
+            self._faults.add(number, "G43 without H: whose length it is is not known", "G43 H1")
+        else:
+            if self._state.tool and of_tool and of_tool != self._state.tool:
+                self._notes.add(number, OF_ANOTHER.format(of_tool, self._state.tool))
+            if self._state.tool is None and of_tool:
+                self._notes.add(number, IN_SPINDLE.format(of_tool))
+                self._state.tool = of_tool
+            self._set(number, meaning, self._lengths(number, self._tool(number, of_tool)), of_tool)
+
+    def data(self, number: int, meaning: Meaning) -> None:
+        """G43.1: lengths in the program."""
+        state = self._state
+        if not self._on_linuxcnc:
+            self._faults.add(number, "G43.1 gives tool lengths (LinuxCNC) or follows the tool axis (Fanuc)", _LINUXCNC)
+            return
+        lengths = state.frames.length.copy()
+        for axis, value in meaning.data.items():
+            if axis in state.row:
+                lengths[state.row[axis]] = value * state.scale(axis)
+        state.frames.take_length(lengths, -number)
+
+    def _tool(self, number: int, tool: int) -> Tool:
+        if tool == 0:
+            return Tool()
+        if self._table is not None and tool not in self._table.tools:
+            self._faults.add(number, f"tool {tool} is not in --tools", f"its length, as that of tool {tool}")
+        return Tool() if self._table is None else self._table.tools.get(tool, Tool())
+
+    def _lengths(self, number: int, tool: Tool) -> list[float]:
+        """What G43 adds to each axis, mm: Z everywhere, X and Y on LinuxCNC."""
+        if any(tool.shift[:2]) and not self._on_linuxcnc:
+            self._faults.add(number, "G43 of a tool with X or Y: LinuxCNC adds them, others do not", _LINUXCNC)
+        given = dict(zip(LINEAR, tool.shift, strict=True))
+        return [given.get(axis, 0.0) for axis in self._state.axes]
+
+    def _set(self, number: int, meaning: Meaning, lengths: list[float], tool: int) -> None:
+        state = self._state
+        if not state.frames.has_length_of(tool) and not self._on_linuxcnc:
+            if "Z" not in meaning.axes:  # some controls move by the difference at once, others with the next word
+                state.commanded.displace([state.row["Z"]] if "Z" in state.row else [])
+            elif not state.absolute:
+                self._faults.add(
+                    number, "an increment of Z beside a new tool length: whether it is added differs by control",
+                    "G90 in the block",
+                )  # fmt: skip
+        state.frames.take_length(lengths, tool)

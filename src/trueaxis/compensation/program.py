@@ -1,0 +1,300 @@
+"""Compensates a whole program, batch by batch, so that its length does not matter to memory."""
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.acting import acting
+from trueaxis.compensation.along import Along, PointAlong, PoseAlong
+from trueaxis.compensation.arc_blocks import ArcBlocks, arc_blocks
+from trueaxis.compensation.arcs import MOST_CHORDS, Arc, chord_counts
+from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
+from trueaxis.compensation.fault_log import FaultLog
+from trueaxis.compensation.held import Held, axes_elsewhere, held_axes, standing
+from trueaxis.compensation.lattice import Stretch, rotary_on_words, shifts, stretches
+from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
+from trueaxis.compensation.moves import Item, Kind, Move, Notes, Setup, Start, Zero
+from trueaxis.compensation.orientation import ToolAxis
+from trueaxis.compensation.path import Path, follows_at_once, path_of
+from trueaxis.compensation.placed import Everywhere, Placing
+from trueaxis.compensation.point_control import PointControlled
+from trueaxis.compensation.report import CompensationReport
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.solve import solve
+from trueaxis.compensation.solve_pose import solve_pose
+from trueaxis.compensation.subdivide import PROBE_SPACING, subdivide
+from trueaxis.compensation.tally import Solved, Tally
+from trueaxis.compensation.tools import tool_point_of
+from trueaxis.compensation.tracker import Tracker
+from trueaxis.compensation.travel import note_outside
+from trueaxis.compensation.visited import Visited
+from trueaxis.compensation.writer import BlockWriter
+
+FEW_ROTARY_AXES = (
+    "this machine has no rotary axis: the orientation of the tool is not corrected",
+    "this machine has one rotary axis: the tool axis is corrected in the direction in which it turns it, not across",
+)
+HELD = (
+    "gets no word here, and its error is left: the program has not commanded it to a position since its start, "
+    "or since the last tool change or stop"
+)
+TURNS_ALONE = (
+    "a feed block of rotary axes alone gets words of linear axes too: some controls then read its F as a feed in mm/min"
+)
+
+
+class Compensator:
+    """Turns the items of one program into its compensated text."""
+
+    def __init__(self, model: ErrorModel, settings: Settings, faults: FaultLog, notes: Notes) -> None:
+        self._model = model
+        self._settings = settings
+        self._faults = faults
+        self._notes = notes
+        self._tool_point = self._given_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
+        self._writer = BlockWriter(model.axes, settings)
+        self._turned = self._axis_to_turn()
+        rotary = np.array([axis not in LINEAR for axis in model.axes])
+        self._corrected = (~rotary | (self._turned is not None))[:, None]  # axes that compensation moves, (n_axes, 1)
+        self._along = self._comparison()
+        self._acting = acting(model, settings)
+        self._model = model if self._acting is None else self._acting.model
+        self._axes_model = self._model
+        self._tracker = None if self._acting is None else Tracker(self._acting, self._along, settings, notes)
+        self._assumed = np.array([settings.assumed.get(axis, 0.0) for axis in model.axes])
+        self._programmed = np.full(len(model.axes), np.nan)  # position programmed last
+        self._written = self._assumed  # position named by the words written last, or where axes are taken to stand
+        self._settled = False  # whether the machine stands at a compensated position
+        # a reversal in the midst of an arc, or words chosen along a ball bar, ask for chords
+        self._arcs_stay = settings.arcs == "keep" and self._tracker is None and settings.words == "nearest"
+        self._arcs_stay &= self._turned is None
+        self._tally = Tally(self._model, settings, () if self._acting is None else self._acting.notes)
+
+    def _axis_to_turn(self) -> ToolAxis | None:
+        """The tool axis where it is to be corrected and there are rotary axes for it."""
+        if self._settings.orientation == "keep":
+            return None
+        rotary = rotary_rows(self._model.axes)
+        if len(rotary) < 2:
+            self._notes.add(0, FEW_ROTARY_AXES[len(rotary)])
+        return ToolAxis(self._model, self._settings.tool_axis) if rotary else None
+
+    def _comparison(self) -> Along:
+        settings = self._settings
+        if self._turned is None:
+            return PointAlong(self._model.axes, self._tool_point, settings.tolerance)
+        return PoseAlong(
+            self._model, self._tool_point, self._turned, settings.tolerance, 1e-6 * settings.orientation_tolerance_urad
+        )
+
+    def texts(self, items: Iterable[Item]) -> Iterator[str]:
+        """The compensated program in pieces; none once a fault has been found, but all faults are."""
+        batch: list[str | Move] = []
+        load = 0
+        last: tuple[float, ...] | None = None
+        for item in items:
+            if load >= self._settings.batch_points:
+                yield self._batch(batch, item if isinstance(item, Move) else None)
+                batch, load = [], 0
+            if isinstance(item, Start | Zero | Setup):
+                yield self._batch(batch)
+                batch, load = [], 0
+                yield self._between(item)
+                continue
+            if not isinstance(item, str) and item.arc is not None:
+                chords = self._chords(item, item.arc)
+                if chords > MOST_CHORDS:
+                    self._faults.add(item.line, f"the arc takes {chords} chords", "say a larger --chord-tolerance")
+                    item = item._replace(arc=None, kind=Kind.LINE)  # noqa: PLW2901  # only to read on
+                load += chords
+            batch.append(item)
+            load += 1
+            if not isinstance(item, str):
+                if item.kind and last is not None:
+                    load += int(math.dist(last, item.end) / PROBE_SPACING)  # it may be cut as finely as it is probed
+                last = item.end
+        yield self._batch(batch)
+
+    def _between(self, item: Start | Zero | Setup) -> str:
+        """Take in what is said between moves; returns its text."""
+        if isinstance(item, Zero):
+            return "" if self._faults.count else self._writer.zero(item, self._written, self._programmed)
+        if isinstance(item, Setup):
+            tools = self._settings.tools
+            tool = None if tools is None or item.tool is None else tools.tools.get(item.tool)
+            self._tool_point = tool_point_of(self._axes_model, tool, self._given_point)
+            controlled = PointControlled(self._axes_model) if item.point_control else None
+            self._model = controlled or self._axes_model
+            if controlled is not None and self._tracker is not None:
+                self._faults.add(0, "effects under tool centre point control are not followed", "leave them out")
+            self._along = self._comparison()
+            if self._tracker is not None:
+                self._tracker.use(self._along)
+            self._tally.setup(item, self._tool_point, controlled)
+            return ""
+        stands = np.array([math.nan if value is None else value for value in item.position])
+        kept = np.array([value is None for value in item.position])
+        self._programmed = np.where(kept, self._programmed, stands)
+        self._written = np.where(kept, self._written, np.where(np.isnan(stands), self._assumed, stands))
+        self._settled = False
+        if self._tracker is not None:
+            self._tracker.stand(self._programmed, kept)
+        return ""
+
+    def _chords(self, move: Move, arc: Arc) -> int:
+        at = dict(zip(self._model.axes, move.end, strict=True))
+        radius = math.dist([at.get(axis, 0.0) for axis in LINEAR], arc.centre)  # with its rise; a bound
+        count = chord_counts(np.array(radius), np.array(arc.sweep), self._settings.chord_tolerance)
+        return int(count)
+
+    def _batch(self, batch: list[str | Move], following: Move | None = None) -> str:
+        """The text of a batch; following: the move after it, if one follows at once."""
+        moves = [item for item in batch if not isinstance(item, str)]
+        if not moves:
+            return "".join(item for item in batch if isinstance(item, str))
+        start, self._programmed = self._programmed, np.array(moves[-1].end)
+        if self._faults.count:  # moves may be missing: where arcs would start is not known
+            moves = [move._replace(arc=None) for move in moves]
+        path = path_of(moves, start, self._model.axes, self._settings.chord_tolerance)
+        note_outside(moves, path, self._model, self._tool_point, self._faults)
+        if self._faults.count:
+            return ""
+        texts = self._compensated(moves, start, path, follows_at_once(batch, following), following)
+        if len(texts) == len(batch):
+            return "".join(texts)
+        of_moves = iter(texts)
+        return "".join(item if isinstance(item, str) else next(of_moves) for item in batch)
+
+    def _compensated(
+        self,
+        moves: list[Move],
+        start: FloatArray,
+        path: Path,
+        follows: NDArray[np.bool_],
+        following: Move | None,
+    ) -> list[str]:
+        settings, tool_point, axes = self._settings, self._tool_point, self._model.axes
+        if np.isnan(start).any() and moves[0].kind != Kind.RAPID:
+            self._notes.add(moves[0].line, "a feed motion from an unknown position: only its end is compensated")
+        self._note_turns(moves, start)
+        placing: Placing = Everywhere(self._model)
+        if self._tracker is not None:
+            path, placing = self._tracker.place(path, moves, follows, following)
+        path, placing = subdivide(path, self._along, placing)
+        model = placing.at(np.arange(path.size), np.ones(path.size))
+        absolute = np.array([move.absolute for move in moves])[path.owner]
+        inch = np.array([move.inch for move in moves])[path.owner]
+        lines = np.array([move.line for move in moves])[path.owner]
+        held = held_axes(moves, len(axes))
+        waiting = held & self._corrected
+        self._note_held(moves, waiting)
+        held, waiting = held[:, path.owner], waiting[:, path.owner]
+        elsewhere = axes_elsewhere(moves, len(axes))[:, path.owner]
+        shift = shifts(moves, len(axes))[:, path.owner]
+        kinds = list(stretches(absolute, inch, shift, axes, settings))
+        steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
+        solved = self._solved(path, kinds, model, held)
+        last_of_move = np.append(np.diff(path.owner) > 0, True)
+        passable = ~last_of_move | follows[path.owner]
+
+        parts: list[Executed] = []
+        previous = self._written
+        for stretch in kinds:
+            part = execute(stretch, previous, path, solved.linear, passable, model, tool_point, settings, held)
+            parts.append(part)
+            previous = part.positions[:, -1]
+        done = joined(parts)
+        before = self._written if self._settled and np.isfinite(start).all() else None
+        blocks = arc_blocks(
+            moves if self._arcs_stay else (), path.owner[done.point], done.positions, solved.linear.commands, before,
+            steps[:, done.point], axes, settings,
+        )  # fmt: skip
+        done = replace(done, positions=blocks.positions)
+        self._tally.add(
+            len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting, elsewhere
+        )
+        shares = shares_of_time(done, path.owner[done.point], path, len(moves))
+        return self._texts(moves, start, path, done, blocks, shares, (steps, shift))
+
+    def _texts(
+        self,
+        moves: list[Move],
+        start: FloatArray,
+        path: Path,
+        done: Executed,
+        blocks: ArcBlocks,
+        shares: FloatArray,
+        lattices: tuple[FloatArray, FloatArray],
+    ) -> list[str]:
+        """The text of each move; lattices: steps of words, and position minus word, (n_axes, n_points)."""
+        at, shares, arcs = blocks.blocks(shares)
+        owner, positions = path.owner[done.point[at]], done.positions[:, at]
+        self._refuse_cuts(moves, owner)
+        before = np.concatenate([self._written[:, None], positions[:, :-1]], axis=1)
+        self._written, self._settled = positions[:, -1], True
+        ends = np.array([move.end for move in moves]).T
+        starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
+        programmed = (ends[:, owner], starts[:, owner])
+        steps, shift = (of_points[:, done.point[at]] for of_points in lattices)
+        return self._writer.texts(moves, owner, positions, before, (steps, shift), programmed, shares, arcs)
+
+    def _note_held(self, moves: list[Move], held: Held) -> None:
+        """Note axes that get no word; held: (n_axes, n_moves)."""
+        for index in np.flatnonzero(held.any(axis=0)):
+            names = " ".join(axis for axis, stays in zip(self._model.axes, held[:, index], strict=True) if stays)
+            self._notes.add(moves[index].line, f"{names} {HELD}")
+
+    def _refuse_cuts(self, moves: list[Move], owner: NDArray[np.int64]) -> None:
+        """Faults of blocks that become several and may not; owner: (n,), move of each block to be written."""
+        pieces = np.bincount(owner, minlength=len(moves))
+        for index in np.flatnonzero(pieces > 1):
+            move = moves[index]
+            if move.whole:
+                self._faults.add(
+                    move.line,
+                    f"the block becomes {pieces[index]} blocks, and whether {move.whole} acts before or after its "
+                    "motion is not known",
+                    f"give {move.whole} a block of its own",
+                )
+
+    def _note_turns(self, moves: list[Move], start: FloatArray) -> None:
+        """Note feed blocks whose F may be read differently once they have words of linear axes."""
+        linear, rotary = list(linear_rows(self._model.axes)), list(rotary_rows(self._model.axes))
+        if not rotary:
+            return
+        ends = np.array([move.end for move in moves]).T
+        way = np.abs(np.diff(np.concatenate([start[:, None], ends], axis=1), axis=1))
+        alone = (way[linear] == 0.0).all(axis=0) & (way[rotary] > 0.0).any(axis=0)
+        for index in np.flatnonzero(alone):
+            if moves[index].kind == Kind.LINE:
+                self._notes.add(moves[index].line, TURNS_ALONE)
+
+    def _solved(self, path: Path, kinds: list[Stretch], model: ErrorModel, held: Held) -> Solved:
+        """Solve with the rotary positions that their words can name; held axes stay."""
+        settings, points = self._settings, path.points
+        pose = None
+        if self._turned is not None:
+            pose = solve_pose(
+                points, model, self._tool_point, self._turned,
+                settings.tolerance, 1e-6 * settings.orientation_tolerance_urad, settings.method,
+            )  # fmt: skip
+        begin = rotary_on_words(points if pose is None else pose.commands, kinds, self._written, model.axes)
+        rotary = list(rotary_rows(model.axes))
+        begin[rotary] = standing(begin[rotary], held[rotary], self._written[rotary])
+        linear = solve(points, begin, model, self._tool_point, settings.tolerance, settings.method)
+        linear = replace(linear, commands=standing(linear.commands, held, self._written))
+        if pose is not None:
+            pose = replace(pose, commands=standing(pose.commands, held, self._written))
+        return Solved(linear, pose)
+
+    @property
+    def visited(self) -> tuple[Visited, ...]:
+        """The places that the program came to so far, for each work offset and tool."""
+        return tuple(self._tally.visited.values())
+
+    def report(self, program: str, language: str, blocks_in: int, blocks_out: int) -> CompensationReport:
+        """What has been done so far."""
+        return self._tally.report(program, language, blocks_in, blocks_out, self._notes)

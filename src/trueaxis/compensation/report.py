@@ -1,0 +1,211 @@
+"""What a compensation did."""
+
+import json
+from dataclasses import asdict, dataclass
+
+from trueaxis.compensation.acting import EffectNote
+from trueaxis.compensation.reliance import Reliance
+from trueaxis.compensation.sensitivity import OffsetUse
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.sign_check import Senses, SignCheck
+from trueaxis.compensation.statistics import Lines, Summary
+from trueaxis.compensation.tools import ToolUse
+
+
+@dataclass(frozen=True, slots=True)
+class Errors:
+    """Magnitudes of one kind of error: uncompensated; after the solver, before words are rounded; with the words, at
+    the programmed points; and at the middles and ends of all executed feed blocks.
+    """
+
+    before: Summary | None
+    solved: Summary | None
+    after: Summary | None
+    along: Summary | None
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownPlaces:
+    """Rapids while axes may stand anywhere. assumed: where these are taken to stand until a program first commands
+    them, mm and deg. change: of the words of the other axes over the travel of these, mm.
+    """
+
+    assumed: dict[str, float]
+    change: Summary
+
+    def __str__(self) -> str:
+        named = " ".join(f"{axis}{value:.9g}" for axis, value in self.assumed.items())
+        return (
+            f"{self.change.count} rapids while {' '.join(self.assumed)} may stand anywhere: their words are for "
+            f"{named} (or where the program had the axis before a tool change) and would differ by at most "
+            f"{self.change.largest:.4f} mm (line {self.change.line}) elsewhere in the travel; it gets no word"
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class PassedCode:
+    """An M code that --pass-m vouches for, and where it occurs."""
+
+    code: int
+    lines: Lines
+
+
+@dataclass(frozen=True, slots=True)
+class CompensationReport:
+    """Counts, and lengths of error vectors (actual minus wanted tool point, workpiece frame) in mm.
+
+    blocks_in, blocks_out: lines read and written. moves: blocks that move; points: their ends with those of chords and
+    cuts; short_blocks: points passed within a block of their own. take_ups: blocks that take up what a reversal
+    changes; they are no part of `along`, the tool stands in them. iterations[k]: points that took k corrections.
+    before: as programmed, uncompensated. solved: after the solver, before words are rounded. after: with the words, at
+    the points. along: at the ends and middles of all executed feed blocks, whose ends are not all programmed points.
+    not_converged: points the solver gave up. over_tolerance: points with `after` above the tolerance.
+    out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
+    uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
+    error left there. Rapids to such points are not in the other figures. unknown_places: what it may cost there that
+    axes may stand anywhere; None where none may. offsets: the work offsets, and how much the words depend on them.
+    tools: those of --tools, with their points.
+    senses: which way the model takes each linear axis to move the tool.
+    sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
+    passed: M codes that --pass-m vouches for, with their lines.
+    reliance: how far the program relies on what was measured; None where nobody asked.
+    ball: |E| of Eq. (6), mm. orientation: angle between actual and wanted tool axis, urad, on machines with rotary
+    axes. over_orientation: points with orientation.after above its tolerance, where orientation is corrected.
+    effects: what was done about each effect of the machine.
+    singular: points at which one direction of the tool axis cannot be corrected, see orientation.SINGULAR.
+    """
+
+    program: str
+    language: str
+    settings: Settings
+    blocks_in: int
+    blocks_out: int
+    moves: int
+    points: int
+    short_blocks: int
+    take_ups: int
+    iterations: tuple[int, ...]
+    before: Summary | None
+    solved: Summary | None
+    after: Summary | None
+    along: Summary | None
+    ball: Errors | None
+    orientation: Errors | None
+    not_converged: Lines
+    over_tolerance: Lines
+    out_of_travel: Lines
+    over_orientation: Lines
+    singular: Lines
+    uncommanded: Lines
+    uncommanded_left: Summary | None
+    unknown_places: UnknownPlaces | None
+    offsets: tuple[OffsetUse, ...]
+    tools: tuple[ToolUse, ...]
+    effects: tuple[EffectNote, ...]
+    senses: Senses
+    sign_check: SignCheck | None
+    passed: tuple[PassedCode, ...]
+    notes: tuple[str, ...]
+    reliance: Reliance | None = None
+
+    @property
+    def good(self) -> bool:
+        """Whether every point converged, is within the tolerances and within the travel, and it may be relied on."""
+        return (
+            not self.refused
+            and not self.over_range
+            and not any(
+                found.points
+                for found in (self.not_converged, self.over_tolerance, self.out_of_travel, self.over_orientation)
+            )
+        )
+
+    @property
+    def over_range(self) -> bool:
+        """Whether points may be above the tolerance at work offsets within the ranges given."""
+        largest = 0.0 if self.after is None else self.after.largest
+        return any(
+            one.change is not None and (one.leaves_travel or largest + one.change > self.settings.tolerance)
+            for one in self.offsets
+        )
+
+    @property
+    def refused(self) -> bool:
+        """Whether nothing was written, as it would rely on too little."""
+        return self.reliance is not None and self.reliance.refused
+
+    def to_json(self) -> str:
+        """The report as JSON; `settings.start` as an object of axis positions."""
+        tree = asdict(self)
+        tree["settings"]["start"] = dict(self.settings.start)
+        tree["settings"]["assumed"] = dict(self.settings.assumed)
+        return json.dumps({"schema": 1, "good": self.good, **tree}, indent=1) + "\n"
+
+    def __str__(self) -> str:
+        settings = self.settings
+        lines = [
+            f"{self.program} ({self.language.upper()}): {self.blocks_in} blocks read, {self.blocks_out} written; "
+            f"{self.moves} moves, {self.points} points"
+            + (f", {self.short_blocks} passed in short blocks" if self.short_blocks else "")
+            + (f", {self.take_ups} blocks that take up reversals" if self.take_ups else ""),
+            f"method {settings.method}, words {settings.words}, resolution {settings.resolution:g} mm, "
+            f"tolerance {settings.tolerance:g} mm",
+            "corrections made: " + ", ".join(f"{k}: {n} points" for k, n in enumerate(self.iterations) if n),
+            f"{'error vector (mm)':34s}{'mean':>12s}{'sd':>12s}{'largest':>12s}  at line",
+            *_rows(self),
+        ]
+        if self.ball is not None:
+            lines.append("|E| along the ball bar, Eq. (6) (mm)")
+            lines.extend(_rows(self.ball))
+        if self.orientation is not None:
+            corrected = "corrected" if settings.orientation == "correct" else "kept: linear axes alone are corrected"
+            lines.append(f"orientation of the tool axis, {corrected} (urad)")
+            lines.extend(_rows(self.orientation))
+        for name, found in (
+            ("not converged", self.not_converged),
+            ("above tolerance", self.over_tolerance),
+            ("out of travel, words stop at its end", self.out_of_travel),
+            (f"above {settings.orientation_tolerance_urad:g} urad", self.over_orientation),
+            ("singular poses, one direction of the tool axis not corrected", self.singular),
+        ):
+            if found.points:
+                lines.append(f"{name}: {found}")
+        lines.extend(
+            f"effect {one.effect}: {'compensated' if one.compensated else 'left alone'}, {one.how}"
+            for one in self.effects
+        )
+        if self.uncommanded_left is not None:
+            left = self.uncommanded_left
+            lines.append(
+                f"axes not commanded yet get no words: {self.uncommanded}; "
+                f"largest error left {left.largest:.4f} mm at line {left.line}"
+            )
+        lines.extend(map(str, (*self.offsets, *self.tools)))
+        if self.over_range:
+            lines.append("above tolerance, or out of travel, at work offsets within the ranges given")
+        if self.unknown_places is not None:
+            lines.append(str(self.unknown_places))
+        lines.extend(
+            f"M{one.code} passed, as --pass-m says that it moves nothing and changes no mode: "
+            f"{one.lines.points} times, lines {one.lines.shown}"
+            for one in self.passed
+        )
+        lines.extend(f"note: {note}" for note in self.notes)
+        lines.append(str(self.senses))
+        if self.sign_check is not None:
+            lines.append(str(self.sign_check))
+        return "\n".join(lines)
+
+
+def _rows(of: CompensationReport | Errors) -> list[str]:
+    table = (
+        ("  as programmed", of.before),
+        ("  compensated, words not rounded", of.solved),
+        ("  compensated, as written", of.after),
+        ("  along the executed feed blocks", of.along),
+    )
+    return [
+        f"{name:34s}{part.mean:12.7f}{part.sd:12.7f}{part.largest:12.7f}  {part.line}"
+        for name, part in table
+        if part is not None
+    ]

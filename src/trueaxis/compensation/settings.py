@@ -1,0 +1,128 @@
+"""What a compensation is asked to do."""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Literal
+
+from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.tools import ToolTable
+
+Method = Literal["iterative", "ordinary"]
+WordChoice = Literal["nearest", "ends", "middles"]
+Orientation = Literal["keep", "correct"]
+Arcs = Literal["keep", "chords"]
+BlockDelete = Literal["fault", "run", "skip"]
+Dialect = Literal["fanuc", "linuxcnc", "siemens", "heidenhain"]
+Integers = Literal["mm", "least-increment"]
+
+MM_PER_INCH = 25.4
+LEAST_MM, LEAST_INCH, LEAST_DEG = 0.001, 0.0001, 0.001  # least increments, ISO 6983-1 controls of the common class IS-B
+WHOLE_MILLIMETRES = frozenset({"linuxcnc", "siemens", "heidenhain"})  # controls on which X100 can only be 100 mm
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Lengths mm, angles deg.
+
+    tolerance: Delta of Eq. (56), the largest tool point error allowed after compensation.
+    resolution, inch_resolution (inch), rotary_resolution (deg): step of the NC words that are written.
+    chord_tolerance: largest distance of an arc from the chords that replace it.
+    arcs: whether arcs stay arcs where they can, see kept_arcs, or all become `chords`.
+    method: `iterative` repeats Eq. (55); `ordinary` applies it once.
+    words: `nearest` rounds; `ends` and `middles` choose words that minimise Eq. (6), see word_choice and middles.
+    ball: P_W, centre of the workpiece ball in the workpiece frame; gives E of Eq. (6) its meaning.
+    tool_point: P_T in the tool frame. start: axis positions before the first block (those known).
+    assumed: where axes are taken to stand, for rapids, that nothing has given a position yet; home where it is silent.
+    orientation: `keep` corrects with the linear axes alone; `correct` turns rotary axes too, so that the tool axis
+    points where the error-free machine's would, to orientation_tolerance_urad. tool_axis: its direction, tool frame.
+    block_delete: what a motion in a `/` block is: a fault, run, or skipped.
+    dialect: the control's language, None: not known. integers: what a number without a decimal point counts, None: what
+    the dialect fixes. pass_m: M codes that the user vouches for, see m_codes.
+    offsets: work offsets that are known. tools: tools that are known, None: none are. reference_points: machine
+    positions to which `G28` and `G30` go.
+    judged: whether an interpreter has judged the arcs of the program: their radii may differ as they like.
+    temperature (degC), time (s since the start): what effects that depend on them are compensated for; None: not known.
+    batch_points: points computed at a time; bounds the memory.
+
+    Raises ValueError when a value is out of its range.
+    """
+
+    tolerance: float = 0.001
+    resolution: float = 0.001
+    inch_resolution: float = 0.00001
+    rotary_resolution: float = 0.0001
+    chord_tolerance: float = 0.0005
+    arcs: Arcs = "keep"
+    method: Method = "iterative"
+    words: WordChoice = "nearest"
+    ball: tuple[float, float, float] | None = None
+    tool_point: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    start: Mapping[str, float] = field(default_factory=dict)
+    assumed: Mapping[str, float] = field(default_factory=dict)
+    orientation: Orientation = "keep"
+    orientation_tolerance_urad: float = 2.0  # words of 0.0001 deg are up to 0.87 urad off in each of two axes
+    tool_axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    block_delete: BlockDelete = "fault"
+    dialect: Dialect | None = None
+    integers: Integers | None = None
+    pass_m: tuple[int, ...] = ()
+    offsets: Offsets = field(default_factory=Offsets)
+    tools: ToolTable | None = None
+    reference_points: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    judged: bool = False
+    temperature: float | None = None
+    time: float | None = None
+    batch_points: int = 16384
+
+    def __post_init__(self) -> None:
+        if problems := list(self._problems()):
+            raise ValueError("; ".join(problems))
+
+    @property
+    def undotted(self) -> Integers | None:
+        """What a number without a decimal point counts; None: not known, a Fanuc control's parameter decides."""
+        return self.integers or ("mm" if self.dialect in WHOLE_MILLIMETRES else None)
+
+    def _problems(self) -> Iterator[str]:
+        """Everything that is out of its range."""
+        for name in ("tolerance", "resolution", "inch_resolution", "rotary_resolution", "chord_tolerance"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and 0.0 < value <= 1.0):
+                yield f"{name} is {value:g}; it must be above 0 and at most 1"
+            elif name.endswith("resolution"):
+                try:
+                    decimals(value)
+                except ValueError as problem:
+                    yield str(problem)
+        if not 0.0 < self.orientation_tolerance_urad <= 1e4:
+            yield (
+                f"orientation_tolerance_urad is {self.orientation_tolerance_urad:g}; "
+                "it must be above 0 and at most 10000"
+            )
+        for name in ("ball", "tool_point", "tool_axis"):
+            values = getattr(self, name)
+            if values is not None and not (len(values) == 3 and all(map(math.isfinite, values))):
+                yield f"{name} must be three finite coordinates"
+        if math.hypot(*self.tool_axis) < 1e-6:
+            yield "tool_axis must be a direction, not zero"
+        if not all(map(math.isfinite, (*self.start.values(), *self.assumed.values()))):
+            yield "start must hold finite positions"
+        for name in ("temperature", "time"):
+            value = getattr(self, name)
+            if value is not None and not math.isfinite(value):
+                yield f"{name} is {value:g}; it must be finite"
+        if self.words != "nearest" and self.ball is None:
+            yield f"words '{self.words}' minimises the error along the ball bar; give the ball too"
+
+
+def decimals(resolution: float) -> int:
+    """Digits after the decimal point that write every multiple of `resolution` exactly.
+
+    Raises ValueError when more than 7 would be needed.
+    """
+    exponent = Decimal(repr(resolution)).normalize().as_tuple().exponent
+    if not isinstance(exponent, int) or exponent < -7:
+        raise ValueError(f"resolution {resolution!r} needs more than 7 decimals")
+    return max(0, -exponent)

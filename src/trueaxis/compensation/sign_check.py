@@ -1,0 +1,144 @@
+"""What shows, before first use, whether the signs of the machine's axes and of the error values are right."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.held import Held
+from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_jacobian, linear_rows
+from trueaxis.compensation.path import Path
+
+_SHOWN = 0.00005  # mm, half of the last decimal that is shown
+
+
+@dataclass(frozen=True, slots=True)
+class SignCheck:
+    """One point at which a gauge shows whether the sign of the error values is right.
+
+    line: of the block. position: programmed axis positions, mm and deg. direction: X, Y or Z of the workpiece frame.
+
+    deviation: of the tool point there in that direction, actual minus ideal, mm, uncompensated; at_home: the same at
+    `home`, axis positions where a gauge is set to zero; since_home: the difference, which the gauge shows. axis,
+    command: the linear axis that moves the tool most in that direction, and its compensated command. correction: how
+    far all compensated commands together move the error-free tool point in that direction, mm.
+    """
+
+    line: int
+    position: dict[str, float]
+    home: dict[str, float]
+    direction: str
+    deviation: float
+    at_home: float
+    since_home: float
+    axis: str
+    command: float
+    correction: float
+
+    def __str__(self) -> str:
+        at_home, difference, taken_back = "", "", ""
+        if abs(self.at_home) >= _SHOWN:
+            at_home = f" there and {self.at_home:+.4f} mm at home"
+            difference = ", the difference"
+            taken_back = f"; at home they would by {-self.at_home:+.4f} mm: the difference is the reading, taken back"
+        return (
+            f"sign check before first use: at {_named(self.position)} (line {self.line}) the error values displace the "
+            f"tool point by d{self.direction} = {self.deviation:+.4f} mm{at_home}, in the workpiece frame.\n"
+            f"  Without compensation, a gauge or laser between table and tool along {self.direction} that is zero at "
+            f"home ({_named(self.home)}) must show {self.since_home:+.4f} mm there{difference}.\n"
+            f"  A reading above 0 means that the tool stands too far towards {self.direction}+ of the workpiece.\n"
+            f"  The compensated program commands {self.axis}{self.command:.9g} "
+            f"({self.command - self.position[self.axis]:+.4f} mm), and its words together move the tool by "
+            f"{self.correction:+.4f} mm along {self.direction}{taken_back}.\n"
+            "  If the gauge moves the other way, the error values have the wrong sign: do not run the program."
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Senses:
+    """Where the model takes a positive command of each linear axis to move the tool.
+
+    towards: direction in the workpiece frame of each axis, as `Y-`. rotary: positions of the rotary axes, deg, at which
+    that holds.
+    """
+
+    towards: dict[str, str]
+    rotary: dict[str, float]
+
+    def __str__(self) -> str:
+        parts: list[str] = []
+        for axis, way in self.towards.items():
+            first = " move the tool" if not parts else ""
+            workpiece = " of the workpiece" if not parts else ""
+            table = f" (as where the table moves to {way[0]}+)" if way[1] == "-" else ""
+            parts.append(f"{axis}+ commands{first} to {way}{workpiece}{table}")
+        at = f"at {_named(self.rotary)} " if self.rotary else ""
+        return (
+            f"the model takes it that {at}{', '.join(parts)}. "
+            "If that is not so on the machine, `sense` in the spec is wrong: do not run the program."
+        )
+
+
+def senses_of(model: ErrorModel, tool_point: FloatArray) -> Senses:
+    """Which way each linear axis moves the tool at home; tool_point: (3, 1), mm."""
+    home = home_of(model)
+    moves = linear_jacobian(model, home[:, None], tool_point)[:, :, 0]
+    towards = {}
+    for column, row in enumerate(linear_rows(model.axes)):
+        main = int(np.argmax(np.abs(moves[:, column])))
+        towards[model.axes[row]] = LINEAR[main] + ("+" if moves[main, column] > 0.0 else "-")
+    at = zip(model.axes, home.tolist(), strict=True)
+    return Senses(towards, {axis: value for axis, value in at if axis not in LINEAR})
+
+
+def home_of(model: ErrorModel) -> FloatArray:
+    """Axis positions (n_axes,), mm and deg, nearest to 0 within the travel."""
+    low, high = np.array([model.travel[axis] for axis in model.axes], dtype=np.float64).T
+    return np.asarray(np.clip(np.zeros(len(model.axes)), low, high))
+
+
+class SignChecker:
+    """Keeps the programmed point at which the deviation since home is largest in one direction, if above `least` mm."""
+
+    def __init__(self, model: ErrorModel, tool_point: FloatArray, least: float) -> None:
+        self._model, self._tool_point = model, tool_point
+        self._home = home_of(model)
+        self._at_home = model.deviation(self._home[:, None], tool_point)
+        self._largest = least
+        self.found: SignCheck | None = None
+
+    def use(self, tool_point: FloatArray) -> None:
+        """Another tool point from here on, (3, 1), mm."""
+        self._tool_point = tool_point
+        self._at_home = self._model.deviation(self._home[:, None], tool_point)
+
+    def add(
+        self, path: Path, deviation: FloatArray, commands: FloatArray, lines: NDArray[np.int64], held: Held
+    ) -> None:
+        """Look at points: deviation (3, n) at the programmed positions, commands (n_axes, n) as written."""
+        since = np.where(held.any(axis=0), 0.0, np.nan_to_num(deviation - self._at_home))
+        direction, point = np.unravel_index(np.argmax(np.abs(since)), since.shape)
+        if not abs(since[direction, point]) > self._largest:
+            return
+        self._largest = float(abs(since[direction, point]))
+        axes, at, written = self._model.axes, path.points[:, [point]], commands[:, [point]]
+        moves = linear_jacobian(self._model, at, self._tool_point)[direction, :, 0]
+        row = linear_rows(axes)[int(np.argmax(np.abs(moves)))]
+        moved = self._model.ideal(written, self._tool_point) - self._model.ideal(at, self._tool_point)
+        self.found = SignCheck(
+            int(lines[point]),
+            dict(zip(axes, at[:, 0].tolist(), strict=True)),
+            dict(zip(axes, self._home.tolist(), strict=True)),
+            LINEAR[direction],
+            float(deviation[direction, point]),
+            float(self._at_home[direction, 0]),
+            float(since[direction, point]),
+            axes[row],
+            float(written[row, 0]),
+            float(moved[direction, 0]),
+        )
+
+
+def _named(position: Mapping[str, float]) -> str:
+    return " ".join(f"{axis}{value + 0.0:.9g}" for axis, value in position.items())

@@ -1,0 +1,104 @@
+"""Cuts straight motions where the errors along them are not straight enough."""
+
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.along import Along
+from trueaxis.compensation.machine import FloatArray
+from trueaxis.compensation.path import Path
+from trueaxis.compensation.placed import Placing
+
+PROBE_SPACING = 2.5  # mm (deg); finer than the pitch of ball screws and scales, whose errors are the shortest waves
+SHARE = 0.25  # of the tolerance, allowed between the errors of a motion and the straight line between its ends
+SHORTEST = 0.05  # mm (deg); what is shorter is not cut: a jump in the errors cannot be followed by cutting
+PROBES_AT_ONCE = 65536
+
+
+def subdivide(path: Path, along: Along, placing: Placing) -> tuple[Path, Placing]:
+    """Bisect feed motions until, at every probe, the correction of the axes differs from the one interpolated
+    between the ends by at most `SHARE` of the tolerance.
+
+    A motion is probed at an odd number of places no more than `PROBE_SPACING` apart, its middle always among them. The
+    correction is the first step of Eq. (55); interpolation is what the control does with the words of both ends.
+    Rapid motions and those from an unknown start are left whole. Returns the pieces, and the machine along them.
+    """
+    whole = path.rapid | ~np.isfinite(path.origins).all(axis=0)
+    length = np.where(whole, 0.0, np.sqrt(((path.points - path.origins) ** 2).sum(axis=0)))
+    owner = np.flatnonzero(length > SHORTEST)
+    if owner.size == 0:
+        return path, placing
+    low = np.zeros(owner.size)
+    high = np.ones(owner.size)
+    cut_owner: list[NDArray[np.int64]] = []
+    cut_share: list[FloatArray] = []
+    while owner.size:
+        bent = np.concatenate(
+            [
+                _bent(path, along, placing, owner[part], low[part], high[part])
+                for part in _parts(length[owner] * (high - low))
+            ]
+        )
+        bent &= length[owner] * (high - low) > 2.0 * SHORTEST
+        owner, low, high = owner[bent], low[bent], high[bent]
+        middle = 0.5 * (low + high)
+        cut_owner.append(owner)
+        cut_share.append(middle)
+        owner = np.concatenate([owner, owner])
+        low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
+    return _cut(path, placing, np.concatenate(cut_owner), np.concatenate(cut_share))
+
+
+def _probe_count(length: FloatArray) -> NDArray[np.int64]:
+    return np.maximum(np.ceil(length / PROBE_SPACING), 1.0).astype(np.int64) | 1
+
+
+def _parts(length: FloatArray) -> list[slice]:
+    """Runs of motions that need about `PROBES_AT_ONCE` probes each."""
+    total = np.cumsum(_probe_count(length) + 2)
+    edges = [0]
+    while edges[-1] < length.size:
+        before = total[edges[-1] - 1] if edges[-1] else 0
+        edges.append(max(edges[-1] + 1, int(np.searchsorted(total, before + PROBES_AT_ONCE))))
+    return [slice(a, b) for a, b in pairwise(edges)]
+
+
+def _bent(
+    path: Path,
+    along: Along,
+    placing: Placing,
+    owner: NDArray[np.int64],
+    low: FloatArray,
+    high: FloatArray,
+) -> NDArray[np.bool_]:
+    """Whether the correction along path[owner] between the shares low and high leaves the straight line."""
+    origin, point = path.origins[:, owner], path.points[:, owner]
+    span = point - origin
+    count = _probe_count(np.sqrt((span**2).sum(axis=0)) * (high - low)) + 2  # with both ends
+    first = np.cumsum(count) - count
+    motion = np.repeat(np.arange(owner.size), count)
+    share = (np.arange(motion.size) - first[motion]) / (count - 1)[motion]
+    place = low[motion] + share * (high - low)[motion]
+    positions = origin[:, motion] + place * span[:, motion]
+    correction = along.correction(placing.at(owner[motion], place), positions)
+    at_low, at_high = correction[:, first], correction[:, first + count - 1]
+    straight = at_low[:, motion] + share * (at_high - at_low)[:, motion]
+    return np.asarray(np.maximum.reduceat(along.apart(positions, correction, straight), first) > SHARE)
+
+
+def _cut(path: Path, placing: Placing, owner: NDArray[np.int64], share: FloatArray) -> tuple[Path, Placing]:
+    """The path with further points at the shares of the motions given."""
+    if owner.size == 0:
+        return path, placing
+    inserted = path.origins[:, owner] + share * (path.points - path.origins)[:, owner]
+    motion = np.concatenate([owner, np.arange(path.size)])
+    high = np.concatenate([share, np.ones(path.size)])
+    order = np.lexsort((high, motion))
+    points = np.concatenate([inserted, path.points], axis=1)[:, order]
+    motion, high = motion[order], high[order]
+    low = np.where(np.diff(motion, prepend=-1) > 0, 0.0, np.roll(high, 1))
+    origins = np.concatenate([path.origins[:, :1], points[:, :-1]], axis=1)
+    return Path(points, origins, path.owner[motion], path.rapid[motion], path.halts[motion]), placing.cut(
+        motion, low, high
+    )

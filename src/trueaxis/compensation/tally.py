@@ -1,0 +1,291 @@
+"""What the report is made of, gathered batch by batch."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.acting import EffectNote
+from trueaxis.compensation.elsewhere import change_of_words
+from trueaxis.compensation.executed import Executed
+from trueaxis.compensation.held import Held
+from trueaxis.compensation.machine import ErrorModel, FloatArray
+from trueaxis.compensation.moves import Notes, Setup
+from trueaxis.compensation.orientation import ToolAxis, angle
+from trueaxis.compensation.path import Path
+from trueaxis.compensation.placed import Placing
+from trueaxis.compensation.point_control import PointControlled
+from trueaxis.compensation.report import CompensationReport, Errors, PassedCode, UnknownPlaces
+from trueaxis.compensation.sensitivity import OffsetUse, offset_use
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.sign_check import SignChecker, senses_of
+from trueaxis.compensation.solve import Solution
+from trueaxis.compensation.solve_pose import PoseSolution
+from trueaxis.compensation.statistics import LineLog, Running
+from trueaxis.compensation.tools import ToolUse
+from trueaxis.compensation.visited import Visited
+from trueaxis.compensation.word_choice import bar_error
+
+STAGES = ("before", "solved", "after", "along")
+UNCOMMANDED = "uncommanded"
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """linear: for rotary positions as their words name them; pose: before they are words, where they turn too."""
+
+    linear: Solution
+    pose: PoseSolution | None
+
+    @property
+    def commands(self) -> FloatArray:
+        """Commands (n_axes, n), words not rounded."""
+        return self.linear.commands if self.pose is None else self.pose.commands
+
+    @property
+    def steps(self) -> NDArray[np.int64]:
+        """Corrections made, (n,)."""
+        return self.linear.steps if self.pose is None else self.pose.steps
+
+    @property
+    def converged(self) -> NDArray[np.bool_]:
+        """(n,)."""
+        return self.linear.converged if self.pose is None else self.linear.converged & self.pose.converged
+
+
+class Tally:
+    """Counts and figures of one program on one machine; visited: the places that it came to, by what was in force."""
+
+    def __init__(self, model: ErrorModel, settings: Settings, effects: tuple[EffectNote, ...]) -> None:
+        self._settings, self._effects = settings, effects
+        self._tool_point = np.array(settings.tool_point, dtype=np.float64)[:, None]
+        self._ball = None if settings.ball is None else np.array(settings.ball, dtype=np.float64)[:, None]
+        self._axis = ToolAxis(model, settings.tool_axis)
+        self._model, self._setup = model, Setup()
+        self.visited = {self._setup: Visited(model, self._tool_point)}  # by what was in force
+        self._senses = senses_of(model, self._tool_point)
+        self._sign = SignChecker(model, self._tool_point, settings.resolution)
+        self._controlled: PointControlled | None = None
+        self._moves = self._points = self._short_blocks = self._take_ups = 0
+        self._iterations: Counter[int] = Counter()
+        self._vector = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
+        self._bar = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
+        self._orientation = {stage: Running() for stage in (*STAGES, UNCOMMANDED)}
+        self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
+        self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
+        self._axes = model.axes
+        self._elsewhere, self._rows_elsewhere = Running(), set[int]()
+
+    def setup(self, setup: Setup, tool_point: FloatArray, controlled: PointControlled | None = None) -> None:
+        """Other work offsets or another tool, with its point (3, 1), from here on; controlled: the machine where
+        positions are those of the tip.
+        """
+        self._setup, self._tool_point, self._controlled = setup, tool_point, controlled
+        self._sign.use(tool_point)
+        if setup not in self.visited:
+            self.visited[setup] = Visited(self._model, tool_point)
+
+    def add(
+        self,
+        moves: int,
+        path: Path,
+        solved: Solved,
+        done: Executed,
+        lines: NDArray[np.int64],
+        previous: FloatArray,
+        settled: bool,
+        placing: Placing,
+        held: Held,
+        elsewhere: Held,
+    ) -> None:
+        """Evaluate what was written of one batch.
+
+        lines: (n_points,), of the path's points. previous: (n_axes,), position named by the words before; settled:
+        whether it was a compensated one. placing: gives the machine along the path. held: (n_axes, n_points), axes that
+        got no word although compensation would move them; rapids to such points count apart, since an axis that is not
+        where the program wants it yet is no error of compensation there. elsewhere: the same shape, axes that may stand
+        anywhere.
+        """
+        self._moves += moves
+        self._points += path.size
+        self._short_blocks += int(done.passed.sum())
+        self._take_ups += int(path.halts.sum())
+        self._iterations.update(dict(enumerate(np.bincount(solved.steps).tolist())))
+        self._not_converged.add(lines[~solved.converged])
+        self._out_of_travel.add(lines[done.point[done.stopped]])
+
+        index = np.arange(path.size)
+        model = placing.at(index, np.ones(path.size))
+        written = done.at_points(previous)
+        deviation, _ = self._stage("before", model, path.points, path.points, lines)
+        moved = np.where(held, 0.0, written - path.points)
+        if self._controlled is None:
+            self._sign.add(path, deviation, written, lines, held)
+            self.visited[self._setup].add(path.origins, path.points, moved)
+        else:
+            origins, points = (
+                self._controlled.axis_positions(p, self._tool_point) for p in (path.origins, path.points)
+            )
+            self.visited[self._setup].add(origins, points, moved)
+        waiting = held.any(axis=0)
+        self._uncommanded.add(lines[waiting])
+        counted: NDArray[np.int64] | slice = slice(None)
+        if waiting.any():
+            rows = index[waiting]
+            there = placing.at(rows, np.ones(rows.size))
+            self._stage(UNCOMMANDED, there, written[:, rows], path.points[:, rows], lines[rows])
+            if self._controlled is None:
+                self._elsewhere_at(placing, path, elsewhere, lines)
+            counted = index = index[~(waiting & path.rapid)]
+            model = placing.at(index, np.ones(index.size))
+        if index.size:
+            self._at_points(model, counted, path, solved, written, lines)
+        self._along(path, done, lines, previous, settled, placing)
+
+    def _elsewhere_at(self, placing: Placing, path: Path, elsewhere: Held, lines: NDArray[np.int64]) -> None:
+        """Note what it may cost that axes stand elsewhere than they are taken to stand."""
+        rows = np.flatnonzero(elsewhere.any(axis=0))
+        if rows.size:
+            model = placing.at(rows, np.ones(rows.size))
+            change = change_of_words(model, path.points[:, rows], elsewhere[:, rows], self._tool_point)
+            self._elsewhere.add(change, lines[rows])
+            self._rows_elsewhere |= set(np.flatnonzero(elsewhere.any(axis=1)).tolist())
+
+    def _at_points(
+        self,
+        model: ErrorModel,
+        index: NDArray[np.int64] | slice,
+        path: Path,
+        solved: Solved,
+        written: FloatArray,
+        lines: NDArray[np.int64],
+    ) -> None:
+        """Evaluate the programmed points that count."""
+        points, at = path.points[:, index], lines[index]
+        self._stage("solved", model, solved.commands[:, index], points, at)
+        error, turned = self._stage("after", model, written[:, index], points, at)
+        self._over_tolerance.add(at[~(_length(error) <= self._settings.tolerance)])
+        if solved.pose is not None and turned is not None:
+            self._singular.add(at[solved.pose.singular[index]])
+            self._over_orientation.add(at[~(1e6 * turned <= self._settings.orientation_tolerance_urad)])
+
+    def _along(
+        self,
+        path: Path,
+        done: Executed,
+        lines: NDArray[np.int64],
+        previous: FloatArray,
+        settled: bool,
+        placing: Placing,
+    ) -> None:
+        """Evaluate the middles and ends of the feed blocks."""
+        fed = ~path.rapid[done.point]
+        fed[0] &= settled  # the way from where the machine stood at first is half uncompensated
+        fed &= np.isfinite(path.origins[0])[done.point]
+        fed &= ~path.halts[done.point]  # what is taken up there moves the axis, not the tool
+        index = np.flatnonzero(fed)
+        reference = np.concatenate([path.origins[:, :1], done.reference], axis=1)
+        executed = np.concatenate([previous[:, None], done.positions], axis=1)
+        for share in (0.5, 1.0):
+            at = executed[:, index] + share * (executed[:, index + 1] - executed[:, index])
+            wanted = reference[:, index] + share * (reference[:, index + 1] - reference[:, index])
+            there = placing.at(done.point[index], np.full(index.size, share))
+            self._stage("along", there, at, wanted, lines[done.point[index]])
+
+    def _stage(
+        self, stage: str, model: ErrorModel, positions: FloatArray, wanted: FloatArray, lines: NDArray[np.int64]
+    ) -> tuple[FloatArray, FloatArray | None]:
+        """Note where positions put the tool instead of where the error-free machine is at `wanted`.
+
+        Returns the error vectors (3, n), mm, and with rotary axes the orientation errors (n,), rad.
+        """
+        target = model.ideal(wanted, self._tool_point)
+        actual = model.ideal(positions, self._tool_point) + model.deviation(positions, self._tool_point)
+        error = actual - target
+        self._vector[stage].add(_length(error), lines)
+        if self._ball is not None:
+            self._bar[stage].add(bar_error(target, error, self._ball), lines)
+        if not self._axis.turns:
+            return error, None
+        turned = angle(self._axis.on(model).actual(positions), self._axis.wanted(wanted))
+        self._orientation[stage].add(1e6 * turned, lines)
+        return error, turned
+
+    def report(self, program: str, language: str, blocks_in: int, blocks_out: int, notes: Notes) -> CompensationReport:
+        """What has been counted so far."""
+        most = max((steps for steps, count in self._iterations.items() if count), default=-1)
+        vector = _errors(self._vector)
+        return CompensationReport(
+            program,
+            language,
+            self._settings,
+            blocks_in,
+            blocks_out,
+            self._moves,
+            self._points,
+            self._short_blocks,
+            self._take_ups,
+            tuple(self._iterations[steps] for steps in range(most + 1)),
+            vector.before,
+            vector.solved,
+            vector.after,
+            vector.along,
+            None if self._ball is None else _errors(self._bar),
+            _errors(self._orientation) if self._axis.turns else None,
+            self._not_converged.lines(),
+            self._over_tolerance.lines(),
+            self._out_of_travel.lines(),
+            self._over_orientation.lines(),
+            self._singular.lines(),
+            self._uncommanded.lines(),
+            self._vector[UNCOMMANDED].summary(),
+            self._unknown_places(),
+            self._offsets(),
+            self._tools(),
+            self._effects,
+            self._senses,
+            self._sign.found,
+            tuple(PassedCode(code, log.lines()) for code, log in sorted(notes.passed.items())),
+            notes.texts(),
+        )
+
+    def _tools(self) -> tuple[ToolUse, ...]:
+        points = {setup.tool: visited.tool_point for setup, visited in self.visited.items() if visited.positions.size}
+        return tuple(
+            ToolUse(tool, (float(point[0, 0]), float(point[1, 0]), float(point[2, 0])))
+            for tool, point in points.items()
+            if tool
+        )
+
+    def _offsets(self) -> tuple[OffsetUse, ...]:
+        used: dict[Setup, list[tuple[FloatArray, FloatArray]]] = {}  # whatever the tool
+        for setup, visited in self.visited.items():
+            if setup.system and visited.positions.size:
+                used.setdefault(setup._replace(tool=None), []).append((visited.positions, visited.tool_point))
+        return tuple(
+            offset_use(
+                self._model,
+                places,
+                setup.system,
+                dict(zip(self._axes, setup.values, strict=True)),
+                np.array(setup.spread),
+            )
+            for setup, places in used.items()
+        )
+
+    def _unknown_places(self) -> UnknownPlaces | None:
+        change = self._elsewhere.summary()
+        if change is None:
+            return None
+        assumed = self._settings.assumed
+        places = {self._axes[row]: assumed.get(self._axes[row], 0.0) for row in sorted(self._rows_elsewhere)}
+        return UnknownPlaces(places, change)
+
+
+def _length(vectors: FloatArray) -> FloatArray:
+    return np.asarray(np.sqrt((vectors**2).sum(axis=0)))
+
+
+def _errors(stages: dict[str, Running]) -> Errors:
+    return Errors(*(stages[stage].summary() for stage in STAGES))

@@ -1,0 +1,150 @@
+"""Follows the axes through a program, batch by batch, and puts in points where a reversal is to be taken up."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.acting import Acting
+from trueaxis.compensation.along import Along
+from trueaxis.compensation.course import Course, Standing, since_reversal, turnings
+from trueaxis.compensation.held import Held, axes_elsewhere
+from trueaxis.compensation.lattice import word_steps
+from trueaxis.compensation.machine import FloatArray, linear_rows
+from trueaxis.compensation.moves import Kind, Move, Notes
+from trueaxis.compensation.path import Path, path_of
+from trueaxis.compensation.placed import OnCourse, Placed
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.velocity import at_vertices, cruising, ramps
+from trueaxis.effects.variables import FARTHEST
+from trueaxis.model.context import Context
+
+# In steps of words: how far an axis that moves in the program, or stands there and is moved by corrections alone, goes
+# back before that is a reversal. Nothing would be gained by taking up play for less than a word.
+MOVES, STANDS = 0.25, 1.0
+AHEAD = (
+    "a reversal throws the axis ahead (does the control compensate too much lost motion?): the block that makes up for "
+    "it goes the old way, and the tool is off the path by the jump until the axis turns"
+)
+BACK_AND_FORTH = (
+    "words chosen along the ball bar go back and forth by a step, which an axis with lost motion does not follow: "
+    "--words nearest is better here"
+)
+NO_FEED = "a feed motion without a known F in mm/min: what depends on velocity is not compensated there"
+
+
+class Tracker:
+    """Knows how the axes stand after the batches so far."""
+
+    def __init__(self, acting: Acting, along: Along, settings: Settings, notes: Notes) -> None:
+        self._acting, self._along, self._settings, self._notes = acting, along, settings, notes
+        self._axes = acting.model.axes
+        self._steps = {inch: word_steps(self._axes, settings, inch) for inch in (False, True)}
+        self._standing = Standing.at(np.full(len(self._axes), np.nan))
+        if acting.reversing and settings.words != "nearest":
+            notes.add(0, BACK_AND_FORTH)
+
+    def use(self, along: Along) -> None:
+        """Compare corrections otherwise from here on: another tool."""
+        self._along = along
+
+    def stand(self, position: FloatArray, kept: NDArray[np.bool_]) -> None:
+        """Axes stand at a position (n_axes,) and have not moved yet, but for those that are kept as they were."""
+        new, old = Standing.at(position), self._standing
+        self._standing = Standing(
+            np.where(kept, old.extreme, new.extreme),
+            np.where(kept, old.direction, new.direction),
+            np.where(kept, old.since, new.since),
+            new.velocity,
+        )
+
+    def place(
+        self, path: Path, moves: Sequence[Move], follows: NDArray[np.bool_], following: Move | None
+    ) -> tuple[Path, OnCourse]:
+        """The path of a batch, with a motion of no length wherever the commands have to jump, and its course.
+
+        A jump is due at the start of a motion in which an axis moves the other way. follows: whether each move is run
+        through; following: the move after the last.
+        """
+        standing = self._standing
+        inch = np.array([move.inch for move in moves])[path.owner]
+        steps = np.where(inch, self._steps[True], self._steps[False])
+        elsewhere = axes_elsewhere(moves, len(self._axes))[:, path.owner]
+        direction, extreme = self._directions(path, steps, elsewhere)
+        velocity, duration, at_ends = self._velocities(path, moves, follows, following)
+        since, gone = since_reversal(path, direction, standing, duration, linear_rows(self._axes))
+        at_starts = np.concatenate([standing.velocity[:, None], at_ends[:, :-1]], axis=1)
+        course = Course(direction, since, gone, (at_starts, velocity, at_ends), ramps(duration))
+        jumps = self._jumps(path, course, steps, moves)
+        self._standing = Standing(extreme, direction[:, -1], since[..., -1] + gone[..., -1], at_ends[:, -1])
+        return self._with_jumps(path, course, jumps)
+
+    def _directions(self, path: Path, steps: FloatArray, elsewhere: Held) -> tuple[FloatArray, FloatArray]:
+        standing = self._standing
+        if not self._acting.reversing:
+            return np.zeros_like(path.points), standing.extreme
+        model = self._placed(
+            np.zeros_like(path.points), np.zeros_like(path.points), np.full((3, *path.points.shape), FARTHEST)
+        )
+        wanted = np.where(elsewhere, np.nan, path.points + self._along.correction(model, path.points))
+        band = steps * np.where(path.points == path.origins, STANDS, MOVES)
+        direction, extreme = turnings(wanted, standing, band)
+        others = [row for row, axis in enumerate(self._axes) if axis not in self._acting.reversing]
+        direction[others] = 0.0
+        return direction, extreme
+
+    def _velocities(
+        self, path: Path, moves: Sequence[Move], follows: NDArray[np.bool_], following: Move | None
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Velocity in the midst of motions, their duration, and velocity at their ends."""
+        if not self._acting.moving:
+            still = np.zeros_like(path.points)
+            return still, np.zeros(path.size), still
+        for move in moves:
+            if move.kind != Kind.RAPID and not move.feed > 0.0:
+                self._notes.add(move.line, NO_FEED)
+        feed = np.array([move.feed for move in moves])[path.owner]
+        midst, duration = cruising(path, feed, self._axes)
+        after, owner = np.zeros((len(self._axes), 1)), len(moves)
+        if following is not None:
+            ahead = path_of([following], path.points[:, -1], self._axes, self._settings.chord_tolerance)
+            after = cruising(ahead, np.full(ahead.size, following.feed), self._axes)[0][:, :1]
+        ends = at_vertices(np.concatenate([midst, after], axis=1), np.append(path.owner, owner), follows)
+        return midst, duration, ends
+
+    def _jumps(self, path: Path, course: Course, steps: FloatArray, moves: Sequence[Move]) -> NDArray[np.int64]:
+        """Motions at whose start the commands are to jump by more than rounding."""
+        before = np.concatenate([self._standing.direction[:, None], course.direction[:, :-1]], axis=1)
+        since = np.concatenate([self._standing.since[..., None], (course.since + course.gone)[..., :-1]], axis=2)
+        turned = (course.direction != before).any(axis=0) & ~path.rapid & np.isfinite(path.origins).all(axis=0)
+        index = np.flatnonzero(turned)
+        if index.size == 0:
+            return index
+        velocity = course.velocity[0][:, index]
+        at = np.ascontiguousarray(path.origins[:, index])
+        new = self._placed(course.direction[:, index], velocity, course.since[..., index])
+        old = self._placed(before[:, index], velocity, since[..., index])
+        leap = self._along.correction(new, at) - self._along.correction(old, at)
+        counts = np.abs(leap) > 0.5 * steps[:, index]
+        against = counts & (leap * course.direction[:, index] < 0.0) & (course.direction * before < 0.0)[:, index]
+        for owner in path.owner[index[against.any(axis=0)]]:
+            self._notes.add(moves[owner].line, AHEAD)
+        return np.asarray(index[counts.any(axis=0)])
+
+    def _with_jumps(self, path: Path, course: Course, jumps: NDArray[np.int64]) -> tuple[Path, OnCourse]:
+        if jumps.size:
+            motion = np.sort(np.concatenate([np.arange(path.size), jumps]), kind="stable")
+            leaping = np.append(motion[1:] == motion[:-1], False)
+            path = Path(
+                np.where(leaping, path.origins[:, motion], path.points[:, motion]),
+                path.origins[:, motion], path.owner[motion], path.rapid[motion], leaping,
+            )  # fmt: skip
+            course = course.with_halts(motion, leaping)
+        return path, OnCourse(self._acting.model, course, self._acting.time, self._acting.temperature)
+
+    def _placed(self, directions: FloatArray, velocity: FloatArray, since: FloatArray) -> Placed:
+        acting, count = self._acting, directions.shape[1]
+        times, temperatures = np.full(count, acting.time), np.full(count, acting.temperature)
+        way, passed, along = since
+        here = Context(directions, velocity, way, passed, along, times, temperatures)
+        return Placed.of_context(acting.model, here)

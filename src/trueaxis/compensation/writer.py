@@ -1,0 +1,163 @@
+"""NC blocks with compensated axis words."""
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.compensation.kept_arcs import Piece, plane_of
+from trueaxis.compensation.machine import LINEAR, FloatArray
+from trueaxis.compensation.moves import Move, Zero
+from trueaxis.compensation.settings import MM_PER_INCH, Settings, decimals
+
+_LEAST_SHARE = 1e-6  # of the time of a block: a piece of no length has an F all the same
+_F_DIGITS = 7  # of F under G93: times are then right to a part in a million
+_HOLDS = 1e-9  # mm, deg: positions closer than this are the same
+
+
+class BlockWriter:
+    """Writes moves; holds the number formats of a machine's words."""
+
+    def __init__(self, axes: tuple[str, ...], settings: Settings) -> None:
+        self._axes, self._formats = axes, {}
+        for inch in (False, True):
+            linear = settings.inch_resolution if inch else settings.resolution
+            steps = [linear if axis in LINEAR else settings.rotary_resolution for axis in axes]
+            # always with a decimal point: some controls read X100 as 0.1 mm
+            self._formats[inch] = [
+                (step, f"{axis}%.{max(decimals(step), 1)}f") for axis, step in zip(axes, steps, strict=True)
+            ]
+
+    def texts(
+        self,
+        moves: Sequence[Move],
+        owner: NDArray[np.int64],
+        positions: FloatArray,
+        previous: FloatArray,
+        lattices: tuple[FloatArray, FloatArray],
+        programmed: tuple[FloatArray, FloatArray],
+        shares: FloatArray,
+        arcs: Mapping[int, Piece] = MappingProxyType({}),
+    ) -> list[str]:
+        """One text for each move: its block, or the blocks it has become.
+
+        owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
+        before them (NaN: not known); lattices: mm or deg per step of a word, and position minus word in G90,
+        (n_axes, n); programmed: end and start of the move that each belongs to, (n_axes, n); shares: (n,), of the time
+        of that move; arcs: those of the positions that end an arc, by their index.
+        Raises ValueError rather than write a position that is not finite.
+        """
+        if not np.isfinite(positions).all():
+            raise ValueError("a position to be written is not finite")
+        absolute = np.array([move.absolute for move in moves])[owner]
+        with np.errstate(invalid="ignore"):
+            stays = np.abs(positions - previous) < _HOLDS
+        steps, shift = lattices
+        origin = np.where(absolute, shift, previous)
+        counts = np.rint((positions - origin) / steps).astype(np.int64).T.tolist()
+        stay = stays.T.tolist()
+        # a word may stay as it is where it names the position to be reached, and an increment where it starts as it did
+        ends, starts = programmed
+        with np.errstate(invalid="ignore"):
+            held_end = (np.abs(positions - ends) < _HOLDS).all(axis=0)
+            held_start = (np.abs(previous - starts) < _HOLDS).all(axis=0)
+        unchanged = (held_end & (absolute | held_start)).tolist()
+        pieces = np.bincount(owner, minlength=len(moves)).tolist()
+        out = []
+        place = 0
+        for move, number in zip(moves, pieces, strict=True):
+            if number == 1 and place not in arcs:
+                out.append(self._single(move, counts[place], stay[place], unchanged[place]))
+            else:
+                part = slice(place, place + number)
+                of_move = [arcs.get(index) for index in range(place, place + number)]
+                out.append(self._several(move, counts[part], stay[part], shares[part], of_move))
+            place += number
+        return out
+
+    def zero(self, block: Zero, written: FloatArray, programmed: FloatArray) -> str:
+        """A block that gives axes new values where they stand: where the words, not the program, have put them.
+
+        written, programmed: (n_axes,), mm and deg. A word has the decimals that it needs, up to 7.
+        """
+        if all(abs(written[row] - programmed[row]) < _HOLDS for row in block.rows):
+            return block.source
+        words = []
+        for row in block.rows:
+            axis = self._axes[row]
+            scale = MM_PER_INCH if block.inch and axis in LINEAR else 1.0
+            step, form = self._formats[block.inch][row]
+            value = (written[row] - block.shift[row]) / scale
+            on_step = abs(value - round(value / step) * step) < _HOLDS
+            words.append(f"{axis}{value:.7f}" if not on_step else form % value)
+        return f"{block.lead}{block.gap.join(words)}{block.tail}"
+
+    def _single(self, move: Move, counts: list[int], stay: list[bool], unchanged: bool) -> str:
+        if unchanged and move.source and all(held or written for held, written in zip(stay, move.written, strict=True)):
+            return move.source
+        words = self._words(move, counts, stay, move.written)
+        return f"{move.lead}{words}{move.tail}{move.eol}"
+
+    def _several(
+        self,
+        move: Move,
+        counts: list[list[int]],
+        stay: list[list[bool]],
+        shares: FloatArray,
+        arcs: Sequence[Piece | None],
+    ) -> str:
+        lead, tail, last = move.split or (move.lead, move.tail, "")
+        if len(counts) == 1:
+            tail, last = move.tail, ""
+        none = (False,) * len(move.written)
+        eol = move.eol or "\n"
+        feeds = [_feed(move, share) for share in shares.tolist()] if len(counts) > 1 else [""]
+        if move.round is not None and arcs[0] is not None:
+            lead = move.round.lead if len(counts) == 1 else move.round.split_lead
+        first = self._words(move, counts[0], stay[0], move.written)
+        parts = [f"{lead}{first}{self._centre(move, arcs[0])}{feeds[0]}{tail}"]
+        before = arcs[0]
+        for count, held, feed, arc in zip(counts[1:], stay[1:], feeds[1:], arcs[1:], strict=True):
+            words = self._words(move, count, held, none)
+            if not words:
+                continue
+            code = ""
+            if move.round is not None and (arc is not None or before is not None or move.round.last):
+                code = move.round.code if arc is not None else move.round.line
+            parts.append(f"{move.again}{code}{words}{self._centre(move, arc)}{feed}")
+            before = arc
+        if last:
+            parts[-1 if len(parts) > 1 else 0] += last
+        return eol.join(parts) + move.eol
+
+    def _centre(self, move: Move, piece: Piece | None) -> str:
+        """The words of an arc's centre or radius, with the gap before them."""
+        if piece is None or piece.centre is None or move.round is None or move.arc is None:
+            return ""
+        scale = MM_PER_INCH if move.inch else 1.0
+        step, form = self._formats[move.inch][self._axes.index("X")]
+        digits = form[1:]
+
+        def word(letter: str, value: float) -> str:
+            return f"{move.gap}{letter}{digits % (round(value / scale / step) * step)}"
+
+        if move.round.centre == "radius":
+            return word(move.round.radius, piece.radius) + move.round.last
+        rows = plane_of(move.arc)
+        return "".join(word("IJK"[row], value) for row, value in sorted(zip(rows[:2], piece.centre, strict=True)))
+
+    def _words(self, move: Move, counts: list[int], stay: list[bool], written: tuple[bool, ...]) -> str:
+        return move.gap.join(
+            form % (count * step)
+            for (step, form), count, held, named in zip(self._formats[move.inch], counts, stay, written, strict=True)
+            if named or not held
+        )
+
+
+def _feed(move: Move, share: float) -> str:
+    """The F word of a piece that takes a share of the time of its block, under G93; nothing otherwise."""
+    if not move.inverse_time:
+        return ""
+    value = move.inverse_time / max(share, _LEAST_SHARE)
+    return f"{move.gap}F{np.format_float_positional(value, precision=_F_DIGITS, fractional=False, trim='0')}"

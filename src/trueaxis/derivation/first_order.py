@@ -1,0 +1,56 @@
+"""First order: what each error, alone and small, does to a point (the pair of error-free part and first-order part).
+
+An error factor met at the ideal point p displaces it by delta + epsilon x p (its generators applied to p); the
+factors that follow only turn that displacement. Met inverted, the displacement is the opposite, at the point after
+the factor, which to first order is the same. So the sensitivity of a view to every error is one product.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from trueaxis.derivation.chain import Error, Shift, Turn, Vector, cross_matrix, rotation
+from trueaxis.derivation.views import ViewWalk
+
+
+@dataclass(frozen=True)
+class FirstOrder:
+    """Ideal point (mm) and the columns of d(point)/d(error), by error name in the order met from the bed outwards."""
+
+    ideal: Vector
+    columns: dict[str, Vector]
+
+    def deviation(self) -> Vector:
+        """The first-order deviation: sum of sensitivity times error, mm."""
+        x, y, z = (
+            sp.Add(*(column[row] * sp.Symbol(name, real=True) for name, column in self.columns.items()))
+            for row in range(3)
+        )
+        return x, y, z
+
+
+def first_order(view: ViewWalk, point: Vector) -> FirstOrder:
+    """Walk a point through a view to first order; `point` in the frame of the seen body, mm."""
+    at = sp.Matrix(point)
+    columns: dict[str, sp.Matrix] = {}
+    for factor in view.walk:
+        sign = -1 if factor.inverted else 1
+        match factor.step:
+            case Shift(by):
+                at += sign * sp.Matrix(by)
+            case Turn(axis, cosine, sine):
+                turn = rotation(axis, cosine, sign * sine)
+                at = turn * at
+                columns = {name: turn * column for name, column in columns.items()}
+            case Error(_, _, names):
+                generators = sp.Matrix.hstack(sp.eye(3), -cross_matrix(tuple(at)))
+                for index, name in enumerate(names):
+                    if name is not None:
+                        # A body below both ends is met twice: both effects add.
+                        columns[name] = columns.get(name, sp.zeros(3, 1)) + sign * generators[:, index]
+    return FirstOrder(_vector(at), {name: _vector(column) for name, column in columns.items()})
+
+
+def _vector(column: sp.Matrix) -> Vector:
+    x, y, z = (sp.expand(entry) for entry in column)
+    return x, y, z

@@ -1,0 +1,101 @@
+"""Motion equations (Eqs. 7-11): displacement of a point since home while some axes move and the others stand still.
+
+As in the paper the motion errors are zero at home, so an axis that stands still at home has none.
+"""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import sympy as sp
+
+from trueaxis.derivation import symbols
+from trueaxis.derivation.chain import Vector
+from trueaxis.derivation.first_order import FirstOrder, first_order
+from trueaxis.derivation.views import view
+from trueaxis.machine.machine import LINEAR, ROTARY, Machine
+from trueaxis.machine.topology import branches
+from trueaxis.view import Carrier, Frame, view_of
+
+
+@dataclass(frozen=True)
+class MotionEquation:
+    """First-order displacement since home (mm): ideal part, and a column per error.
+
+    moves: the axes that move. terms: (sign, seen body, point symbols) whose displacements are added.
+    """
+
+    moves: tuple[str, ...]
+    frame: Frame
+    terms: tuple[tuple[int, Carrier, Vector], ...]
+    motion: FirstOrder
+
+
+def motion_equation(
+    machine: Machine, moves: Collection[str], terms: tuple[tuple[int, Carrier, Vector], ...], frame: Frame = "bed"
+) -> MotionEquation:
+    """Displacement of the signed sum of points, seen in `frame`, with the axes `moves` away from home."""
+    ideal = sp.zeros(3, 1)
+    columns: dict[str, sp.Matrix] = {}
+    for sign, seen, point in terms:
+        if seen == frame:
+            continue  # a point does not move in the frame of its own body
+        moved = first_order(view(machine, view_of(seen, frame)), point)
+        at, home = _at(machine, moved, moves), _at(machine, moved, ())
+        ideal += sign * (sp.Matrix(at.ideal) - sp.Matrix(home.ideal))
+        for name in machine.components:
+            if name.axis in moves and name in at.columns:
+                columns[name] = columns.get(name, sp.zeros(3, 1)) + sign * sp.Matrix(at.columns[name])
+        for location in machine.location_errors:
+            if location in at.columns:
+                change = sp.Matrix(at.columns[location]) - sp.Matrix(home.columns[location])
+                columns[location] = columns.get(location, sp.zeros(3, 1)) + sign * change
+    kept = {name: _vector(column) for name, column in columns.items() if any(column)}
+    ordered = {name: kept[name] for name in machine.components + machine.location_errors if name in kept}
+    axes = tuple(axis for axis in machine.axes if axis in moves)
+    return MotionEquation(axes, frame, terms, FirstOrder(_vector(ideal), ordered))
+
+
+def standard_motions(machine: Machine) -> tuple[MotionEquation, ...]:
+    """Every single axis and every pair of linear axes, seen from the bed.
+
+    The point is on the tool where only axes of its branch move, on the workpiece where only axes of that branch do,
+    else the workpiece point minus the tool point, as in Eq. (11).
+    """
+    linear = [axis for axis in machine.axes if axis in LINEAR]
+    patterns = [(axis,) for axis in machine.axes]
+    pairs = [(a, b) for index, a in enumerate(linear) for b in linear[index + 1 :]]
+    workpiece = {body.moves for body in branches(machine)[0]}
+    tool = {body.moves for body in branches(machine)[1]}
+    equations: list[MotionEquation] = []
+    for pattern in [*patterns, *pairs]:
+        on_tool, on_workpiece = set(pattern) & tool, set(pattern) & workpiece
+        terms: tuple[tuple[int, Carrier, Vector], ...] = ()
+        if on_workpiece:
+            terms += ((1, "workpiece", symbols.point("rW")),)
+        if on_tool:
+            terms += ((-1 if on_workpiece else 1, "tool", symbols.point("rT")),)
+        equations.append(motion_equation(machine, pattern, terms))
+    return tuple(equations)
+
+
+def _at(machine: Machine, moved: FirstOrder, moves: Collection[str]) -> FirstOrder:
+    still: dict[sp.Symbol, sp.Expr] = {}
+    for axis in machine.axes:
+        if axis in moves:
+            continue
+        if axis in ROTARY:
+            still |= {symbols.cosine(axis): sp.S.One, symbols.sine(axis): sp.S.Zero}
+        else:
+            still[symbols.position(axis)] = sp.S.Zero
+    columns = {name: _substituted(column, still) for name, column in moved.columns.items()}
+    return FirstOrder(_substituted(moved.ideal, still), columns)
+
+
+def _substituted(values: Vector, by: dict[sp.Symbol, sp.Expr]) -> Vector:
+    x, y, z = (value.xreplace(by) for value in values)
+    return x, y, z
+
+
+def _vector(column: sp.Matrix) -> Vector:
+    x, y, z = (sp.expand(entry) for entry in column)
+    return x, y, z

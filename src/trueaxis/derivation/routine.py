@@ -1,0 +1,173 @@
+"""A routine: named inputs and outputs and the assignments between them, in three stages.
+
+`batch` is computed once per call (it depends on constants alone), `preparation` once per point and holds the cosines
+and sines of rotary axes, `body` once per point and is plain arithmetic, but for the terms of effects, which call
+functions. Both emitters and the documents print this record.
+"""
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from trueaxis.derivation import symbols
+from trueaxis.machine.machine import ROTARY
+
+Assignment = tuple[sp.Symbol, sp.Expr]
+
+_RADIAN_PER_DEGREE = sp.Float(math.radians(1.0), 17)  # the very double that both emitters print
+
+
+@dataclass(frozen=True)
+class Argument:
+    """An array of a routine: `shape` without the point index; `rows` names its entries in C order.
+
+    per_point: whether each point has its own values (then the point index comes last).
+    """
+
+    name: str
+    rows: tuple[str, ...]
+    shape: tuple[int, ...]
+    per_point: bool
+    unit: str
+    description: str
+
+
+@dataclass(frozen=True)
+class Routine:
+    """See the module. `operations` counts additions, multiplications, divisions and roots per point."""
+
+    name: str
+    summary: str
+    source: str
+    inputs: tuple[Argument, ...]
+    outputs: tuple[Argument, ...]
+    batch: tuple[Assignment, ...]
+    preparation: tuple[Assignment, ...]
+    body: tuple[Assignment, ...]
+    operations: int
+    batch_operations: int
+
+
+class Binder:
+    """Gives names to intermediate results, so that expressions stay as short as they were derived."""
+
+    def __init__(self, prefix: str = "_bound") -> None:
+        """prefix: of the names; two binders whose assignments meet in one routine need two."""
+        self.assignments: list[Assignment] = []
+        self._prefix = prefix
+
+    def bind(self, value: sp.Expr) -> sp.Expr:
+        """The value itself where it is a number or a symbol, else a new symbol that stands for it."""
+        value = sp.sympify(value)
+        if value.is_Atom or (-value).is_Atom:
+            return value
+        name = sp.Symbol(f"{self._prefix}{len(self.assignments)}", real=True)
+        self.assignments.append((name, value))
+        return name
+
+    def bind_all(self, values: Iterable[sp.Expr]) -> tuple[sp.Expr, ...]:
+        """Each value bound."""
+        return tuple(self.bind(value) for value in values)
+
+
+def build(
+    name: str,
+    summary: str,
+    source: str,
+    inputs: Sequence[Argument],
+    outputs: Sequence[Argument],
+    results: Mapping[str, sp.Expr],
+    bound: Sequence[Assignment] = (),
+) -> Routine:
+    """Share common subexpressions, drop what is not needed, order, and sort the assignments into their stages.
+
+    results: the value of every row of every output. bound: assignments that the results refer to.
+    """
+    targets = [target for target, _ in bound] + [sp.Symbol(row, real=True) for row in results]
+    values = [value for _, value in bound] + list(results.values())
+    shared, values = sp.cse(values, symbols=sp.numbered_symbols("_shared", real=True))
+    needed = {row for output in outputs for row in output.rows}
+    ordered = _ordered(_without_copies([*shared, *zip(targets, values, strict=True)], needed), needed)
+    stages = _staged(ordered, inputs)
+    batch, preparation, body = (_renamed(stage, ordered, needed) for stage in stages)
+    return Routine(
+        name,
+        summary,
+        source,
+        tuple(inputs),
+        tuple(outputs),
+        batch,
+        preparation,
+        body,
+        count_operations(value for _, value in preparation + body),
+        count_operations(value for _, value in batch),
+    )
+
+
+def count_operations(values: Iterable[sp.Expr]) -> int:
+    """Arithmetic operations of the values."""
+    return int(sum(sp.count_ops(value) for value in values))
+
+
+def _without_copies(assignments: Sequence[Assignment], needed: set[str]) -> list[Assignment]:
+    """A result that merely copies an intermediate value becomes that value's name."""
+    names: dict[sp.Symbol, sp.Symbol] = {}
+    made = {target for target, _ in assignments}
+    for target, value in assignments:
+        if target.name in needed and value in made and value.name not in needed and value not in names:
+            names[value] = target
+    copies = set(names.values())
+    return [(names.get(target, target), value.xreplace(names)) for target, value in assignments if target not in copies]
+
+
+def _ordered(assignments: Sequence[Assignment], needed: set[str]) -> list[Assignment]:
+    """Depth first from the needed results, so that each value is made shortly before it is used."""
+    values = dict(assignments)
+    done: dict[sp.Symbol, sp.Expr] = {}
+
+    def visit(target: sp.Symbol) -> None:
+        if target in done:
+            return
+        for symbol in sorted(values[target].free_symbols & values.keys(), key=order.__getitem__):
+            visit(symbol)
+        done[target] = values[target]
+
+    order = {target: index for index, (target, _) in enumerate(assignments)}
+    for target, _ in assignments:
+        if target.name in needed:
+            visit(target)
+    return list(done.items())
+
+
+def _staged(ordered: Sequence[Assignment], inputs: Sequence[Argument]) -> tuple[list[Assignment], ...]:
+    rows = [row for argument in inputs if argument.per_point for row in argument.rows]
+    trigonometry = [
+        (make(axis), function(_RADIAN_PER_DEGREE * symbols.position(axis)))
+        for axis in ROTARY
+        if axis.lower() in rows
+        for make, function in ((symbols.cosine, sp.cos), (symbols.sine, sp.sin))
+    ]
+    free = {symbol for _, value in ordered for symbol in value.free_symbols}
+    preparation = [(target, value) for target, value in trigonometry if target in free]
+    varying = {sp.Symbol(row, real=True) for row in rows} | {target for target, _ in preparation}
+    batch: list[Assignment] = []
+    body: list[Assignment] = []
+    outputs = set()
+    for target, value in ordered:
+        if value.free_symbols & varying:
+            varying.add(target)
+            body.append((target, value))
+        elif target.name.startswith("_"):
+            batch.append((target, value))
+        else:
+            outputs.add(target)
+            body.append((target, value))  # a result that is the same for all points is still stored per point
+    return batch, preparation, body
+
+
+def _renamed(stage: Sequence[Assignment], ordered: Sequence[Assignment], needed: set[str]) -> tuple[Assignment, ...]:
+    temporary = [target for target, _ in ordered if target.name not in needed]
+    names = {target: sp.Symbol(f"w{index}", real=True) for index, target in enumerate(temporary)}
+    return tuple((names.get(target, target), value.xreplace(names)) for target, value in stage)

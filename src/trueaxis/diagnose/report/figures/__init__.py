@@ -1,3 +1,0 @@
-"""The figures of the report, one module each: a diagnosis goes in, pictures as inline SVG come out."""
-
-import trueaxis.pictures  # noqa: F401  Matplotlib is loaded there, away from the data, before any figure needs it

@@ -1,0 +1,130 @@
+"""The saturated base: everything that recalibration could change, so smooth that nothing smooth is left to hunt for.
+
+Every component error is a Legendre curve of degree 12 of its axis, every location error is free, and so is what nobody
+knows of the set-ups of the instruments. The scale and the alignment of a laser are known to parts in a million, and
+vary by chance within that.
+With parsimonious polynomials structure of a tenth of a micrometre that nobody asks for would count as a discovery.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.linalg import block_diag
+
+from trueaxis.diagnosis.by_run import ByRun, by_run, few_of
+from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
+from trueaxis.diagnosis.rows import Rows
+from trueaxis.error_name import ErrorName
+from trueaxis.estimation.curve_prior import SHAPE, CurvePrior
+from trueaxis.estimation.instruments import SharedUnknown, own_kinds
+from trueaxis.estimation.jacobian import Derivative, derivatives
+from trueaxis.estimation.layout import layout_of
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.runs import MeasuredRun, measured_runs
+from trueaxis.model.bases import LegendreBasis
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
+
+DEGREE = 12
+PLACES = 201  # over the travel, at which a curve is looked at
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Base:
+    """Columns in mm, not whitened, of n readings.
+
+    columns: (n, p), per unknown in units of what is expected of it: those of the machine, then those of set-ups that
+    runs share; of_machine: how many are the machine's; components: the component error or location error of each of
+    these; units: `mm` or `rad` of each component and location error; expected: (p,), standard deviation of each before
+    anything is measured; sizes: (p,), mm or rad, the units; bases: of the curves; by_chance: (n, k), one standard
+    deviation each; shared: the unknowns of the columns of set-ups, then of these; own: (n_r, k) of every run with
+    readings; own_kinds: the class of each of these; runs: these runs.
+    """
+
+    columns: ByRun
+    of_machine: int
+    components: tuple[str, ...]
+    units: Mapping[str, str]
+    expected: FloatArray
+    sizes: FloatArray
+    bases: Mapping[str, LegendreBasis]
+    by_chance: FloatArray
+    shared: tuple[SharedUnknown, ...]
+    own: tuple[FloatArray, ...]
+    own_kinds: tuple[tuple[str, ...], ...]
+    runs: tuple[MeasuredRun, ...]
+
+    @property
+    def machine(self) -> ByRun:
+        """(n, of_machine): the machine's own columns."""
+        return self.columns.take(slice(self.of_machine))
+
+    def only(self, keep: BoolArray) -> "Base":
+        """Of some rows, (n,): a run of which none is kept is none."""
+        place = np.cumsum(keep) - 1
+        members = zip(self.runs, self.own, self.own_kinds, strict=True)
+        kept = [one for one in members if keep[one[0].rows.at].any()]
+        return replace(
+            self,
+            columns=self.columns.only(keep),
+            by_chance=self.by_chance[keep],
+            own=tuple(own[keep[run.rows.at]] for run, own, _ in kept),
+            own_kinds=tuple(kinds for _, _, kinds in kept),
+            runs=tuple(_renumbered(run.of(keep[run.rows.at]), place) for run, _, _ in kept),
+        )
+
+    def curve(self, name: str, rows: Rows) -> tuple[FloatArray, FloatArray]:
+        """Positions (m,) of an error's axis within the readings, and (m, k): the error there, mm or rad, by its
+        unknowns in units of what is expected; of a location error no position, and one row.
+        """
+        mine = np.array(self.components) == name
+        if name not in self.bases:
+            return np.zeros(0), (self.sizes * self.expected)[: self.of_machine][mine][np.newaxis]
+        at = rows.positions[rows.axes.index(ErrorName(name).axis)]
+        grid = np.linspace(float(at.min()), float(at.max()), PLACES)
+        return grid, self.bases[name].clamped(grid).T * (self.sizes * self.expected)[: self.of_machine][mine]
+
+
+def _renumbered(run: MeasuredRun, place: IntArray) -> MeasuredRun:
+    return replace(run, rows=replace(run.rows, at=place[run.rows.at]))
+
+
+def _few_of_run(parts: Sequence[Derivative]) -> tuple[FloatArray, FloatArray]:
+    """What is read at one place twice is the same twice."""
+    few, weights = zip(*(few_of(one.others) for one in parts), strict=True)
+    return block_diag(*(each[one.place] for each, one in zip(few, parts, strict=True))), np.vstack(weights)
+
+
+def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
+    """The base of some rows; dimensions keep the values that the model has."""
+    dimensions = {name: model.errors.parameters.get(name, 0.0) for name in model.dimensions}
+    known = ErrorValues(model.name, dimensions)
+    bare = model.with_values(known)
+    observed = Observations(
+        "", rows.runs, rows.run, rows.positions, rows.reading, rows.seq, rows.directions.astype(np.int8), rows.context
+    )
+    layout = layout_of(bare, observed, known, degree=degree)
+    runs = measured_runs(observed)
+    parts = [list(derivatives(layout, one.rows)) for one in runs]
+    everything = by_run(_few_of_run(one) for one in parts)
+    chance = np.zeros(layout.count, dtype=bool)
+    chance[layout.of_machine :] = [unknown.unknown_class.unit == "1" for unknown in layout.shared]
+    counts = [basis.degree for basis in layout.bases]
+    weights = [np.exp(CurvePrior(basis).log_weights(np.zeros(len(SHAPE)))[0]) for basis in layout.bases]
+    others = np.ones(int((~chance).sum()) - sum(counts))
+    return Base(
+        columns=everything.take(~chance),
+        of_machine=layout.of_machine,
+        components=(*np.repeat(layout.components, counts).tolist(), *layout.locations),
+        units={name: name.unit for name in layout.components}
+        | {name: model.machine.parameter_unit(name) for name in layout.locations},
+        expected=np.concatenate([*weights, others]),
+        sizes=layout.sizes[~chance],
+        bases=dict(zip(layout.components, layout.bases, strict=True)),
+        by_chance=everything.take(chance).dense(),
+        shared=tuple(layout.shared[k] for k in np.argsort(chance[layout.of_machine :], kind="stable")),
+        own=tuple(np.vstack([each.own for each in one]) for one in parts),
+        own_kinds=tuple(own_kinds(one.rows.run, layout.straightness[one.rows.index]) for one in runs),
+        runs=tuple(runs),
+    )

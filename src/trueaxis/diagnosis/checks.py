@@ -1,0 +1,210 @@
+"""Is there structure left? Classes of structure that need no cause, tested on what the final model leaves."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from trueaxis.diagnosis.checks_of_runs import FALSE_ALARMS, humming_run, lack_of_fit
+from trueaxis.diagnosis.freedom import Freedom
+from trueaxis.diagnosis.projection import Projection
+from trueaxis.diagnosis.result import BoolArray, Check, FloatArray, StructureClass
+from trueaxis.diagnosis.rows import Rows, plane_of
+from trueaxis.diagnosis.tails import log_f_tail
+from trueaxis.diagnosis.whiten import Whitening
+
+DEGREE = 6
+LOBES = 10
+RIPPLE = 30  # lobes of a circle, half periods on a line: up to so many, beyond the coarse ones
+BINS = 6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Structure:
+    """One class at one place, see `Check`: columns (n, k) over all rows."""
+
+    kind: StructureClass
+    place: str
+    columns: FloatArray
+
+
+def run_checks(
+    rows: Rows, theta: FloatArray, whitening: Whitening, projection: Projection, residual: FloatArray, freedom: Freedom
+) -> tuple[Check, ...]:
+    """All checks. residual: (n,), whitened, model projected out; p values multiplied by the number of checks.
+
+    rms of a check: about what the structure comes to, mm, its share of the noise taken away.
+    """
+    sigma = whitening.sigma
+    classes, explaining, counts = [], [], []
+    for one in structures(rows, theta):
+        there = np.flatnonzero(np.isin(rows.run, rows.run[one.columns.any(axis=1)]))  # whole runs
+        combination, k = projection.explaining(there, whitening.part(there, one.columns[there]), residual)
+        classes.append((one.kind, one.place))
+        explaining.append(combination)
+        counts.append((k, freedom.of(there, one.columns[there])))
+    found = []
+    every = projection.rest(np.stack(explaining, axis=1)).T if classes else ()
+    for (kind, place), fitted, (k, of_noise) in zip(classes, every, counts, strict=True):
+        if k == 0:
+            continue
+        statistic = float(fitted @ fitted)
+        log_p = log_f_tail(statistic / k, k, of_noise) + np.log(len(classes))
+        beyond = max(statistic - k, 0.0) / statistic if statistic > 0.0 else 0.0
+        rms = float(np.sqrt(beyond * np.mean((sigma * fitted) ** 2)))
+        p_value = float(np.exp(min(log_p, 0.0)))
+        found.append(Check(kind, place, p_value, p_value < FALSE_ALARMS, rms, statistic - k))
+    found += [humming_run(rows, projection, residual, sigma), lack_of_fit(rows, projection, residual, sigma, freedom)]
+    return tuple(found)
+
+
+def structures(rows: Rows, theta: FloatArray) -> Iterator[Structure]:
+    """The classes that these rows can show."""
+    ballbar = np.array([run.instrument == "ballbar" for run in rows.runs])[rows.run]
+    for axis, name in enumerate(rows.axes):
+        mine = ~ballbar & _led_by(rows, axis)
+        if mine.any():
+            yield from _of_lines(rows, axis, name, mine)
+    for number in np.unique(rows.setup[ballbar]):
+        mine = ballbar & (rows.setup == number)
+        yield from _of_circles(rows, theta, mine)
+
+
+def _led_by(rows: Rows, axis: int) -> BoolArray:
+    """Rows of runs in which this axis moves most."""
+    found = np.zeros(rows.size, dtype=bool)
+    for index in rows.present:
+        span = np.ptp(rows.positions[:, rows.of_run(index)], axis=1)
+        if span[axis] > 0.0 and int(np.argmax(span)) == axis:
+            found[rows.of_run(index)] = True
+    return found
+
+
+def _of_lines(rows: Rows, axis: int, name: str, mine: BoolArray) -> Iterator[Structure]:
+    at, way = rows.positions[axis], rows.directions[axis]
+    scaled = 2.0 * (at - at[mine].min()) / max(float(np.ptp(at[mine])), 1e-300) - 1.0
+    curve = legendre.legvander(np.where(mine, scaled, 0.0), 2 * DEGREE) * mine[:, np.newaxis]
+    lines = [mine & (rows.setup == number) for number in np.unique(rows.setup[mine])]
+    odd = way[:, np.newaxis]
+    yield Structure(StructureClass.LINE_DIRECTION, name, curve * odd)
+    yield Structure(
+        StructureClass.LINE_DIRECTION_BY_LINE,
+        name,
+        np.hstack([curve[:, :2] * odd * line[:, np.newaxis] for line in lines]),
+    )
+    if len(lines) > 1:
+        yield Structure(
+            StructureClass.LINE_BY_LINE,
+            name,
+            np.hstack([curve[:, 1 : DEGREE + 1] * line[:, np.newaxis] for line in lines]),
+        )
+    yield Structure(StructureClass.LINE_COURSE, name, _course(rows, mine))
+    if rows.temperature is not None and np.isfinite(rows.temperature[mine]).all():
+        warm = np.where(mine, rows.temperature - rows.temperature[mine].mean(), 0.0)
+        yield Structure(
+            StructureClass.LINE_TEMPERATURE,
+            name,
+            np.stack([warm, warm * scaled, warm**2, warm**2 * scaled, warm * way, warm * warm * way], axis=1)
+            * mine[:, np.newaxis],
+        )
+    waves = _waves(np.pi * 0.5 * (scaled + 1.0), range(2 * DEGREE + 1, RIPPLE + 1)) * mine[:, np.newaxis]
+    yield Structure(StructureClass.LINE_RIPPLE, name, waves * odd)
+    bins = _bins(scaled, 2 * BINS)
+    yield Structure(
+        StructureClass.LINE_LOCAL,
+        name,
+        np.hstack([bins * odd, bins]) * mine[:, np.newaxis],
+    )
+
+
+def _course(rows: Rows, mine: BoolArray) -> FloatArray:
+    """(n, 3): polynomials of the place in each run, beyond a slope, which is noise."""
+    found = np.zeros((rows.size, 3))
+    for index in rows.present:
+        part = rows.of_run(index)
+        if mine[part].any():
+            found[part] = legendre.legvander(np.linspace(-1.0, 1.0, part.stop - part.start), 4)[:, 2:]
+    return found
+
+
+def _waves(angle: FloatArray, orders: Iterable[int]) -> FloatArray:
+    """(n, 2 orders): cosines and sines of multiples of an angle."""
+    return np.stack([part(k * angle) for k in orders for part in (np.cos, np.sin)], axis=1)
+
+
+def _bins(scaled: FloatArray, count: int) -> FloatArray:
+    edge = np.clip(((scaled + 1.0) / 2.0 * count).astype(int), 0, count - 1)
+    return np.asarray(np.eye(count)[edge])
+
+
+def _of_circles(rows: Rows, theta: FloatArray, mine: BoolArray) -> Iterator[Structure]:
+    angle, inside = np.where(mine, theta, 0.0), mine[:, np.newaxis]
+    lobes = np.hstack([np.ones((rows.size, 1)), _waves(angle, range(1, LOBES + 1))]) * inside
+    ripple = _waves(angle, range(LOBES + 1, RIPPLE + 1)) * inside
+    sense = _sense(rows, theta)[:, np.newaxis]
+    place = plane_of(rows, mine)
+    yield Structure(StructureClass.CIRCLE_LOBES, place, lobes[:, 1:])
+    yield Structure(StructureClass.CIRCLE_RIPPLE, place, ripple)
+    yield Structure(StructureClass.CIRCLE_COURSE, place, _course(rows, mine))
+    both = np.unique(sense[mine]).size > 1
+    if both:
+        yield Structure(StructureClass.CIRCLE_DIRECTION, place, lobes * sense)
+        yield Structure(StructureClass.CIRCLE_RIPPLE_DIRECTION, place, ripple * sense)
+    feeds = _feeds(rows, mine)
+    if feeds is not None:
+        fast = feeds[:, np.newaxis]
+        yield Structure(StructureClass.CIRCLE_FEED, place, lobes * fast)
+        if both:
+            yield Structure(
+                StructureClass.CIRCLE_DIRECTION_FEED,
+                place,
+                lobes * fast * sense,
+            )
+    moving = [axis for axis in range(len(rows.axes)) if np.ptp(rows.positions[axis, mine]) > 0.0]
+    if not moving:
+        return
+    quarter = np.hstack([rows.directions[axis][:, np.newaxis] * mine[:, np.newaxis] for axis in moving])
+    yield Structure(StructureClass.CIRCLE_REVERSALS, place, quarter)
+    near = np.hstack(
+        [
+            np.exp(-_since_turn(rows, axis, mine) / decay)[:, np.newaxis] * rows.directions[axis][:, np.newaxis]
+            for axis in moving
+            for decay in (1.0, 4.0, 16.0)
+        ]
+    )
+    yield Structure(StructureClass.CIRCLE_AFTER_REVERSALS, place, near * mine[:, np.newaxis])
+
+
+def _since_turn(rows: Rows, axis: int, mine: BoolArray) -> FloatArray:
+    found = np.full(rows.size, np.inf)
+    for index in np.unique(rows.run[mine]):
+        part = rows.of_run(int(index))
+        way, at = rows.directions[axis, part], rows.positions[axis, part]
+        turn = np.flatnonzero(np.diff(way) != 0.0) + 1
+        if turn.size:
+            last = np.searchsorted(turn, np.arange(way.size), side="right") - 1
+            start = at[turn[np.maximum(last, 0)]]
+            found[part] = np.where(last >= 0, np.abs(at - start), np.inf)
+    return found
+
+
+def _sense(rows: Rows, theta: FloatArray) -> FloatArray:
+    """(n,): +1 where the polar angle grows in the run, -1 where it falls, 0 for lines."""
+    found = np.zeros(rows.size)
+    for index in rows.present:
+        part = rows.of_run(index)
+        if np.isfinite(theta[part]).all() and part.stop - part.start > 1:
+            found[part] = np.sign(np.median(np.diff(np.unwrap(theta[part]))))
+    return found
+
+
+def _feeds(rows: Rows, mine: BoolArray) -> FloatArray | None:
+    if rows.feed is None:
+        return None
+    feed = rows.feed[mine]
+    if not np.isfinite(feed).all() or np.unique(feed).size < 2:
+        return None
+    found = np.zeros(rows.size)
+    found[mine] = (feed - feed.mean()) / np.ptp(feed)
+    return found

@@ -1,0 +1,62 @@
+"""Stale values, or an effect that the base holds: which of both is likelier.
+
+What any curves of the machine may imitate is not searched for beside them. But where values given are stale, one effect
+may say in one number what else many values would have to change for.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trueaxis.diagnosis.imperfection import imperfections
+from trueaxis.diagnosis.null import Null
+from trueaxis.diagnosis.refit import Fitted, refit
+from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.scan import Scanned
+from trueaxis.diagnosis.search import FALSE_ALARMS, RIVAL, Found, Ground, Search, best_of, scan_all, with_rivals
+from trueaxis.diagnosis.signatures import signature_of
+from trueaxis.diagnosis.stale import Changes, free_besides, stale_values
+
+MOST = 3  # effects that are looked at as explaining the readings about as well as stale values
+LIKELIER = -float(np.log10(FALSE_ALARMS))  # decades by which an effect must be likelier than stale values to be named
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Named:
+    """An effect that takes the place of stale values: as it was found, and fitted, the values given being true."""
+
+    found: Found
+    cause: Fitted
+
+
+def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatArray]) -> tuple[Named | None, Changes]:
+    """The effect that explains the readings instead of stale values, and what is stale beside it.
+
+    None where none does, or where both explain alike: that is then said with what is stale. An effect must reach the
+    threshold of any candidate, leave nothing stale, and be the likelier by LIKELIER. known: (n,) each, mm, what
+    instruments do that are off.
+    """
+    free = free_besides(null, known, ())
+    tight = replace(ground, plain=free, base=free, wide=free, known={})
+    residual = tight.left(free)
+    scans = scan_all(tight, residual, ground.effects)
+    best = best_of(tight, residual, scans)
+    behind = changes.evidence + float(np.log10(max(len(scans), 1)))
+    if best is None or best.scan.evidence < ground.threshold or best.scan.preference < behind - RIVAL:
+        return None, changes
+    (best,) = with_rivals(tight, Search((best,), scans, free, free.rest(tight.values), ground.threshold)).causes
+    tried = [(one, *_instead(tight, null, one, known)) for one in (best.scan, *best.rivals)[:MOST]]
+    vanishes = tuple(one.effect for one, _, left in tried if not left.stale)
+    scan, cause, left = tried[0]
+    if scan.effect in vanishes and scan.preference >= behind + LIKELIER:
+        return Named(best, cause), left
+    return None, replace(changes, stale=tuple(replace(one, effects=vanishes) for one in changes.stale))
+
+
+def _instead(tight: Ground, null: Null, scan: Scanned, known: Sequence[FloatArray]) -> tuple[Fitted, Changes]:
+    """The effect fitted with true values beside it, and what is stale then."""
+    signature = signature_of(tight.readings, scan.effect, (scan.point,))
+    (cause,) = refit(tight, (Found(scan, signature),))
+    besides = tuple(imperfections(tight.readings, cause))
+    return cause, stale_values(null, (*known, cause.signal), besides, tight.freedom)

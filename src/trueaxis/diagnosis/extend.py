@@ -1,0 +1,176 @@
+"""The extended model: which causes it takes over, and its error values found anew from the readings that were kept.
+
+Values change from those given by as little as the readings ask for: what they do not hold, and how squareness was
+told from straightness, stays as it was given.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from trueaxis.diagnosis.instruments import NOT_OF_THE_MACHINE
+from trueaxis.diagnosis.result import Diagnosis, ErrorNow, FloatArray
+from trueaxis.diagnosis.temperature import smoothed
+from trueaxis.effects.kind import Effect
+from trueaxis.estimation.estimate import EstimationOptions
+from trueaxis.estimation.judgement import SAMPLES
+from trueaxis.estimation.observations import Observations, observations
+from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.identification.report import Identification
+from trueaxis.identification.words import enumerated
+from trueaxis.measurement.data import MeasuredData
+from trueaxis.measurement.reading_model import expected_readings
+from trueaxis.model.curves import Curve, LegendreCurve, PolynomialCurve, TableCurve, polynomial_of
+from trueaxis.model.effect_values import EffectValues
+from trueaxis.model.errors import ErrorValues, Fit, Undetermined
+from trueaxis.model.model import MachineModel
+
+
+def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
+    """The effects that the extended machine has besides: causes that were named.
+
+    What cannot be told from a rival is not among them, nor is anything where structure is left unexplained, nor what
+    an instrument had while it measured.
+    """
+    if diagnosis.verdict not in ("explained", "ambiguous"):
+        return ()
+    named = (cause.effect for cause in diagnosis.causes if not cause.rivals)
+    return tuple(effect for effect in named if effect.kind not in NOT_OF_THE_MACHINE)
+
+
+def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
+    """The causes found, as the diagnosis fitted them: where their fit beside all error values starts."""
+    return tuple(
+        EffectValues(one.effect, {each.name: each.value for each in one.parameters})
+        for one in diagnosis.causes
+        if one.effect.kind not in NOT_OF_THE_MACHINE
+    )
+
+
+def kept_readings(data: MeasuredData, diagnosis: Diagnosis, source: str) -> Observations:
+    """The readings that the diagnosis worked on; source: named in faults."""
+    taken = np.flatnonzero(~data.readings.planned)
+    everything = observations(source, data.setup.runs, smoothed(data).readings)
+    return everything.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
+
+
+def reidentified(
+    model: MachineModel, given: ErrorValues, observed: Observations, start: Sequence[EffectValues] = ()
+) -> tuple[ErrorValues, tuple[ErrorNow, ...], Fit | None]:
+    """Error values of the extended machine: what `identify` makes of the readings, as a change of those given; a table
+    of all; whether any values fit the readings.
+
+    model: of the extended machine; given: values of the machine before; start: of its effects, to start from. Sizes of
+    the changes are estimated, and unknowns of the instruments with them: where nothing has changed, nothing is changed.
+    Dimensions stay. Raises InputError where the readings hold no unknown, NotConvergedError where the estimate does not
+    stand still.
+    """
+    dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
+    bare = ErrorValues(model.name, dimensions)
+    before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
+    options = IdentifyOptions(known=bare, estimation=EstimationOptions(start=tuple(start)))
+    found = identify_estimated(model, replace(observed, reading=observed.reading - before), options)
+    values = changed(given, found.values, model.location_errors)
+    return values, _table(model, given, values, found), found.values.fit
+
+
+def _table(model: MachineModel, given: ErrorValues, now: ErrorValues, found: Identification) -> tuple[ErrorNow, ...]:
+    u_of: dict[str, float | None] = {one.name: one.u for one in found.report.components}
+    u_of |= {one.name: one.u for one in found.report.locations}
+
+    def row(name: str, unit: str, before: FloatArray, after: FloatArray) -> ErrorNow:
+        u = u_of[name]
+        return ErrorNow(
+            name=name,
+            unit=unit,
+            given=_largest(before),
+            now=_largest(after),
+            change=_largest(after - before),
+            u=np.nan if u is None else u,
+            determined=found.values.determined[name],
+        )
+
+    known = found.values.determined.keys()
+    rows = []
+    for name in (one for one in model.components if one in known):
+        at = np.linspace(*model.travel[name.axis], SAMPLES)
+        before = given.motion_errors[name](at) if name in given.motion_errors else np.zeros(SAMPLES)
+        rows.append(row(name, name.unit, before, now.motion_errors[name](at)))
+    for location in (one for one in model.location_errors if one in known):
+        before, after = (np.array([one.parameters.get(location, 0.0)]) for one in (given, now))
+        rows.append(row(location, model.machine.parameter_unit(location), before, after))
+    return tuple(rows)
+
+
+def _largest(values: FloatArray) -> float:
+    """The value that is farthest from zero."""
+    return float(values[np.argmax(np.abs(values))])
+
+
+def changed(given: ErrorValues, change: ErrorValues, locations: Sequence[str]) -> ErrorValues:
+    """Values changed by others: location errors and curves are sums; effects and uncertainties are those of the change.
+
+    A curve given as a table stays one, with the change at its positions.
+    """
+    moved = {
+        name: given.parameters.get(name, 0.0) + change.parameters[name]
+        for name in locations
+        if name in change.parameters
+    }
+    curves = dict(given.motion_errors)
+    for name, curve in change.motion_errors.items():
+        curves[name] = _sum(curves[name], curve) if name in curves else curve
+    return ErrorValues(
+        given.machine,
+        parameters={**given.parameters, **moved},
+        motion_errors=curves,
+        u=change.u,
+        undetermined=tuple(map(_open, change.undetermined)),
+        effects=change.effects,
+    )
+
+
+def _expected(model: MachineModel, values: ErrorValues, observed: Observations) -> FloatArray:
+    model = model.with_values(values)
+    return expected_readings(model, observed.runs, observed.run, observed.positions, observed.context)
+
+
+def _sum(given: Curve, change: Curve) -> Curve:
+    if isinstance(given, TableCurve):
+        values = np.array(given.values) + change(np.array(given.positions))
+        return TableCurve(given.positions, tuple(values.tolist()))
+    if isinstance(change, TableCurve):
+        return _sum(change, given)
+    for one, other in ((given, change), (change, given)):
+        if isinstance(one, LegendreCurve) and float(np.abs(other(np.array([one.basis.home])))[0]) == 0.0:
+            return _legendre_sum(one, other)
+    given, change = (polynomial_of(one) if isinstance(one, LegendreCurve) else one for one in (given, change))
+    total: dict[int, float] = {}
+    for curve in (given, change):
+        for power, coefficient in zip(curve.powers, curve.coefficients, strict=True):
+            total[power] = total.get(power, 0.0) + coefficient
+    u = None
+    if change.u is not None:
+        of_change = dict(zip(change.powers, change.u, strict=True))
+        u = tuple(of_change.get(power, np.nan) for power in sorted(total))
+    return PolynomialCurve(tuple(sorted(total)), tuple(total[power] for power in sorted(total)), u)
+
+
+def _legendre_sum(curve: LegendreCurve, other: PolynomialCurve | LegendreCurve) -> LegendreCurve:
+    """On the basis of the first, of an order that holds both; u: of the first."""
+    order = other.basis.degree if isinstance(other, LegendreCurve) else max(other.powers, default=0)
+    basis = replace(curve.basis, degree=max(curve.basis.degree, order))
+    # two polynomials of this order that agree at the nodes of Chebyshev are the same
+    nodes = 0.5 * (basis.low + basis.high) + 0.5 * (basis.high - basis.low) * chebyshev.chebpts1(basis.degree + 1)
+    coefficients = np.linalg.lstsq(basis(nodes).T, curve(nodes) + other(nodes), rcond=None)[0]
+    added = basis.degree - curve.basis.degree
+    u = None if curve.u is None else (*curve.u, *([np.nan] * added))
+    return LegendreCurve(basis, tuple(coefficients.tolist()), u)
+
+
+def _open(left: Undetermined) -> Undetermined:
+    """What the readings leave open keeps the value given, whatever the fit of the change says of its own."""
+    told = f"{enumerated(left.parameters)}: not settled by the readings, as near to what was given as they allow"
+    return replace(left, combination=told)

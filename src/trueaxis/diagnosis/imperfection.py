@@ -1,0 +1,127 @@
+"""By how much a real effect may differ from the form of its kind, as chance beside the noise.
+
+No play is the same all along a screw, no structure follows the thermometer at once, no periodic error is a pure
+cosine. Where an effect is large, such differences are larger than the noise: taken for structure they would bring
+further names, all false, or take the right one back. So each cause, once found, adds what its own form may lack to
+the covariance of the readings, with the standard deviations below as shares of the effect. What of that these readings
+cannot tell from the effect itself says nothing against its being there, only of how large it is.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from trueaxis.diagnosis.projection import orthonormal
+from trueaxis.diagnosis.refit import Fitted
+from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.signatures import Memory, Readings, parameter_signature
+from trueaxis.effects.expression import names, parse
+from trueaxis.effects.variables import SINCE_REVERSAL, VARIABLES
+
+MODULATED = 0.1  # along the travel, in time, with the speed, from one instrument to another
+UNREAD = 1.0  # from one instrument to another, of what decays from a reversal: where a line turns is not read
+FLANK = 1.0, (0.3, 1.0)  # of what turns with the direction, right after a reversal; ways over which it is taken up, mm
+LAG = 3**-0.5, (250.0, 1000.0, 4000.0)  # of what follows the temperature; by one of these time constants, s
+HARMONIC = 0.2  # second harmonic of what is periodic
+OTHERWISE = 0.3, 1.6  # of what decays, with its constant so many times larger or smaller
+SAMPLES = 500  # of the course of the temperature
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Imperfection:
+    """columns: (n, k), as `seen`, what the causes may do besides, each one standard deviation; beside: (n, k), of them
+    what no change of the causes' sizes would do.
+    """
+
+    columns: FloatArray
+    beside: FloatArray
+
+
+def imperfection(
+    readings: Readings, causes: Sequence[Fitted], seen: Callable[[FloatArray], FloatArray]
+) -> Imperfection:
+    """seen: what of columns (n, k), mm, the base leaves, whitened."""
+    columns, beside = ([np.zeros((readings.rows.size, 0))] for _ in range(2))
+    for one in causes:
+        besides = list(imperfections(readings, one))
+        if besides:
+            columns.append(seen(np.stack(besides, axis=1)))
+            _, derivatives = parameter_signature(readings, one.effect, one.values)
+            form = orthonormal(seen(derivatives[:, [each.role != "grid" for each in one.kind.parameters]]))
+            beside.append(columns[-1] - form @ (form.T @ columns[-1]))
+    return Imperfection(np.hstack(columns), np.hstack(beside))
+
+
+def imperfections(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
+    """(n,), mm, each: what a cause may do besides, one standard deviation."""
+    rows, signal = readings.rows, cause.signal
+    used = {each.name for each in names(parse(cause.kind.expression))} if cause.kind.expression else set()
+    scales = []
+    # what time or temperature alone drive would be of another kind if it varied along the travel
+    if used & VARIABLES.keys() - {"t", "T"}:
+        scales += [rows.positions[rows.axes.index(axis)] for axis in _axes(cause) if axis in rows.axes]
+    if rows.time is not None and np.isfinite(rows.time).all():
+        scales.append(rows.time)
+    if "v" in used:
+        scales.append(np.linalg.norm(np.nan_to_num(readings.context.velocity), axis=0))
+    for scale in scales:
+        if np.ptp(scale) > 0.0:
+            along = 2.0 * (scale - scale.min()) / np.ptp(scale) - 1.0
+            for degree in (1, 2):
+                yield MODULATED * signal * legendre.legval(along, np.eye(3)[degree])
+    for instrument in dict.fromkeys(run.instrument for run in rows.runs):
+        mine = np.array([run.instrument == instrument for run in rows.runs])[rows.run]
+        if mine.any() and not mine.all():
+            yield (UNREAD if used & set(SINCE_REVERSAL) else MODULATED) * np.where(mine, signal, 0.0)
+    if "direction" in used and cause.effect.component:
+        share, ways = FLANK
+        since = readings.context.since_reversal[rows.axes.index(cause.effect.own_axis)]
+        for way in ways:
+            yield share * signal * np.exp(-since / way)
+    if "T" in used and rows.time is not None and np.isfinite(rows.time).all():
+        share, constants = LAG
+        for constant in constants:
+            late = replace(readings.context, temperature=_followed(readings, constant))
+            other = replace(readings, context=late, memory=Memory())
+            yield share * (parameter_signature(other, cause.effect, cause.values)[0] - signal)
+    yield from _of_searched(readings, cause)
+
+
+def _of_searched(readings: Readings, cause: Fitted) -> Iterator[FloatArray]:
+    """Of parameters that the term is not linear in."""
+    for place, parameter in enumerate(cause.kind.parameters):
+        if parameter.role != "grid" or not parameter.is_divisor:
+            continue
+        share, factor = OTHERWISE
+        if parameter.grid == "pitch":
+            quarter = [each.name for each in cause.kind.parameters].index("phase")
+            for phase in (0.0, 0.5 * np.pi):
+                values = cause.values.copy()
+                values[place] *= 0.5
+                values[quarter] = phase
+                yield HARMONIC * parameter_signature(readings, cause.effect, values)[0]
+            continue
+        for scale in (factor, 1.0 / factor):
+            values = cause.values.copy()
+            values[place] *= scale
+            yield share * (parameter_signature(readings, cause.effect, values)[0] - cause.signal)
+
+
+def _axes(cause: Fitted) -> tuple[str, ...]:
+    return tuple(axis for axis in (cause.effect.own_axis, cause.effect.axis) if axis)
+
+
+def _followed(readings: Readings, constant: float) -> FloatArray:
+    """(n,), degC: a temperature that follows that of the readings with a time constant, s."""
+    time, temperature = readings.context.time, readings.context.temperature
+    order = np.argsort(time, kind="stable")
+    grid = np.linspace(float(time.min()), float(time.max()), SAMPLES)
+    air = np.interp(grid, time[order], temperature[order])
+    share = 1.0 - np.exp(-(grid[1] - grid[0]) / constant)
+    followed = np.empty_like(air)
+    followed[0] = air[0]
+    for k in range(1, SAMPLES):
+        followed[k] = followed[k - 1] + share * (air[k] - followed[k - 1])
+    return np.interp(time, grid, followed)

@@ -1,0 +1,36 @@
+"""What a first-order model would drop: terms of second order in the errors given, as the readings would show them."""
+
+from typing import cast
+
+import numpy as np
+
+from trueaxis.diagnosis.audit import DETECTION
+from trueaxis.diagnosis.result import FloatArray, SecondOrder
+from trueaxis.diagnosis.search import Ground
+from trueaxis.diagnosis.signatures import Readings
+from trueaxis.measurement.reading_geometry import column, run_terms, sensed_directions
+
+
+def second_order_of(ground: Ground) -> SecondOrder:
+    """How large the terms are, and whether these readings could show them at all."""
+    terms = second_order(ground.readings)
+    left = ground.base.rest(ground.whitening(terms))
+    return SecondOrder(float(np.abs(terms).max(initial=0.0)), float(left @ left) > DETECTION)
+
+
+def second_order(readings: Readings) -> FloatArray:
+    """(n,), mm: exact less first-order deviations of the model as given, along what each instrument senses."""
+    model, rows = readings.model, readings.rows
+    errors = model.in_context(readings.context).component_errors(rows.positions)
+    found = np.zeros(rows.size)
+    for index in rows.present:
+        run, mine = rows.runs[index], rows.of_run(index)
+        positions = np.ascontiguousarray(rows.positions[:, mine])
+        total = np.zeros((3, positions.shape[1]))
+        for term in run_terms(run):
+            inputs = (positions, np.ascontiguousarray(errors[:, mine]), model.parameter_values, column(term.point))
+            exact = model.kernels[f"{term.view}_deviation"](*inputs)
+            total += term.sign * (exact - model.kernels[f"{term.view}_deviation_first_order"](*inputs))
+        along = np.einsum("in,in->n", sensed_directions(model, run, positions), total)
+        found[mine] = along if run.instrument == "ballbar" else along - along[0]
+    return cast(FloatArray, found)

@@ -1,0 +1,197 @@
+"""Readings that tell of the noise: what the saturated base leaves of them, run by run, repeats together.
+
+The unknowns of each run's instrument are free, and so is the base. What the base gets wrong is the same in all readings
+of a target, from one side, with one set-up; what differs between them is noise, whatever the model.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import zip_longest
+
+import numpy as np
+from scipy.linalg import block_diag
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components
+
+from trueaxis.diagnosis.base import Base
+from trueaxis.diagnosis.projection import orthonormal
+from trueaxis.diagnosis.result import FloatArray, IntArray
+from trueaxis.diagnosis.rows import Rows
+from trueaxis.diagnosis.whiten import RANK, settling, wandering
+
+MOST = 400  # readings that are looked at together; the cost grows with their cube
+ENOUGH = 1500  # contrasts: they tell the noise to 2 %
+GOLDEN = 0.6180339887498949  # its multiples, less whole numbers, are spread evenly
+FAR = 5.0  # robust standard deviations: such readings tell nothing of the noise
+HELD = 0.05  # of a reading's variance: where the free columns leave less, it says nothing of the noise
+ALTERNATIONS = 5  # of two projections: a first guess needs no more
+NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal variable
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shapes:
+    """(n, n) of any two readings of a part: same: 1 where of one run; gaps: typical steps between them; wander,
+    settle: their covariance of unit size; alike: 1 where they are of one target.
+    """
+
+    same: FloatArray
+    gaps: FloatArray
+    wander: FloatArray
+    settle: FloatArray
+    alike: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """Runs that read the same targets, or one run; of one instrument. rows: of its block; of each of n readings: place:
+    of its run among those of the base; target; passed: share of the duration of its run; when: typical steps since its
+    start; own: (n, k), orthonormal, what is unknown of the instrument.
+    """
+
+    rows: slice
+    place: IntArray
+    target: IntArray
+    passed: FloatArray
+    when: FloatArray
+    own: FloatArray
+
+    @property
+    def alike(self) -> FloatArray:
+        """(n, n): 1 where two readings are of one target."""
+        return np.asarray(self.target[:, np.newaxis] == self.target, dtype=np.float64)
+
+    def shapes(self) -> Shapes:
+        """To be asked for once: they are by far the largest of all."""
+        same = (self.place[:, np.newaxis] == self.place).astype(np.float64)
+        course, walk = settling(self.passed), wandering(self.passed)
+        return Shapes(
+            same=same,
+            gaps=np.abs(self.when[:, np.newaxis] - self.when),
+            wander=same * (walk @ walk.T),
+            settle=same * np.outer(course, course),
+            alike=self.alike,
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Block:
+    """Parts whose noise is told together. free: (n, k), orthonormal, the base beside what is unknown of each run;
+    values: (n,), mm.
+    """
+
+    parts: tuple[Part, ...]
+    free: FloatArray
+    values: FloatArray
+
+
+def blocks_of(rows: Rows, base: Base, values: FloatArray) -> Iterator[Block]:
+    """Of about as many readings as tell the noise well enough, runs that are far apart first, repeated ones in turn
+    with the others; a run is in one block alone.
+    """
+    place = np.empty(rows.size, dtype=np.int64)
+    for number, run in enumerate(base.runs):
+        place[run.rows.at] = number
+    most = ENOUGH + base.columns.weights.shape[1]
+    together: list[IntArray] = []
+    for at in _in_turn(_groups(rows, place), place):
+        if together and sum(one.size for one in together) + at.size > most:
+            yield _without_far(rows, base, values, place, together)
+            together = []
+        together.append(at)
+    if together:
+        yield _without_far(rows, base, values, place, together)
+
+
+def _groups(rows: Rows, place: IntArray) -> list[IntArray]:
+    """Rows of runs that read the same targets; where they are many, some of their targets, spread over the runs."""
+    reads = csr_array((np.ones(rows.size), (place, rows.target)))
+    count, of_run = connected_components(reads @ reads.T, directed=False)
+    found = []
+    for group in range(count):
+        at = np.flatnonzero(of_run[place] == group)
+        _, first, which = np.unique(rows.target[at], return_index=True, return_inverse=True)
+        order = np.argsort(np.argsort(first))[which.reshape(-1)]
+        found.append(at[order % -(-at.size // MOST) == 0])
+    return found
+
+
+def _in_turn(groups: Sequence[IntArray], place: IntArray) -> Iterator[IntArray]:
+    spread = [groups[k] for k in np.argsort(np.arange(len(groups)) * GOLDEN % 1.0).tolist()]
+    several = [one for one in spread if np.ptp(place[one]) > 0]
+    alone = [one for one in spread if np.ptp(place[one]) == 0]
+    for pair in zip_longest(several, alone):
+        yield from (one for one in pair if one is not None)
+
+
+def _without_far(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: Sequence[IntArray]) -> Block:
+    """The block of some groups, readings that are far off left out."""
+    found = _block(rows, base, values, place, groups)
+    left, share = left_of(found)
+    kept = []
+    for one, at in zip(found.parts, groups, strict=True):
+        telling = share[one.rows] > HELD
+        size = np.abs(left[one.rows])
+        spread = float(np.median(size[telling])) / NORMAL_MEDIAN if telling.any() else 0.0
+        kept.append(at[(size <= FAR * spread) | ~telling] if spread > 0.0 else at)
+    if all(one.size == at.size for one, at in zip(kept, groups, strict=True)):
+        return found
+    return _block(rows, base, values, place, kept)
+
+
+def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: Sequence[IntArray]) -> Block:
+    parts: list[Part] = []
+    start = 0
+    for at in groups:
+        parts.append(_part(rows, base, place, at, start))
+        start += at.size
+    every = np.concatenate(groups)
+    free = np.hstack([base.columns.at(every), base.by_chance[every]])
+    size = np.linalg.norm(free, axis=0)
+    for one in parts:
+        free[one.rows] -= one.own @ (one.own.T @ free[one.rows])
+    return Block(tuple(parts), orthonormal(free[:, np.linalg.norm(free, axis=0) > RANK * size]), values[every])
+
+
+def _part(rows: Rows, base: Base, place: IntArray, at: IntArray, start: int) -> Part:
+    own, passed, when = [], [], []
+    for number in np.unique(place[at]).tolist():
+        run = base.runs[number].rows
+        here = at[place[at] == number] - int(run.at[0])
+        own.append(orthonormal(base.own[number][here]))
+        passed.append(run.passed[here])
+        when.append(np.cumsum(run.steps)[here])
+    return Part(
+        rows=slice(start, start + at.size),
+        place=place[at],
+        target=rows.target[at],
+        passed=np.concatenate(passed),
+        when=np.concatenate(when),
+        own=np.asarray(block_diag(*own)),
+    )
+
+
+def left_of(block: Block) -> tuple[FloatArray, FloatArray]:
+    """(n,), mm: what the free columns leave of each reading, over the root of the share of it that they leave; (n,),
+    this share.
+    """
+    left, share = block.values.copy(), np.ones(block.values.size)
+    for one in block.parts:
+        left[one.rows] -= one.own @ (one.own.T @ left[one.rows])
+        share[one.rows] -= np.sum(one.own**2, axis=1)
+    left -= block.free @ (block.free.T @ left)
+    share -= np.sum(block.free**2, axis=1)
+    return np.asarray(left / np.sqrt(np.maximum(share, HELD))), np.asarray(share)
+
+
+def of_repeats(part: Part, values: FloatArray) -> FloatArray:
+    """(k,), mm: by what readings that are repeated differ from the mean of their target, what is unknown of the runs
+    taken away; nearly, and of the size of their noise. values: (n,), mm, of the part.
+    """
+    alike = part.alike
+    count = alike.sum(axis=1)
+    left = values.copy()
+    for _ in range(ALTERNATIONS):
+        left -= part.own @ (part.own.T @ left)
+        left -= alike @ left / count
+    several = count > 1.0
+    return np.asarray(left[several] / np.sqrt(1.0 - 1.0 / count[several]))

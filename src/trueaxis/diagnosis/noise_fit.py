@@ -1,0 +1,254 @@
+"""The noise of all instruments at once, by restricted maximum likelihood, and the scale of each run.
+
+The likelihood and its slopes in closed form (Harville, J. Am. Stat. Assoc. 72, 1977): with P the inverse of the
+covariance V less what the free columns take, -2 log L = log|V| + log|X' V^-1 X| + y' P y, and its slope by a parameter
+of V is tr(P dV) - y' P dV P y. What the base gets wrong is a part of V: a value for each target, which repeats share.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import cholesky, solve_triangular
+from scipy.linalg.lapack import dpotri
+from scipy.optimize import minimize
+
+from trueaxis.diagnosis.noise_blocks import Block, Part, Shapes
+from trueaxis.diagnosis.result import FloatArray
+
+# of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
+# the base; all but the time constant, in typical steps, as shares of a first guess
+START = (-0.3, 0.4, np.log(8.0), 0.3, 0.3, 0.3)
+BOUNDS = ((-7.0, 3.0), (0.0, 20.0), (0.0, np.log(64.0)), (0.0, 100.0), (0.0, 100.0), (0.0, 1e6))
+PER, AGE, MISFIT = len(START), 2, 5
+# before the readings have their say, normal: the logarithm of a time constant; slow noise, wandering and settling in
+# units of the first guess
+USUAL = np.log(8.0)
+SPREAD, SLOW = (np.inf, 2.0, 1.0, 2.0, 2.0, np.inf), (1, 3, 4)
+UNEVEN = 0.3  # standard deviation of the logarithm of a run's white noise about that of its instrument
+FARTHEST = 2.0  # of this logarithm
+STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
+LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
+STEPS = 200  # of a standard deviation that is averaged
+FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
+
+
+@dataclass(frozen=True, slots=True)
+class Guess:
+    """Of an instrument: noise: mm; misfit: of the base, as a share of it; 0 where no target is repeated."""
+
+    noise: float
+    misfit: float
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """Of an instrument: standard deviations, mm, of white and slow noise, wandering and settling; lasts: typical steps;
+    freedom: degrees of freedom that tell it.
+    """
+
+    white: float
+    slow: float = 0.0
+    lasts: float = 1.0
+    wanders: float = 0.0
+    settles: float = 0.0
+    freedom: float = 1.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """sizes: (instruments, PER), see START, in mm and typical steps; scales: (n_runs,), of the white noise of each."""
+
+    sizes: FloatArray
+    scales: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Told:
+    """What a part tells at some noise. number: of its instrument; white: (n,), variance of each reading; slow: (n, n),
+    of unit size; noise: (n, n), mm^2; precision: (n, n), what is free taken away; weighed: (n,), precision of all
+    readings times their values.
+    """
+
+    part: Part
+    shape: Shapes
+    number: int
+    white: FloatArray
+    slow: FloatArray
+    noise: FloatArray
+    precision: FloatArray
+    weighed: FloatArray
+
+    def slope(self, shape: FloatArray) -> float:
+        """Of minus the logarithm of the likelihood by the size of a shape, mm^2, of the covariance."""
+        return 0.5 * float(np.vdot(self.precision, shape) - self.weighed @ shape @ self.weighed)
+
+    def of_scale(self) -> FloatArray:
+        """(n,): the same by the logarithm of the white noise of each reading."""
+        return np.asarray(self.white * (np.diag(self.precision) - self.weighed**2))
+
+    @property
+    def shapes(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Of slow noise, wandering and settling."""
+        return self.slow, self.shape.wander, self.shape.settle
+
+
+class Likelihood:
+    """Of a block, minus its logarithm; instruments: of every run; first: a guess of each instrument.
+
+    Parameters: START of each instrument, then the logarithm of the scale of each run.
+    """
+
+    def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, Guess]) -> None:
+        self.block = block
+        self.shapes = [one.shapes() for one in block.parts]
+        self.units = np.array([one.noise for one in first.values()])
+        self.of_run = np.array([list(first).index(name) for name in instruments])
+        self.count = PER * self.units.size
+
+    def __call__(self, x: FloatArray) -> tuple[float, FloatArray]:
+        """With the prior of time constants and scales, and the slopes."""
+        usual, spread = np.zeros(x.size), np.full(x.size, UNEVEN)
+        usual[AGE : self.count : PER] = USUAL
+        spread[: self.count] = np.tile(SPREAD, self.units.size)
+        apart = (x - usual) / spread
+        slope = apart / spread
+        value, told = self.told(x)
+        sizes = self.sizes(x)
+        for one in told:
+            of_scale, unit = one.of_scale(), 2.0 * self.units[one.number]
+            _, slow, age, wanders, settles, misfit = sizes[one.number]
+            slope[self.count :] += np.bincount(one.part.place, of_scale, self.of_run.size)
+            slope[PER * one.number : PER * (one.number + 1)] += [
+                of_scale.sum(),
+                unit * slow * one.slope(one.slow),
+                slow**2 * one.slope(one.slow * one.shape.gaps / age),
+                unit * wanders * one.slope(one.shape.wander),
+                unit * settles * one.slope(one.shape.settle),
+                unit * misfit * one.slope(one.shape.alike),
+            ]
+        return value + 0.5 * float(apart @ apart), slope
+
+    def sizes(self, x: FloatArray) -> FloatArray:
+        """(instruments, PER): standard deviations, mm, and the time constant."""
+        found = x[: self.count].reshape(-1, PER) * self.units[:, np.newaxis]
+        found[:, 0] = self.units * np.exp(x[: self.count : PER])
+        found[:, AGE] = np.exp(x[AGE : self.count : PER])
+        return np.asarray(found)
+
+    def parameters(self, found: Found) -> FloatArray:
+        """Where sizes and scales are as found; no size is zero, where the slope tells nothing."""
+        relative = np.maximum(found.sizes / self.units[:, np.newaxis], LEAST)
+        relative[:, 0], relative[:, AGE] = np.log(relative[:, 0]), np.log(found.sizes[:, AGE])
+        within = np.clip(relative, *np.transpose(BOUNDS))
+        return np.concatenate([within.ravel(), np.clip(np.log(found.scales), -FARTHEST, FARTHEST)])
+
+    def told(self, x: FloatArray) -> tuple[float, list[_Told]]:
+        """Minus the logarithm, and what each part tells."""
+        found, root = [], 0.0
+        through, weighed = np.empty_like(self.block.free), np.empty_like(self.block.values)
+        sizes = self.sizes(x)
+        for one, shape in zip(self.block.parts, self.shapes, strict=True):
+            number = int(self.of_run[one.place[0]])
+            level, slow, age, wanders, settles, misfit = sizes[number]
+            slowly = shape.gaps / -age
+            np.exp(slowly, out=slowly)
+            slowly *= shape.same
+            white = (level * np.exp(x[self.count + one.place])) ** 2
+            noise = slow**2 * slowly
+            noise += wanders**2 * shape.wander
+            noise += settles**2 * shape.settle
+            noise[np.diag_indices(white.size)] += white
+            precision, own_root = _precision(noise + misfit**2 * shape.alike, one.own)
+            root += own_root
+            through[one.rows] = precision @ self.block.free[one.rows]
+            weighed[one.rows] = precision @ self.block.values[one.rows]
+            found.append(_Told(one, shape, number, white, slowly, noise, precision, weighed[one.rows]))
+        factor = cholesky(self.block.free.T @ through, lower=True, check_finite=False)
+        root += float(np.log(np.diag(factor)).sum())
+        taken = solve_triangular(factor, through.T, lower=True, check_finite=False)
+        weighed -= taken.T @ (taken @ self.block.values)
+        for told in found:
+            mine = taken[:, told.part.rows]
+            told.precision[...] -= mine.T @ mine
+        return root + 0.5 * float(self.block.values @ weighed), found
+
+
+def _precision(covariance: FloatArray, own: FloatArray) -> tuple[FloatArray, float]:
+    """Inverse of a covariance less what own columns take, and half the log determinants."""
+    factor = cholesky(covariance, lower=True, check_finite=False, overwrite_a=True)
+    root = float(np.log(np.diag(factor)).sum())
+    inverse, _ = dpotri(factor, lower=1, overwrite_c=1)  # its lower triangle: zeros are above that of the factor
+    inverse += np.tril(inverse, -1).T
+    if own.shape[1]:
+        held = inverse @ own
+        part = cholesky(own.T @ held, lower=True, check_finite=False)
+        root += float(np.log(np.diag(part)).sum())
+        taken = solve_triangular(part, held.T, lower=True, check_finite=False)
+        inverse -= taken.T @ taken
+    return np.asarray(inverse.T), root  # row by row in memory, as all else is
+
+
+def restricted(
+    blocks: Sequence[Block], instruments: Sequence[str], first: Mapping[str, Guess], before: Found | None
+) -> tuple[dict[str, Law], Found]:
+    """The likeliest noise of every instrument by the first block, and with the scale of every run.
+
+    instruments: of every run; first: a guess of each; before: what was found of nearly the same readings.
+    """
+    of = Likelihood(blocks[0], instruments, first)
+    start = np.concatenate([np.tile(START, len(first)), np.zeros(len(instruments))])
+    bounds = [*BOUNDS * len(first), *[(-FARTHEST, FARTHEST)] * len(instruments)]
+    start[MISFIT : of.count : PER] = [one.misfit for one in first.values()]
+    if before is not None and before.scales.size == len(instruments):
+        start = of.parameters(before)
+    for number, one in enumerate(first.values()):
+        if one.misfit == 0.0:  # nothing tells it from noise
+            start[PER * number + MISFIT] = 0.0
+            bounds[PER * number + MISFIT] = (0.0, 0.0)
+    x = minimize(
+        of, start, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": STILL, "maxiter": MOST_STEPS}
+    ).x
+    for block in blocks[1:]:
+        _scaled(Likelihood(block, instruments, first), x)
+    return _averaged(of, list(first), x), Found(of.sizes(x), np.exp(x[of.count :]))
+
+
+def _scaled(of: Likelihood, x: FloatArray) -> None:
+    """Set the scales of the runs of a block: one step from 1, exact where noise is white."""
+    slope, information = np.zeros((2, of.of_run.size))
+    for one in of.told(x)[1]:
+        slope -= np.bincount(one.part.place, one.of_scale(), of.of_run.size)
+        both = (one.white * (one.white[:, np.newaxis] * one.precision**2)).sum(axis=0)
+        information += 2.0 * np.bincount(one.part.place, both, of.of_run.size)
+    step = np.maximum(1.0 + 2.0 * slope / (information + UNEVEN**-2), np.exp(-2.0 * FARTHEST))
+    x[of.count :] += np.where(information > 0.0, 0.5 * np.log(step), 0.0)
+
+
+def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, Law]:
+    """Slow parts averaged over what the readings leave possible: of a variance of which little is known the likelihood
+    is normal about its best value, and the standard deviation anything from 0 on.
+    """
+    slopes, information = np.zeros((2, len(names), 3))
+    freedom = np.zeros(len(names))
+    for one in of.told(x)[1]:
+        freedom[one.number] += float(np.sum(one.precision * one.noise))
+        for k, shape in enumerate(one.shapes):
+            both = one.precision @ shape
+            slopes[one.number, k] += one.slope(shape)
+            information[one.number, k] += 0.5 * float(np.sum(both * both.T))
+    sizes = of.sizes(x)
+    best = sizes[:, list(SLOW)] ** 2
+    usual = (np.array(SPREAD)[list(SLOW)] * of.units[:, np.newaxis]) ** 2
+    most = np.maximum(FAR_ABOVE**2 * usual, 4.0 * best)
+    spread = np.minimum(1.0 / np.sqrt(np.maximum(information, 1e-300)), most)
+    middle = np.maximum(best - slopes * spread**2, -FAR_BELOW * spread)
+    farthest = np.minimum(np.maximum(middle, 0.0) + FAR_ABOVE * spread, most)
+    possible = np.linspace(0.0, 1.0, STEPS)[:, np.newaxis, np.newaxis] ** 2 * farthest
+    unlikely = 0.5 * (((possible - middle) / spread) ** 2 + possible / usual)
+    weight = np.exp(unlikely.min(axis=0) - unlikely)
+    slow, wanders, settles = np.sqrt(np.sum(weight * possible, axis=0) / np.sum(weight, axis=0)).T
+    return {
+        name: Law(*map(float, (sizes[k, 0], slow[k], sizes[k, AGE], wanders[k], settles[k], freedom[k])))
+        for k, name in enumerate(names)
+    }

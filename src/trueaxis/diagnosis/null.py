@@ -1,0 +1,195 @@
+"""What is there before any cause: readings that count, what recalibration could change, noise of every run."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.special import ndtri
+
+from trueaxis.diagnosis.base import Base, base_of
+from trueaxis.diagnosis.by_run import ByRun
+from trueaxis.diagnosis.noise import noise_of_runs
+from trueaxis.diagnosis.noise_fit import Found
+from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray, NoiseOf, Outlier
+from trueaxis.diagnosis.rows import Rows
+from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
+from trueaxis.estimation.outliers import ALIKE, EXPECTED, NEIGHBOURS, excess, long, spoilt
+from trueaxis.model.model import MachineModel
+
+ROUNDS = 20  # of looking for outliers: they end by themselves, a few later than a run has outliers
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Null:
+    """rows: those that count; values: (n,) mm, readings less what is expected; outliers: those left out; found: of the
+    noise, where it was estimated; given: (of_machine, k), by how much given values may be off, see `given_by_chance`.
+    """
+
+    rows: Rows
+    values: FloatArray
+    base: Base
+    whitening: Whitening
+    noise: tuple[NoiseOf, ...]
+    outliers: tuple[Outlier, ...]
+    found: Found | None
+    given: FloatArray
+
+    def only(self, keep: BoolArray) -> "Null":
+        """Of some rows, (n,)."""
+        return replace(
+            self,
+            rows=self.rows.only(keep),
+            values=self.values[keep],
+            base=self.base.only(keep),
+            whitening=self.whitening.only(keep),
+        )
+
+
+def null_of(model: MachineModel, rows: Rows, values: FloatArray, noise_um: float | None) -> Null:
+    """From the readings, outliers left out. values: (n,) mm, of all rows.
+
+    Of a run the farthest reading goes first, and the one beside it where it is as far off: others wait, as these two
+    pull what is fitted to them.
+    """
+    whole = found = _with_noise(rows, base_of(model, rows), values, noise_um)
+    good, stays = np.ones((2, rows.size), dtype=bool)
+    stays[:] = False
+    for _ in range(ROUNDS):
+        left = _left(found, found.values)
+        bad = np.zeros(rows.size, dtype=bool)
+        bad[good] = _spoilt(found, left, stays[good])
+        if not bad.any():
+            break
+        for index in rows.present:
+            mine = rows.of_run(index)
+            stays[mine] |= long(~good[mine] | bad[mine])
+        good = (good & ~bad) | stays
+        found = whole.only(good)
+    if good.all():
+        return found
+    never = undecided(rows, good)
+    found = whole.only(good & ~never)
+    found = _with_noise(found.rows, found.base, found.values, noise_um, found.found)
+    back, outliers = explained(whole, found, good & ~never)
+    if (back & ~never).any():
+        found = whole.only((good | back) & ~never)
+        found = _with_noise(found.rows, found.base, found.values, noise_um, found.found)
+    return replace(found, outliers=tuple(one for at, one in outliers.items() if never[at] or not back[at]))
+
+
+def undecided(rows: Rows, good: BoolArray) -> BoolArray:
+    """(n,): readings of a target, in a row, of which some are spoilt: the others may be the spoilt ones as well, where
+    they are no more than two and the target was read at no other time. good: (n,), those that seem to be.
+    """
+    change = (np.diff(rows.target, prepend=-1) != 0) | (np.diff(rows.run, prepend=-1) != 0)
+    number, found = np.cumsum(change), np.zeros(rows.size, dtype=bool)
+    for one in np.unique(number[~good]):
+        mine = np.flatnonzero(number == one)
+        kept = mine[good[mine]]
+        alone = bool((rows.target[mine[0]] == rows.target).sum() == mine.size)
+        if alone and 0 < kept.size <= NEIGHBOURS and np.ptp(kept) < kept.size:
+            found[mine] = True
+    return found
+
+
+def explained(whole: Null, found: Null, good: BoolArray) -> tuple[BoolArray, dict[int, Outlier]]:
+    """(n,): readings left out that the noise of those that count explains after all; and each that was, by its place,
+    in standard deviations of that noise, its neighbours known. good: (n,), those that count.
+    """
+    left = whole.values - whole.base.columns @ fitted(found.whitening, found.base.columns, found.values)
+    limit = float(-ndtri(0.5 * EXPECTED / max(good.size, 1)))
+    back, told = np.zeros(good.size, dtype=bool), dict[int, Outlier]()
+    for run, own, noise in zip(whole.base.runs, whole.base.own, lent(whole, found).whitening.runs, strict=True):
+        at = run.rows.at
+        kept = good[at]
+        both = noise.only(kept).whitened(np.column_stack([own, left[at]])[kept])
+        rest = left[at] - own @ np.linalg.lstsq(both[:, :-1], both[:, -1], rcond=RANK)[0]
+        for k in np.flatnonzero(~kept):
+            some = kept | (np.arange(at.size) == k)
+            white = noise.only(some).alone()
+            z = (white.weighed(rest[some]) / np.sqrt(white.weights()))[int(some[:k].sum())]
+            back[at[k]] = abs(z) < limit
+            told[int(at[k])] = Outlier(run.rows.run.id, int(whole.rows.seq[at[k]]), float(rest[k]), float(z))
+    return back, told
+
+
+def lent(null: Null, other: Null) -> Null:
+    """With the noise that another has of the same runs, or of one by the same instrument."""
+    runs = zip(other.base.runs, other.whitening.runs, strict=True)
+    told: dict[object, RunNoise] = {}
+    for run, noise in runs:
+        told |= {run.instrument: noise, run.rows.index: noise}
+    noises = []
+    for run, before in zip(null.base.runs, null.whitening.runs, strict=True):
+        noise = told.get(run.rows.index) or told.get(run.instrument) or before
+        noises.append(replace(before, noise=noise.noise, wanders=noise.wanders, settles=noise.settles))
+    return replace(null, whitening=whitening(null.rows.run, noises, null.base.own))
+
+
+def again(null: Null, signal: FloatArray, noise_um: float | None) -> Null:
+    """With the noise that is left when causes are known. signal: (n,) mm, what they do to the readings."""
+    left = null.values - signal
+    found = _with_noise(null.rows, null.base, left, noise_um, null.found)
+    return replace(found, values=null.values, outliers=null.outliers, given=null.given)
+
+
+def _with_noise(
+    rows: Rows, base: Base, values: FloatArray, noise_um: float | None, before: Found | None = None
+) -> Null:
+    runs, noise, found = noise_of_runs(rows, base, values, noise_um, before)
+    white = whitening(rows.run, runs, base.own)
+    given = np.zeros((base.of_machine, 0))
+    return Null(
+        rows=rows, values=values, base=base, whitening=white, noise=noise, outliers=(), found=found, given=given
+    )
+
+
+def fitted(whiten: Whitening, columns: ByRun, values: FloatArray) -> FloatArray:
+    """(p,): coefficients of columns (n, p) by weighted least squares, of least norm in units of their lengths."""
+    q, r, size = factored(whiten, columns)
+    return np.asarray(np.linalg.lstsq(r, q.transposed(whiten(values)), rcond=RANK)[0] / size)
+
+
+def factored(whiten: Whitening, columns: ByRun) -> tuple[ByRun, FloatArray, FloatArray]:
+    """Q (n, p) and R (p, p) of columns (n, p), mm, whitened and divided by their lengths, and these, (p,)."""
+    white = columns.whitened(whiten)
+    size = np.linalg.norm(white.weights, axis=0)
+    size[size == 0.0] = 1.0
+    q, r = np.linalg.qr(white.weights / size)
+    return replace(white, weights=q), r, size
+
+
+def less_own(whiten: Whitening, values: FloatArray) -> FloatArray:
+    """(n,), mm: values less what the unknowns of each run's instrument make of them."""
+    found = values.copy()
+    for place, (run, own) in enumerate(zip(whiten.runs, whiten.own, strict=True)):
+        here = slice(int(whiten.starts[place]), int(whiten.starts[place + 1]))
+        sized = own / np.maximum(np.linalg.norm(own, axis=0), 1e-300)
+        both = run.whitened(np.column_stack([sized, values[here]]))
+        found[here] -= sized @ np.linalg.lstsq(both[:, :-1], both[:, -1], rcond=RANK)[0]
+    return found
+
+
+def _left(null: Null, values: FloatArray) -> FloatArray:
+    """(n,), mm: what the base leaves of values."""
+    coefficient = fitted(null.whitening, null.base.columns, values)
+    return less_own(null.whitening, values - null.base.columns @ coefficient)
+
+
+def _spoilt(null: Null, left: FloatArray, stays: BoolArray) -> BoolArray:
+    """(n,): outliers. stays: (n,), readings that are none, whatever they are."""
+    found = np.zeros(null.rows.size, dtype=bool)
+    for noise, one in zip(null.whitening.runs, null.base.runs, strict=True):
+        at = one.rows.at
+        scale, repeats = excess(left[at], noise.sigma), _apart(null.rows.target[at])
+        found[at] = spoilt(noise.noise, scale, one.rows.steps, left[at], repeats, null.rows.size, NEIGHBOURS)
+    found &= ~stays
+    size = np.abs(left) / null.whitening.sigma
+    return np.asarray(found & (size >= ALIKE * float(size[found].max(initial=0.0))))
+
+
+def _apart(target: IntArray) -> IntArray:
+    """(n,): the same number where the same target was read, but not in a row: what spoils a reading spoils the next."""
+    change = np.diff(target, prepend=-1) != 0
+    first = np.flatnonzero(change)
+    since = np.arange(target.size) - first[np.cumsum(change) - 1]
+    return np.asarray(target * target.size + since)

@@ -1,0 +1,234 @@
+"""What further runs would add to what the readings at hand tell of candidates, computed before they are taken.
+
+With the whitened base B = Q S V' of the readings at hand the signature of a candidate has Q's in it and leaves M s. A
+further run brings rows B1, s1. Its own unknowns (zero, ball, whatever no reading so far holds) are the part of B1 in
+the null space of B: P projects them out. What is left, the innovation d = P (s1 - B1 V S^-1 Q's), has the covariance
+1 + C C' with C = P B1 V S^-1, since the base's unknowns are known from the readings at hand no better than that. So
+
+    s' M s (with the run) = s' M s (without) + d' (1 + C C')^-1 d,
+
+exact, at the cost of the run's rows alone.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from scipy.linalg import svd
+
+from trueaxis.diagnosis.base import base_of
+from trueaxis.diagnosis.by_run import of_basis
+from trueaxis.diagnosis.menu import FurtherRun, menu
+from trueaxis.diagnosis.projection import Projection, decomposed
+from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.rows import Rows
+from trueaxis.diagnosis.search import Ground
+from trueaxis.diagnosis.signatures import Readings, readings_of, signature_of
+from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
+from trueaxis.effects.kind import Effect
+from trueaxis.estimation.noise import Noise
+from trueaxis.estimation.runs import MeasuredRun
+from trueaxis.measurement.context import context_of
+from trueaxis.model.context import Context
+
+PROBE_MM = 5e-4  # standard deviation of a probe on a step gauge, where the readings do not tell it
+USUAL_MM = 3e-4  # the same of laser and ball bar
+TIMES = (1, 3)  # how often a run is taken
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A candidate at one point of its grid."""
+
+    effect: Effect
+    point: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Innovation:
+    """One run of the menu. rows: its rows among all; known: (m, rank), C; own: what projects
+    the run's own unknowns out; roots: inverse roots of 1 + t C C', for each t of TIMES.
+    """
+
+    rows: slice
+    known: FloatArray
+    own: Projection
+    roots: "tuple[InverseRoot, ...]"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Prospect:
+    """The menu, and what it takes to say what each of its runs would tell. readings: at hand, then all of the menu."""
+
+    ground: Ground
+    further: tuple[FurtherRun, ...]
+    readings: Readings
+    whitening: Whitening
+    basis: Projection
+    innovations: tuple[Innovation, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outlook:
+    """A candidate: left: (n, k) whitened, what the base leaves of it in the readings at hand; whole: its squared size
+    with base and unknowns of all runs, in standard deviations of the readings; added: for each further run and each of
+    TIMES the whitened innovation (m, k).
+    """
+
+    left: FloatArray
+    whole: float
+    added: tuple[tuple[FloatArray, ...], ...]
+
+
+def prospect_of(ground: Ground) -> Prospect:
+    """Factors the base once, with all runs of the menu in its layout; linear in the number of readings."""
+    readings = ground.readings
+    further = menu(readings.model, readings.rows)
+    everything = _with_further(readings.rows, further)
+    base = base_of(readings.model, everything)
+    known: dict[str, list[RunNoise]] = {}
+    for run, one in zip(readings.rows.present, ground.whitening.runs, strict=True):
+        known.setdefault(readings.rows.runs[run].instrument, []).append(one)
+    parts = [everything.of_run(len(readings.rows.runs) + number) for number in range(len(further))]
+    ahead = [_noise(one, known) for one in base.runs[len(ground.whitening.runs) :]]
+    whiten = whitening(everything.run, (*ground.whitening.runs, *ahead), base.own)
+    white = base.columns.whitened(whiten)
+    here = white.first(len(ground.whitening.runs))
+    scale = np.linalg.norm(here.weights, axis=0)
+    unseen = scale == 0.0
+    scale[unseen] = np.maximum(np.linalg.norm(white.weights[:, unseen], axis=0), 1e-300)
+    q, r = np.linalg.qr(here.weights / scale)
+    left, singular, right = decomposed(r)
+    rank = int(np.count_nonzero(singular > RANK * singular[0]))
+    innovations = []
+    for part, (few, weights) in zip(parts, list(white.parts())[len(here.few) :], strict=True):
+        turned = few @ (weights / scale) @ right.T
+        own = Projection(of_basis(_spanned(turned[:, rank:])))
+        held = own.rest(turned[:, :rank] / singular[:rank])
+        roots = inverse_roots(held)
+        innovations.append(Innovation(part, held, own, roots))
+    return Prospect(
+        ground,
+        further,
+        readings_of(readings.model, everything),
+        whiten,
+        Projection(replace(here, weights=q @ left[:, :rank])),
+        tuple(innovations),
+    )
+
+
+def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outlook]:
+    """What candidates do to the readings at hand and to the menu's; all at once: the base is read but once."""
+    each = [signature_of(prospect.readings, one.effect, (one.point,)).over_all() for one in candidates]
+    size = prospect.ground.values.size
+    columns = np.hstack([np.zeros((prospect.readings.rows.size, 0)), *each])
+    white = prospect.whitening(columns)
+    here = white[:size]
+    by_noise = columns[:size] / prospect.ground.whitening.sigma[:, np.newaxis]
+    inside, left = prospect.basis.basis.transposed(here), prospect.basis.rest(here)
+    added = []
+    for one in prospect.innovations:
+        innovation = one.own.rest(white[one.rows]) - one.known @ inside
+        added.append([np.sqrt(times) * root(innovation) for times, root in zip(TIMES, one.roots, strict=True)])
+    ends = np.cumsum([0, *(one.shape[1] for one in each)])
+    return [
+        Outlook(
+            left[:, mine],
+            float(np.sum(by_noise[:, mine] ** 2)),
+            tuple(tuple(two[:, mine] for two in one) for one in added),
+        )
+        for mine in (slice(*pair) for pair in pairwise(ends))
+    ]
+
+
+def _with_further(rows: Rows, further: Sequence[FurtherRun]) -> Rows:
+    """The rows at hand, then those of every run of the menu, each with a set-up of its own."""
+    counts = [one.positions.shape[1] for one in further]
+    size = sum(counts)
+    run = np.repeat(np.arange(len(further), dtype=np.int64), counts)
+    seq = np.concatenate([np.arange(count, dtype=np.int64) for count in counts])
+    feed = np.concatenate([np.full(count, one.feed) for count, one in zip(counts, further, strict=True)])
+    last = 0.0 if rows.time is None else float(np.nanmax(rows.time))
+    time = last + np.concatenate(
+        [one.after + np.linspace(0.0, one.lasts, count) for count, one in zip(counts, further, strict=True)]
+    )
+    mean = 0.0 if rows.temperature is None else float(np.nanmean(rows.temperature))
+    new = Rows(
+        runs=tuple(one.run for one in further),
+        axes=rows.axes,
+        row=np.zeros(size, dtype=np.int64),
+        run=run,
+        seq=seq,
+        positions=np.hstack([one.positions for one in further]),
+        directions=np.hstack([one.directions for one in further]),
+        reading=np.zeros(size),
+        time=None if rows.time is None else time,
+        temperature=None if rows.temperature is None else mean + np.concatenate([one.warmer for one in further]),
+        feed=None if rows.feed is None else feed,
+        setup=run,
+        target=np.arange(size, dtype=np.int64),
+        passing=np.zeros(size, dtype=np.int64),
+        context=rows.context,
+    )
+    new = replace(new, context=context_of(new.runs, new))
+    return _joined(rows, new)
+
+
+def _joined(rows: Rows, new: Rows) -> Rows:
+    """Numbers of runs, set-ups and targets go on where the others end."""
+    start = {"run": len(rows.runs), **{one: int(getattr(rows, one).max(initial=0)) + 1 for one in ("setup", "target")}}
+    joined: dict[str, Any] = {
+        "runs": (*rows.runs, *new.runs), "axes": rows.axes, "context": _contexts(rows.context, new.context)
+    }  # fmt: skip
+    for one in (each.name for each in fields(Rows) if each.name not in joined):
+        here, there = getattr(rows, one), getattr(new, one)
+        lacking = here is None or there is None
+        joined[one] = None if lacking else np.concatenate([here, there + start.get(one, 0)], axis=-1)
+    return Rows(**joined)
+
+
+def _contexts(one: Context, other: Context) -> Context:
+    home = None if one.home is None or other.home is None else _contexts(one.home, other.home)
+    names = [each.name for each in fields(Context) if each.name != "home"]
+    both = {name: np.concatenate([getattr(one, name), getattr(other, name)], axis=-1) for name in names}
+    return Context(**both, home=home)
+
+
+def _noise(run: MeasuredRun, known: Mapping[str, Sequence[RunNoise]]) -> RunNoise:
+    """As that of other runs of the instrument, or as usual."""
+    of_instrument = sorted(known.get(run.instrument, []), key=lambda one: one.sigma)
+    if not of_instrument:
+        level = PROBE_MM if run.instrument == "probe" else USUAL_MM
+        return RunNoise(noise=Noise(level), steps=run.rows.steps, passed=run.rows.passed, wanders=0.0, settles=0.0)
+    return replace(of_instrument[len(of_instrument) // 2], steps=run.rows.steps, passed=run.rows.passed)
+
+
+def _spanned(columns: FloatArray) -> FloatArray:
+    """(m, rank): an orthonormal basis of what columns, parts of some of unit length, span beyond rounding. They are not
+    scaled to one length first: of a small one mostly rounding would be left.
+    """
+    left, singular, _ = decomposed(columns)
+    return np.asarray(left[:, : np.count_nonzero(singular > RANK * max(float(singular.max(initial=0.0)), 1.0))])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class InverseRoot:
+    """A W with W' W = (I + t C C')^-1. left: (m, r), orthonormal; least: (r,), what it leaves of each direction."""
+
+    left: FloatArray
+    least: FloatArray
+
+    def __call__(self, columns: FloatArray) -> FloatArray:
+        """(r + m, k): W times columns (m, k)."""
+        inside = self.left.T @ columns
+        return np.vstack([self.least[:, np.newaxis] * inside, columns - self.left @ inside])
+
+
+def inverse_roots(known: FloatArray) -> tuple[InverseRoot, ...]:
+    """For each of TIMES. known: C, (m, rank). Its product with itself is never formed: where a run leads far from the
+    readings at hand it is so large that rounding takes the I away.
+    """
+    left, singular, _ = svd(known, full_matrices=False, check_finite=False)
+    return tuple(InverseRoot(left, 1.0 / np.sqrt(1.0 + times * singular**2)) for times in TIMES)

@@ -1,0 +1,386 @@
+"""What a diagnosis comes to: plain records, from which report and diagnosis.json are written."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from trueaxis.effects.kind import Effect
+from trueaxis.model.errors import Determined
+
+FloatArray = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int64]
+BoolArray = npt.NDArray[np.bool_]
+
+Observability = Literal["observable", "confounded", "unobservable"]
+Verdict = Literal["no_discrepancy", "recalibrate", "explained", "ambiguous", "unexplained_structure"]
+
+
+@dataclass(frozen=True, slots=True)
+class NoiseOf:
+    """Noise of the readings of one instrument, mm: white, and slow (correlation: from one reading to the next).
+
+    settles: by which its runs change after their start; wanders: random walk of a run, at its end; freedom: degrees of
+    freedom of the estimate; origin: where it is from, see diagnose.noise.
+    """
+
+    instrument: str
+    white: float
+    correlated: float
+    correlation: float
+    settles: float
+    freedom: float
+    origin: str
+    wanders: float = 0.0
+
+    @property
+    def sigma(self) -> float:
+        """Standard deviation of a reading, mm."""
+        return float(np.hypot(self.white, self.correlated))
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """Value and standard uncertainty of a parameter."""
+
+    name: str
+    value: float
+    u: float
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """What the audit says of a candidate before any reading is looked at.
+
+    size: name and unit of the amplitude that the limits are of; detection: what reaches the
+    threshold of the evidence half the time; isolation: what is told from its nearest rival; share: |M s|^2 / |s|^2, the
+    part of the signature that the base does not hold (M projects out the base); nearest: the candidate most like it,
+    and r2, the squared correlation of what the base leaves of both. state: `observable`, `confounded` (r2 above 0.95)
+    or `unobservable`; reason: why it is unobservable; nearest_at: searched parameters of the nearest where it is most
+    alike.
+    """
+
+    effect: Effect
+    size: str
+    unit: str
+    detection: float
+    isolation: float
+    share: float
+    nearest: Effect | None
+    r2: float
+    state: Observability
+    reason: str = ""
+    nearest_at: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """-log10(p m) of one candidate in one round of the search; threshold: what it had to reach."""
+
+    effect: Effect
+    evidence: float
+    p_value: float
+    tries: float
+    freedom: int
+
+
+@dataclass(frozen=True, slots=True)
+class AmplitudeOf:
+    """The amplitude of a cause as one run (or line) alone shows it, in the unit of its first parameter."""
+
+    group: str
+    value: float
+    u: float
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """One named cause, or the best of a set that the readings cannot tell apart.
+
+    rms: of its signature over the readings, mm; held_out_gain: share by which it lowers the held-out RMS, noise
+    included; rivals: what explains the readings about as well; homogeneous_p: of the test that all groups have one
+    amplitude; remainder: whether structure is left beside it; formula: its term in LaTeX, values not filled in;
+    separating: the further run that would tell it from its rivals, None where it has none.
+    """
+
+    effect: Effect
+    parameters: tuple[Estimate, ...]
+    sentence: str
+    formula: str
+    p_value: float
+    evidence: float
+    rms: float
+    held_out_gain: float
+    rivals: tuple[Evidence, ...]
+    amplitudes: tuple[AmplitudeOf, ...]
+    homogeneous_p: float
+    remainder: bool
+    separating: "Separating | None"
+
+
+class StructureClass(Enum):
+    """Classes of structure that need no cause; the value is the id in diagnosis.json."""
+
+    LINE_DIRECTION = "line_direction"
+    LINE_DIRECTION_BY_LINE = "line_direction_by_line"
+    LINE_BY_LINE = "line_by_line"
+    LINE_COURSE = "line_course"
+    LINE_TEMPERATURE = "line_temperature"
+    LINE_RIPPLE = "line_ripple"
+    LINE_LOCAL = "line_local"
+    CIRCLE_LOBES = "circle_lobes"
+    CIRCLE_RIPPLE = "circle_ripple"
+    CIRCLE_COURSE = "circle_course"
+    CIRCLE_DIRECTION = "circle_direction"
+    CIRCLE_RIPPLE_DIRECTION = "circle_ripple_direction"
+    CIRCLE_FEED = "circle_feed"
+    CIRCLE_DIRECTION_FEED = "circle_direction_feed"
+    CIRCLE_REVERSALS = "circle_reversals"
+    CIRCLE_AFTER_REVERSALS = "circle_after_reversals"
+    ONE_PERIOD = "one_period"
+    LACK_OF_FIT = "lack_of_fit"  # sees any structure, and says nothing of its kind
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """A test for structure of a class that needs no cause; p_value already multiplied by the number of checks.
+
+    place: axis of lines, plane of circles, run or instrument; rms: of the structure over the readings, mm; excess: its
+    whitened squares beyond those of noise.
+    """
+
+    structure: StructureClass
+    place: str
+    p_value: float
+    fired: bool
+    rms: float
+    excess: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Outlier:
+    """A reading far from what base and repeats say, left out; deviation: mm; z: in standard deviations of the noise."""
+
+    run: str
+    seq: int
+    deviation: float
+    z: float
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """RMS in mm of what is left, over all readings kept and over held-out ones, with values as given, refitted, and
+    with the extended model; floor: that of the noise (pure error).
+    """
+
+    given: float
+    refitted: float
+    extended: float
+
+
+@dataclass(frozen=True, slots=True)
+class Stale:
+    """Values given that are no longer true: the component or location error, from where to where (mm or deg; None of a
+    location error), its change where that is clearest, with its standard uncertainty, mm or rad; p_value: of all its
+    values being right, the others stale; bent: whether the change is that from the straight line between the ends;
+    alike: other components whose change explains the readings about as well; effects: of the library that do.
+    """
+
+    component: str
+    first: float | None
+    last: float | None
+    value: float
+    u: float
+    unit: str
+    p_value: float
+    bent: bool = False
+    alike: tuple[str, ...] = ()
+    effects: tuple[Effect, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Gain:
+    """What was gained. split: how the held-out readings were chosen; floor: RMS of the pure error, mm; standardised:
+    root mean square of held-out residuals over their predictive standard deviations, 1 where the model is right.
+    """
+
+    rms: Stage
+    held_out: Stage
+    split: str
+    floor: float
+    standardised: float = float("nan")
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """Circularity of a circle by ball bar, mm, ISO 230-4 (largest minus smallest radius about the fitted centre):
+    measured; what is left of it without the given, the refitted, the extended model.
+    """
+
+    run: str
+    measured: float
+    given: float
+    refitted: float
+    extended: float
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """From which amplitude on an effect is told from others: with a further run, and without it; infinite: never."""
+
+    effect: Effect
+    unit: str
+    with_run: float
+    without: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Separating:
+    """What would tell a cause from its rivals. run: what to do, empty where no run of those considered would; times:
+    how often; apart, left: rivals that it tells from the cause, and others; told: from the worst of them; needed: how
+    often for the size found; broken_by: what would in general, as the kind has it.
+    """
+
+    run: str = ""
+    times: int = 1
+    apart: tuple[Effect, ...] = ()
+    left: tuple[Effect, ...] = ()
+    told: Told | None = None
+    needed: int = 1
+    broken_by: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NextRun:
+    """A further run that would help, for one of these: pairs: candidates that it tells apart, the first as `told` has
+    it; check: of structure that has no name; instrument: whose noise is not known. run, times: what to do, and how
+    often; empty where the check or the instrument says so.
+    """
+
+    run: str = ""
+    times: int = 1
+    pairs: tuple[tuple[Effect, tuple[Effect, ...]], ...] = ()
+    told: Told | None = None
+    check: Check | None = None
+    instrument: str = ""
+
+
+Lack = Literal["column", "instrument", "one_side", "one_direction", "one_feed"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Absence:
+    """What the data lack. place: column, axis of lines, plane of circles, or instrument; kinds: of effects that cannot
+    be seen; empty: share of readings without the column; lacking: instruments that no run has.
+    """
+
+    lack: Lack
+    place: str = ""
+    kinds: tuple[str, ...] = ()
+    empty: tuple[int, int] = (0, 0)
+    lacking: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SecondOrder:
+    """Terms of second order in the errors given: the largest in any reading, mm, and whether they could be seen."""
+
+    largest: float
+    seen: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ErrorNow:
+    """An error of the machine as these readings have it. given, now, change: of a component what is largest over the
+    travel; u: standard uncertainty of the change, NaN where combinations are open; determined: by what; mm or rad.
+    """
+
+    name: str
+    unit: str
+    given: float
+    now: float
+    change: float
+    u: float
+    determined: Determined
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasuredWith:
+    """What one device measured. device, serial: empty where setup.toml names none; sessions: named ones; motions: axes
+    that move, of runs; time_s, temperature_c: from, to; None where the readings have none.
+    """
+
+    instrument: str
+    device: str
+    serial: str
+    sessions: tuple[str, ...]
+    runs: int
+    readings: int
+    motions: tuple[str, ...]
+    time_s: tuple[float, float] | None
+    temperature_c: tuple[float, float] | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Residuals:
+    """Readings kept, one per row, mm: (n,) each. whitened: of the final model, of variance 1 if the model holds.
+
+    run: index into runs; positions, directions: (n_axes, n); theta: polar angle (rad) of circles, NaN elsewhere;
+    along: ideal displacement sensed (mm) of lines.
+    """
+
+    runs: tuple[str, ...]
+    instruments: tuple[str, ...]
+    axes: tuple[str, ...]
+    row: IntArray
+    run: IntArray
+    seq: IntArray
+    positions: FloatArray
+    directions: FloatArray
+    time: FloatArray | None
+    temperature: FloatArray | None
+    feed: FloatArray | None
+    theta: FloatArray
+    along: FloatArray
+    reading: FloatArray
+    given: FloatArray
+    refitted: FloatArray
+    extended: FloatArray
+    whitened: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Diagnosis:
+    """Everything that was found. correlation: (g, g), R^2 between the candidates of `isolability`, base projected out;
+    threshold: evidence that a candidate had to reach; absences: what the data lack; report: what
+    setup.toml says of the measurement in free words; errors: all of the machine, as `identify` has them from these
+    readings beside the causes; none where its fit did not stand still; misfits: runs that no errors fit, worst first.
+    """
+
+    machine: str
+    verdict: Verdict
+    noise: tuple[NoiseOf, ...]
+    causes: tuple[Cause, ...]
+    limits: tuple[Limit, ...]
+    isolability: tuple[Effect, ...]
+    correlation: FloatArray
+    scan: tuple[Evidence, ...]
+    threshold: float
+    checks: tuple[Check, ...]
+    outliers: tuple[Outlier, ...]
+    stale: tuple[Stale, ...]
+    gain: Gain
+    circles: tuple[Circle, ...]
+    recalibration_p: float
+    next_runs: tuple[NextRun, ...]
+    absences: tuple[Absence, ...]
+    second_order: SecondOrder
+    residuals: Residuals
+    measured: tuple[MeasuredWith, ...]
+    report: Mapping[str, str]
+    errors: tuple[ErrorNow, ...] = ()
+    misfits: tuple[str, ...] = ()

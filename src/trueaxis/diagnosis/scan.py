@@ -1,0 +1,164 @@
+"""The scan: how much better every candidate explains what the base leaves, searched parameters at their best."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from trueaxis.diagnosis.freedom import Freedom
+from trueaxis.diagnosis.projection import Projection
+from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.rows import as_slice
+from trueaxis.diagnosis.signatures import Signature
+from trueaxis.diagnosis.tails import log_chi2_tail, log_f_tail
+from trueaxis.diagnosis.whiten import Whitening
+from trueaxis.effects.kind import Effect
+from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE, explained
+
+ENTRIES = 1 << 18  # of a signature's columns at a time: 2 MB, which stay in the processor's cache
+FAR = 100.0  # a statistic from which the number of tries does not matter
+NOTHING = 1e-200  # squares, in units of the noise, whose inverse would leave the range of numbers
+LN10 = float(np.log(10.0))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Prepared:
+    """What of a candidate stays the same whatever the readings are and whichever causes are found.
+
+    whole: (points,), sum of squares of the signature in standard deviations of the readings; gram: (points, k, k), the
+    signature times itself, whitened, base and unknowns of all runs taken away; length: of the curve along the grid.
+    """
+
+    whole: FloatArray
+    gram: FloatArray
+    length: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Residual:
+    """What is left to be explained. freedom: of the noise.
+
+    back: (n, 1 + causes), values and causes taken back through the whitening: their product with a signature is that of
+    the whitened ones, for a fraction of the cost.
+    """
+
+    freedom: Freedom
+    back: FloatArray
+
+    def freedom_of(self, signature: Signature, point: int) -> float:
+        """Of the noise, for a test of the signature at this point."""
+        return self.freedom.of(signature.support, signature.columns(slice(point, point + 1))[:, 0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scanned:
+    """One candidate: the best point of its grid.
+
+    statistic: whitened sum of squares that it explains there (chi^2 of `freedom` under noise alone); tries: effective
+    number of independent places that were tried; amplitudes: (freedom,); evidence: -log10(p tries); preference: the
+    same as if the noise were known, by which candidates are compared: they share its uncertainty.
+    """
+
+    effect: Effect
+    point: Mapping[str, float]
+    place: int
+    amplitudes: FloatArray
+    statistic: float
+    freedom: int
+    tries: float
+    p_value: float
+    evidence: float
+    preference: float
+    missing: str = ""
+
+
+def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Prepared:
+    """The candidate's signature whitened and the base taken away; base: without causes.
+
+    The cost grows with the readings that it reaches times rank of the base times points of the grid. Points are taken a
+    few at a time, so that memory does not.
+    """
+    points, k = len(signature.points), signature.terms.shape[2]
+    step = max(ENTRIES // max(signature.support.size * k, 1), 1)
+    parts = [
+        _prepared(signature, whitening, base, slice(start, min(start + step + 1, points)))
+        for start in range(0, points, step)
+    ]
+    whole, gram = (np.concatenate([part[of][:step] for part in parts]) for of in (0, 1))
+    # what the base and the runs hold is rounding, and what dies away before the first reading is nothing
+    held = np.trace(gram, axis1=1, axis2=2) <= np.maximum(UNOBSERVABLE * whole, NOTHING)
+    gram = np.where(held[:, np.newaxis, np.newaxis], 0.0, gram)
+    cross = np.concatenate([part[2] for part in parts])[: points - 1]
+    return Prepared(whole, gram, _length(gram, cross))
+
+
+def _prepared(
+    signature: Signature, whitening: Whitening, base: Projection, points: slice
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """(points,) and (points, k, k), whole and gram, and (points - 1, k, k), the gram of each point with the next."""
+    columns = signature.columns(points)
+    size, count, k = columns.shape
+    white = whitening.part(signature.support, columns.reshape(size, count * k))
+    held = base.inner(white, signature.support).reshape(-1, count, k)
+    full = white.reshape(size, count, k)
+    whole = np.square(columns).reshape(size, count * k).T @ whitening.sigma[as_slice(signature.support)] ** -2.0
+    cross = _gram(full[:, :-1], full[:, 1:]) - _gram(held[:, :-1], held[:, 1:])
+    return whole.reshape(count, k).sum(axis=1), _gram(full, full) - _gram(held, held), cross
+
+
+def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:
+    """values: (n,), whitened; base: with the causes found; freedom: of the noise estimate."""
+    back = whitening.back(np.column_stack([base.rest_transposed(base.rest(values)), base.inner_causes]))
+    return Residual(freedom, back)
+
+
+def scanned(signature: Signature, known: Prepared, residual: Residual) -> Scanned:
+    """Scan one candidate. The cost grows with the readings that it reaches times causes times points of the grid."""
+    k = signature.terms.shape[2]
+    inside = signature.products(residual.back)
+    gram = known.gram - _gram(inside[1:], inside[1:])
+    statistic, amplitudes = explained(gram, inside[0], known.whole, one_sided=_one_sided(signature))
+    best = int(np.argmax(statistic))
+    most = float(statistic[best])
+    # Hotelling's tube to first order: a largest statistic u is so many times as likely as one at a given place
+    tries = 1.0 + known.length * float(np.sqrt(min(most, FAR) / (2.0 * np.pi)))
+    log_p = log_f_tail(most / k, k, residual.freedom_of(signature, best))
+    lower = float(np.log10(tries))
+    return Scanned(
+        effect=signature.effect,
+        point=signature.points[best],
+        place=best,
+        amplitudes=amplitudes[best],
+        statistic=most,
+        freedom=k,
+        tries=tries,
+        p_value=min(1.0, float(np.exp(log_p)) * tries),
+        evidence=-log_p / LN10 - lower if most > 0.0 else 0.0,
+        preference=-log_chi2_tail(most, k) / LN10 - lower,
+        missing=signature.missing,
+    )
+
+
+def _gram(columns: FloatArray, others: FloatArray) -> FloatArray:
+    """(points, k, k) from (n, points, k) each: products at every point."""
+    _, points, k = columns.shape
+    found = np.empty((points, k, k))
+    for i in range(k):
+        for j in range(k):
+            found[:, i, j] = np.einsum("np,np->p", columns[:, :, i], others[:, :, j])
+    return found
+
+
+def _one_sided(signature: Signature) -> bool:
+    return any(one.role == "root" for one in signature.kind.parameters)
+
+
+def _length(gram: FloatArray, cross: FloatArray) -> float:
+    """Length of the curve that the signature, base projected out, draws on the unit sphere along the grid.
+
+    gram: (points, k, k); cross: (points - 1, k, k), of each point with the next.
+    """
+    inverse = np.linalg.pinv(gram, rcond=UNOBSERVABLE, hermitian=True)
+    shared = np.einsum("pij,pjk,plk,pli->p", inverse[:-1], cross, inverse[1:], cross)
+    angle = np.arccos(np.sqrt(np.clip(shared / gram.shape[1], 0.0, 1.0)))
+    return float(np.sum(angle))

@@ -1,0 +1,1 @@
+"""Standard figures of tests: ISO 230-2 and ISO 230-4."""

@@ -1,0 +1,123 @@
+"""Evaluation of a bidirectional positioning test by ISO 230-2:2014, coverage factor k = 2."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+
+FloatArray = NDArray[np.float64]
+Repeatability = Literal["iso", "unidirectional"]
+
+STANDARD = "ISO 230-2:2014"
+COVERAGE_FACTOR = 2
+LONGEST_AXIS = 2000.0  # mm; the standard tests longer axes otherwise
+FEWEST_TARGETS, FEWEST_CYCLES = 5, 5
+TARGETS_PER_METRE = 5
+EVEN = 1e-6  # of a step: rounding of evenly spaced targets
+
+
+@dataclass(frozen=True, slots=True)
+class Unidirectional:
+    """One direction of approach; mm throughout, arrays (m,) over the targets.
+
+    mean: mean deviation; s: estimator of the standard uncertainty of positioning; r: repeatability R_i = 4 s_i;
+    R: repeatability of the axis; E: systematic deviation of the axis; A: accuracy of the axis.
+    """
+
+    mean: FloatArray
+    s: FloatArray
+    r: FloatArray
+    R: float
+    E: float
+    A: float
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """The parameters of the standard; mm throughout, arrays (m,) over the targets.
+
+    targets: P_i; cycles: n; mean: mean bidirectional deviation; b: reversal value B_i, positive approach minus
+    negative; r: bidirectional repeatability R_i. Of the axis: B reversal value, B_mean mean reversal value (signed),
+    R repeatability by the convention `repeatability`, E systematic deviation, M range of the mean bidirectional
+    deviation, A accuracy.
+    """
+
+    targets: FloatArray
+    cycles: int
+    positive: Unidirectional
+    negative: Unidirectional
+    mean: FloatArray
+    b: FloatArray
+    r: FloatArray
+    B: float
+    B_mean: float
+    R: float
+    E: float
+    M: float
+    A: float
+    repeatability: Repeatability
+
+
+def evaluate(test: PositioningTest, repeatability: Repeatability = "iso") -> Evaluation:
+    """Evaluate the test. Source: ISO 230-2:2014, clause 3.
+
+    repeatability: `iso`, the standard's R = max R_i with R_i = max(2 s_i+ + 2 s_i- + |B_i|, R_i+, R_i-), which holds
+    the reversal; or `unidirectional`, R = max(R+, R-), which some programs report under the same name.
+    """
+    positive = _unidirectional(test.positive - test.targets[:, None])
+    negative = _unidirectional(test.negative - test.targets[:, None])
+    mean = (positive.mean + negative.mean) / 2
+    b = positive.mean - negative.mean
+    spread = COVERAGE_FACTOR * (positive.s + negative.s) + np.abs(b)
+    r = np.maximum(spread, np.maximum(positive.r, negative.r))
+    means = np.concatenate([positive.mean, negative.mean])
+    s = np.concatenate([positive.s, negative.s])
+    return Evaluation(
+        targets=test.targets,
+        cycles=test.positive.shape[1],
+        positive=positive,
+        negative=negative,
+        mean=mean,
+        b=b,
+        r=r,
+        B=float(np.abs(b).max()),
+        B_mean=float(b.mean()),
+        R=float(r.max()) if repeatability == "iso" else max(positive.R, negative.R),
+        E=float(np.ptp(means)),
+        M=float(np.ptp(mean)),
+        A=_accuracy(means, s),
+        repeatability=repeatability,
+    )
+
+
+def departures(evaluation: Evaluation) -> list[str]:
+    """In what the test is less than the standard asks of a linear axis up to 2000 mm; empty where it is not."""
+    m, span = len(evaluation.targets), float(np.ptp(evaluation.targets))
+    found = []
+    if m < FEWEST_TARGETS:
+        found.append(f"{m} targets; the standard asks at least {FEWEST_TARGETS}")
+    elif m < TARGETS_PER_METRE * span / 1000 and span <= LONGEST_AXIS:
+        found.append(f"{m} targets on {span:g} mm; the standard asks at least {TARGETS_PER_METRE} per metre")
+    if evaluation.cycles < FEWEST_CYCLES:
+        found.append(f"{evaluation.cycles} cycles; the standard asks {FEWEST_CYCLES}")
+    steps = np.diff(np.sort(evaluation.targets))
+    if m > 2 and np.ptp(steps) <= EVEN * steps.max():
+        found.append("targets are evenly spaced; the standard spaces them unevenly, lest periodic errors hide")
+    if span > LONGEST_AXIS:
+        found.append(f"targets span {span:g} mm; the standard tests axes beyond {LONGEST_AXIS:g} mm otherwise")
+    return found
+
+
+def _unidirectional(deviations: FloatArray) -> Unidirectional:
+    """deviations: x_ij, (m, n) mm."""
+    mean = deviations.mean(axis=1)
+    s = deviations.std(axis=1, ddof=1)
+    r = 2 * COVERAGE_FACTOR * s
+    return Unidirectional(mean, s, r, R=float(r.max()), E=float(np.ptp(mean)), A=_accuracy(mean, s))
+
+
+def _accuracy(mean: FloatArray, s: FloatArray) -> float:
+    return float((mean + COVERAGE_FACTOR * s).max() - (mean - COVERAGE_FACTOR * s).min())

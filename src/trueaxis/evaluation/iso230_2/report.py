@@ -1,0 +1,103 @@
+"""The evaluation as a person reads it, in the order of the standard's table, and as JSON."""
+
+import json
+from typing import Any
+
+import numpy as np
+
+from trueaxis.evaluation.iso230_2.evaluation import COVERAGE_FACTOR, STANDARD, Evaluation, Unidirectional, departures
+
+CONVENTIONS = {
+    "iso": "R = max R_i, R_i = max(2 s_i+ + 2 s_i- + |B_i|, R_i+, R_i-): the standard's, reversal included",
+    "unidirectional": "R = max(R+, R-): NOT the standard's, which includes the reversal",
+}
+_COLUMNS = ("i", "P_i", "x_i+", "x_i-", "x_i", "B_i", "s_i+", "s_i-", "R_i+", "R_i-", "R_i")
+_LEGEND = (
+    "+ approached in the positive direction, - in the negative one; P_i target (mm); the rest in um: x_i mean",
+    "deviation, B_i = x_i+ - x_i- reversal value, s_i estimator of the standard uncertainty, R_i repeatability (4 s_i",
+    "in one direction; in both as below)",
+)
+
+
+def report_text(source: str, evaluation: Evaluation) -> str:
+    """Lines of ASCII text, ending with a newline. source: what was evaluated, as the user named it."""
+    e, plus, minus = evaluation, evaluation.positive, evaluation.negative
+    head = (
+        f"positioning by {STANDARD}, k = {COVERAGE_FACTOR}; {len(e.targets)} targets, {e.cycles} cycles, 2 directions"
+    )
+    rows = [e.targets, *(1e3 * v for v in (plus.mean, minus.mean, e.mean, e.b, plus.s, minus.s, plus.r, minus.r, e.r))]
+    lines = [f"{source}: {head}", *_LEGEND, "", "".join(f"{name:>{_width(name)}}" for name in _COLUMNS)]
+    for number, row in enumerate(zip(*rows, strict=True), start=1):
+        cells = [f"{number:>{_width('i')}}", f"{row[0]:{_width('P_i')}.10g}", *(f"{v:9.2f}" for v in row[1:])]
+        lines.append("".join(cells))
+    lines += ["", f"{'of the axis (um)':<33}{'+':>10}{'-':>10}{'both':>10}"]
+    lines += [
+        _axis("reversal value B", None, None, e.B),
+        _axis("mean reversal value", None, None, e.B_mean),
+        _axis("repeatability R", plus.R, minus.R, e.R),
+        _axis("systematic deviation E", plus.E, minus.E, e.E),
+        _axis("mean bidirectional deviation M", None, None, e.M),
+        _axis("accuracy A", plus.A, minus.A, e.A),
+        "",
+        CONVENTIONS[e.repeatability],
+    ]
+    return "\n".join(lines + [f"note: {note}" for note in notes(e)]) + "\n"
+
+
+def notes(evaluation: Evaluation) -> list[str]:
+    """Where the test is less than the standard asks, and where its directions are doubtful."""
+    found = departures(evaluation)
+    if np.all(evaluation.b > 0):
+        found.append(
+            "every B_i is positive, while lost motion makes it negative: the labels of direction may be the wrong way "
+            "round (--swap-directions), or the axis compensates its reversal too much"
+        )
+    return found
+
+
+def report_json(evaluation: Evaluation) -> str:
+    """The same as JSON, every length in mm."""
+    e = evaluation
+    tree = {
+        "schema": 1,
+        "standard": STANDARD,
+        "coverage_factor": COVERAGE_FACTOR,
+        "unit": "mm",
+        "repeatability": {"convention": e.repeatability, "standard": e.repeatability == "iso"},
+        "cycles": e.cycles,
+        "targets": e.targets.tolist(),
+        "positive": _direction(e.positive),
+        "negative": _direction(e.negative),
+        "bidirectional": {
+            "mean_deviation": e.mean.tolist(),
+            "reversal_value": e.b.tolist(),
+            "repeatability_at_target": e.r.tolist(),
+            "B": e.B,
+            "B_mean": e.B_mean,
+            "R": e.R,
+            "E": e.E,
+            "M": e.M,
+            "A": e.A,
+        },
+        "notes": notes(e),
+    }
+    return json.dumps(tree, indent=1, allow_nan=False) + "\n"
+
+
+def _direction(side: Unidirectional) -> dict[str, Any]:
+    return {
+        "mean_deviation": side.mean.tolist(),
+        "standard_uncertainty": side.s.tolist(),
+        "repeatability_at_target": side.r.tolist(),
+        "R": side.R,
+        "E": side.E,
+        "A": side.A,
+    }
+
+
+def _width(name: str) -> int:
+    return {"i": 4, "P_i": 12}.get(name, 9)
+
+
+def _axis(name: str, *values: float | None) -> str:
+    return (f"{name:<33}" + "".join(" " * 10 if v is None else f"{1e3 * v:10.2f}" for v in values)).rstrip()

@@ -1,0 +1,93 @@
+"""The readings of a circular test: arcs in one plane about one set-up, in one or both senses of rotation."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trueaxis.io.faults import Faults
+from trueaxis.measurement.instrument_run import InstrumentRun
+
+FloatArray = NDArray[np.float64]
+
+FEWEST_READINGS = 12  # of an arc: fewer do not fix centre, radius and harmonics
+LARGEST_DEVIATION = 10.0  # mm: beyond it radius and reading are not in one unit, or not of one circle
+SAME_FEED = 0.01  # share by which feeds that are read may differ: servo mismatch is off by no more
+SMALLEST_SPAN = np.pi  # rad, of the longest arc: less of a circle does not fix its centre
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Arc:
+    """One run in one sense. id: its name; angle: (n,), rad, from the first axis of the plane to the second, growing
+    without steps where sense is +1 (counter-clockwise), falling where it is -1; deviation: (n,), mm, of the radius.
+    """
+
+    id: str
+    sense: int
+    angle: FloatArray
+    deviation: FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class CircularTest:
+    """plane: the axes, such as ("X", "Y"), in the order of the angles; radius: nominal, mm; feed: along the path,
+    mm/min, None where it is not known; arcs: of one set-up.
+    """
+
+    plane: tuple[str, str]
+    radius: float
+    feed: float | None
+    arcs: tuple[Arc, ...]
+
+    @property
+    def senses(self) -> tuple[int, ...]:
+        """Which there are: (1,), (-1,) or (-1, 1)."""
+        return tuple(sorted({arc.sense for arc in self.arcs}))
+
+
+def circular_test(
+    runs: Sequence[InstrumentRun], plane: tuple[str, str], radius: float, feed: float | None, source: str
+) -> CircularTest:
+    """The test that runs of a ball bar are. feed: where no run has it.
+
+    Raises InputError with every fault: angles that do not go one way, too few readings, readings of another size,
+    arcs at different feeds.
+    """
+    faults = Faults(source)
+    arcs = [_arc(run, radius, faults) for run in runs]
+    faults.raise_if_any()
+    longest = max((float(np.ptp(arc.angle)) for arc in arcs), default=0.0)
+    if longest < SMALLEST_SPAN:
+        faults.add("", f"no arc spans more than {np.degrees(longest):.0f} degrees", "at least half a circle")
+        faults.raise_if_any()
+    feeds = [float(np.median(run.feed)) for run in runs if run.feed is not None]
+    if feeds and max(feeds) - min(feeds) > SAME_FEED * max(feeds):
+        named = ", ".join(f"{one:g}" for one in feeds)
+        faults.add(
+            "column feed", f"arcs at different feeds, {named} mm/min", "one feed a test: it scales servo mismatch"
+        )
+        faults.raise_if_any()
+    return CircularTest(plane=plane, radius=radius, feed=feeds[0] if feeds else feed, arcs=tuple(arcs))
+
+
+def _arc(run: InstrumentRun, radius: float, faults: Faults) -> Arc:
+    place = f"run {run.id}"
+    deviation = run.reading - radius if run.whole_length else run.reading
+    angle = np.zeros(0) if run.angle is None else np.unwrap(run.angle)
+    if run.angle is None:
+        faults.add(place, "has no angles", "a column angle")
+    elif angle.size < FEWEST_READINGS:
+        faults.add(place, f"has {angle.size} readings", f"at least {FEWEST_READINGS}")
+    elif not (np.diff(angle) > 0.0).all() and not (np.diff(angle) < 0.0).all():
+        rows = np.flatnonzero(np.diff(angle) * np.sign(angle[-1] - angle[0]) <= 0.0)
+        faults.add(
+            place,
+            f"its angles do not go one way (first at reading {rows[0] + 2})",
+            "one run for each sense of rotation, rows in the order in which they were read",
+        )
+    if np.abs(deviation).max(initial=0.0) > LARGEST_DEVIATION:
+        worst = float(deviation[np.argmax(np.abs(deviation))])
+        faults.add(place, f"deviates by {worst:g} mm from a radius of {radius:g} mm", "radius and readings in one unit")
+    sense = 1 if angle.size and angle[-1] > angle[0] else -1
+    return Arc(id=run.id, sense=sense, angle=angle, deviation=deviation)

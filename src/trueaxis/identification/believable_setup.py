@@ -1,0 +1,128 @@
+"""Whether set-up and readings can be of this machine: points, positions, length and readings that contradict others.
+
+A reading is refused where it is off by more than BELIEVED times what the prior sizes of the errors allow there, besides
+what its instrument may be off by. A contradiction of this size is a slip of writing: a wrong point, sign or unit.
+"""
+
+from pathlib import Path
+from typing import cast
+
+import numpy as np
+
+from trueaxis.estimation.set_up import is_straightness
+from trueaxis.identification.expected_size import expected_size
+from trueaxis.io.faults import Fault
+from trueaxis.measurement.data import MeasuredData, readings_path
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_model import ideal_bar, ideal_reading, measuring_frame
+from trueaxis.measurement.readings import Readings
+from trueaxis.measurement.setup import FILE_NAME, Run
+from trueaxis.model.model import MachineModel
+
+BELIEVED = 5.0  # times the prior standard deviation of a reading
+# mm, what instruments may be off by: a ball or sphere is set up within a millimetre, with a ruler within five; the
+# range of straightness optics; a laser's dead path and the growth of a cold machine
+SET_UP = {"ballbar": 5.0, "probe": 5.0, "straightness": 2.5, "laser": 0.5}
+MOST_ROWS = 5  # named of a run
+MOST_FITTED = 500  # positions that the place of a ball is sought from
+IN_MM = "is the reading in mm? [prior] of the machine's spec says what errors may be expected"
+
+
+def setup_faults(model: MachineModel, data: MeasuredData, folder: Path) -> list[Fault]:
+    """Runs whose set-up or readings are not believable on the machine; dimensions are those of the model's values."""
+    found: dict[str, list[Fault]] = {}
+    for index, run in enumerate(data.setup.runs):
+        rows = data.readings.of_run(index)
+        if rows.size:
+            found[run.id] = _faults_of_run(model, run, data.readings, rows, folder)
+    wrong = [run for run, faults in found.items() if faults]
+    silent = _silent(model)
+    if not silent or len(wrong) < 2:
+        return [fault for faults in found.values() for fault in faults]
+    problem = f"{len(wrong)} runs contradict them as zero, which is what they are taken for: {', '.join(wrong)}"
+    remedy = (
+        "give them with --known E.json (a file of error values with these parameters, mm); the first of these runs:"
+    )
+    return [Fault("dimensions not given", ", ".join(silent), problem, remedy), found[wrong[0]][0]]
+
+
+def _silent(model: MachineModel) -> list[str]:
+    """Dimensions that no error value gives: one missing file is more likely than several wrong runs."""
+    return [name for name in model.dimensions if name not in model.errors.parameters]
+
+
+def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.ndarray, folder: Path) -> list[Fault]:
+    positions = np.ascontiguousarray(readings.positions[:, rows])
+    reading = np.nan_to_num(readings.reading[rows])  # a plan's rows are checked for their geometry
+    ideal = ideal_reading(model, run, positions)
+    allowed = BELIEVED * expected_size(model, run, positions) + _set_up(model, run, positions)
+    wrong = np.flatnonzero(~(np.abs(ideal - reading) <= allowed))
+    if wrong.size == 0:
+        return []
+    first = int(wrong[0])
+    if run.instrument == "ballbar" and not abs(ideal[first]) <= allowed[first]:
+        return [
+            Fault(
+                str(folder / FILE_NAME),
+                f"run {run.id}",
+                _apart(run, ideal[first], first),
+                _ball(model, run, positions, reading),
+            )
+        ]
+    named = ", ".join(str(readings.seq[rows[row]]) for row in wrong[:MOST_ROWS])
+    more = f" and {wrong.size - MOST_ROWS} more" if wrong.size > MOST_ROWS else ""
+    worst = int(wrong[np.argmax(np.abs(reading[wrong]))])
+    problem = (
+        f"run {run.id}, seq {named}{more}: up to {reading[worst]:.6g} mm, where errors of machine and set-up let "
+        f"expect {allowed[worst]:.2g} mm at most"
+    )
+    return [Fault(str(readings_path(folder)), "column reading", problem, IN_MM)]
+
+
+def _set_up(model: MachineModel, run: Run, positions: FloatArray) -> float:
+    across = run.instrument == "laser" and is_straightness(model, run, positions)
+    return SET_UP["straightness" if across else run.instrument]
+
+
+def _apart(run: Run, off: float, row: int) -> str:
+    length = cast(float, run.length)
+    at = "at the first position" if row == 0 else f"at position {row + 1}"
+    return f"the balls are {length + off:.6g} mm apart {at}, not {length:g} mm"
+
+
+def _ball(model: MachineModel, run: Run, positions: FloatArray, reading: FloatArray) -> str:
+    """Where the ball that rests in the measuring frame would have to be, or what length the bar; else what to check."""
+    every = slice(None, None, max(positions.shape[1] // MOST_FITTED, 1))
+    ends = {"target": run.target, "reference": run.reference}
+    name, end = next((name, end) for name, end in ends.items() if end.on == measuring_frame(run))
+    sign = 1.0 if name == "target" else -1.0
+    # the other ball, seen from the point that is given
+    other = -sign * ideal_bar(model, run, np.ascontiguousarray(positions[:, every]))
+    length = cast(float, run.length) + reading[every]
+    distance = np.linalg.norm(other, axis=0)
+    if float(np.ptp(distance - length + cast(float, run.length))) <= SET_UP["ballbar"]:
+        return f"is the length {float(np.mean(distance - reading[every])):.6g} mm?"
+    moved = _centre(other, length)
+    silent = _silent(model)
+    hint = f"; {', '.join(silent)} are taken as zero (--known gives them)" if silent else ""
+    if moved is None:
+        return f"points, positions and length that agree{hint}"
+    at = [round(float(value), 3) + 0.0 for value in np.array(end.point) + moved]
+    return f"the ball on the {end.on} would have to be at {at} (key {name}.point){hint}"
+
+
+def _centre(other: FloatArray, length: FloatArray) -> FloatArray | None:
+    """(3,): the point from which points (3, n) are at distances (n,); None where no point is."""
+    from scipy.optimize import least_squares  # noqa: PLC0415  only a fault asks for it
+
+    # |p|^2 - 2 p c + k = length^2 with k = |c|^2 is linear: a start that no distance between the points can mislead
+    rows = np.vstack([2.0 * other, -np.ones(other.shape[1])]).T
+    start = np.linalg.lstsq(rows, (other**2).sum(axis=0) - length**2, rcond=1e-9)[0][:3]
+
+    def off(centre: FloatArray) -> FloatArray:
+        return np.asarray(np.linalg.norm(other - centre[:, np.newaxis], axis=0) - length)
+
+    fits = [least_squares(off, at, max_nfev=100) for at in (start, np.zeros(3))]
+    best = min(fits, key=lambda fit: float(fit.cost))
+    near = float(np.abs(best.fun).max()) <= SET_UP["ballbar"]
+    return np.asarray(best.x, dtype=np.float64) if near else None

@@ -1,0 +1,29 @@
+"""Identified tables as polynomials: by the paper's procedure or by held-out positions, each beside the other."""
+
+from collections.abc import Mapping
+from typing import Literal
+
+from trueaxis.error_name import ErrorName
+from trueaxis.identification.curve_fit import fit_tables, polynomial_curves
+from trueaxis.identification.held_out import held_out
+from trueaxis.identification.report import CurveOrderReport
+from trueaxis.model.curves import Curve, PolynomialCurve
+
+
+def ordered_curves(
+    curves: Mapping[str, Curve], choice: Literal["polynomial", "held-out"]
+) -> tuple[dict[str, Curve], tuple[str, ...], tuple[CurveOrderReport, ...]]:
+    """The curves, notes on those that stay as they are, and both choices of powers with their held-out errors."""
+    fits = fit_tables(curves)
+    checked = held_out(fits)
+    found, notes = polynomial_curves(curves, fits)
+    if choice == "held-out":
+        notes = tuple(note for note in notes if "stays a table" in note)
+        for name, one in checked.items():
+            coefficients, u = tuple(one.fit.coefficients.tolist()), tuple(one.fit.u.tolist())
+            found[name] = PolynomialCurve(one.fit.powers, coefficients, u, curves[name].measured)
+    orders = tuple(
+        CurveOrderReport(name, fits[name].after.powers, one.fit.powers, one.rms_optimal, one.rms, ErrorName(name).unit)
+        for name, one in checked.items()
+    )
+    return found, notes, orders

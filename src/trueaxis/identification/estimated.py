@@ -1,0 +1,172 @@
+"""`identify --method global`: the estimate of all errors from all readings, as values, covariance and report."""
+
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+
+from trueaxis.estimation.combinations import combinations
+from trueaxis.estimation.estimate import USUAL, EstimationOptions, NothingHeldError, estimate
+from trueaxis.estimation.first_order import sensed
+from trueaxis.estimation.judgement import judged_component, judged_location, open_counts
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import copied_runs
+from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.tool_point import tool_summary
+from trueaxis.identification.estimated_effects import covariance_with_effects, with_uncertainty
+from trueaxis.identification.estimated_report import estimated_report
+from trueaxis.identification.fit_quality import (
+    NotConvergedError,
+    Residuals,
+    expected_sizes,
+    known_noise,
+    quality,
+    run_residuals,
+    with_reversed,
+)
+from trueaxis.identification.report import Identification
+from trueaxis.identification.weighting import NoiseModel, weighting
+from trueaxis.identification.words import enumerated
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.model.curves import Curve, LegendreCurve
+from trueaxis.model.errors import ErrorValues, Undetermined
+from trueaxis.model.model import MachineModel
+
+Choice = Literal["convention", "known"]
+SILENT = {
+    True: "the readings do not determine them; values and u rest on [prior]",
+    False: "the readings leave combinations of them open, which are zero here",
+}
+ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that the report is about
+
+
+@dataclass(frozen=True, slots=True)
+class IdentifyOptions:
+    """squareness: what parts it from straightness; known: values taken as they are, dimensions too; noise: what is
+    known of it, in place of that of `estimation`.
+    """
+
+    squareness: Choice = "convention"
+    known: ErrorValues | None = None
+    noise: NoiseModel = field(default_factory=NoiseModel)
+    estimation: EstimationOptions = USUAL
+
+
+def identify_estimated(model: MachineModel, observed: Observations, options: IdentifyOptions) -> Identification:
+    """Values, report and covariance.
+
+    Raises InputError where no reading holds an error, or where the noise that is given does not fit the runs;
+    NotConvergedError where the estimate does not stand still.
+    """
+    prior = options.estimation.prior
+    given = _as_known(options.known or ErrorValues(model.name))
+    if options.squareness == "known":
+        zeros = dict.fromkeys(model.location_errors, 0.0)
+        given = replace(given, parameters={**zeros, **given.parameters})
+    noise = _given_noise(observed, options.noise)
+    try:
+        found = estimate(model, observed, given, replace(options.estimation, noise=noise))
+    except NothingHeldError as error:
+        remedy = "runs that move an axis, or fewer values in --known"
+        raise InputError([Fault(observed.source, "", str(error), remedy)]) from error
+    residuals = _residuals(model, observed, found, noise)
+    if not found.iteration.converged:
+        raise NotConvergedError(run_residuals(residuals, observed.runs), found.iteration.rounds + found.iteration.steps)
+    against = [observed.runs[index].id for index in found.readings.reversed]
+    judged = with_reversed(quality(residuals, observed.runs), against)
+    together = combinations(found)
+    tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if prior else None
+    found = found.levelled() if options.squareness == "convention" else found
+    components = {name: judged_component(found, name) for name in found.layout.components}
+    locations = {name: judged_location(found, name) for name in found.layout.locations}
+    silent = [name for name, one in (*components.items(), *locations.items()) if one.determined == "prior"]
+    if not prior:
+        silent = [name for name, one in (*components.items(), *locations.items()) if one.determined != "data"]
+    left_open = (Undetermined(f"{enumerated(silent)}: {SILENT[prior]}", tuple(silent)),) if silent else ()
+    values = replace(
+        with_uncertainty(found.values, found),
+        motion_errors={**_curves(model, observed, found), **given.motion_errors},
+        u={name: one.u for name, one in locations.items() if np.isfinite(one.u)},
+        u_readings={name: one.u_readings for name, one in locations.items()},
+        u_prior={name: one.u_prior for name, one in locations.items()},
+        determined={name: one.determined for name, one in (*components.items(), *locations.items())},
+        undetermined=left_open,
+        fit=judged.fit,
+    )
+    report = estimated_report(
+        model,
+        observed,
+        found,
+        values,
+        given,
+        components=components,
+        locations=locations,
+        judged=judged,
+        squareness=options.squareness,
+        prior=prior,
+    )
+    report = replace(report, combinations=together, tool=tool)
+    return Identification(values, report, covariance_with_effects(found))
+
+
+def _as_known(values: ErrorValues) -> ErrorValues:
+    """Without what is said of their own identification."""
+    return replace(
+        values, u={}, u_readings={}, u_prior={}, determined={}, undetermined=(), covariance=None, fit=None
+    )  # fmt: skip
+
+
+def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float]:
+    """Standard deviation of the readings of runs by index, mm: by the options, else by their devices."""
+    weights = weighting(observed, model)
+    if weights.sigma is None:
+        devices = {index: observed.runs[index].device for index in np.unique(observed.run).tolist()}
+        return {index: one.noise for index, one in devices.items() if one is not None and one.noise is not None}
+    each = weights.sigma / weights.roots
+    return {int(index): float(each[observed.run == index][0]) for index in np.unique(observed.run)}
+
+
+def _residuals(model: MachineModel, observed: Observations, found: Estimate, noise: dict[int, float]) -> Residuals:
+    good = ~found.readings.outliers
+    known, sizes = known_noise(observed, None), expected_sizes(model, observed.runs, observed.run, observed.positions)
+    if set(np.unique(observed.run).tolist()) <= set(noise):
+        sizes = None  # with a noise that is stated too small the values follow it: no allowance for what a model lacks
+        known = np.array([noise.get(index, np.nan) for index in range(len(observed.runs))])[observed.run]
+    return Residuals(
+        observed.run,
+        good.astype(np.float64),
+        np.where(good, found.readings.residual, 0.0) ** 2,
+        known,
+        sizes,
+        int(found.readings.freedom),
+        () if set(np.unique(observed.run).tolist()) <= set(noise) else tuple(copied_runs(observed).tolist()),
+    )
+
+
+def _curves(model: MachineModel, observed: Observations, found: Estimate) -> dict[str, Curve]:
+    measured = _measured(model, observed)
+    curves: dict[str, Curve] = {}
+    readings, by_prior = np.split(found.spread, [found.spread.shape[1] - found.of_prior], axis=1)
+    parts = [np.linalg.norm(part, axis=1) for part in (found.spread, readings, by_prior)]
+    parts[0][open_counts(np.linalg.norm(found.open, axis=1), parts[0])] = np.nan
+    for place, name in enumerate(found.layout.components):
+        first = int(found.layout.offsets[place])
+        curve = found.values.motion_errors[name]
+        assert isinstance(curve, LegendreCurve)
+        u, u_readings, u_prior = (tuple(part[first : first + curve.basis.degree].tolist()) for part in parts)
+        curves[name] = replace(curve, u=u, u_readings=u_readings, u_prior=u_prior, measured=measured.get(name))
+    return curves
+
+
+def _measured(model: MachineModel, observed: Observations) -> dict[str, tuple[float, float]]:
+    """Lowest and highest position at which a reading holds each component."""
+    found: dict[str, tuple[float, float]] = {}
+    for index in np.unique(observed.run).tolist():
+        positions = np.ascontiguousarray(observed.positions[:, observed.run == index])
+        held = np.abs(sensed(model, observed.runs[index], positions)) > 0.0
+        for row, name in enumerate(model.components):
+            at = positions[model.axes.index(name.axis), held[row]]
+            if at.size and np.ptp(positions[model.axes.index(name.axis)]) > 0.0:
+                low, high = found.get(name, (np.inf, -np.inf))
+                found[name] = (min(low, float(at.min())), max(high, float(at.max())))
+    return found

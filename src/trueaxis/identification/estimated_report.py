@@ -1,0 +1,152 @@
+"""The report on an estimate: what determines its values, instruments, noise, and what to know besides."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from trueaxis.error_name import ErrorName
+from trueaxis.estimation.judgement import NINE_TENTHS, Judged, open_counts
+from trueaxis.estimation.machine import lever
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.result import Estimate
+from trueaxis.identification.estimated_effects import effect_reports
+from trueaxis.identification.fit_quality import FitQuality
+from trueaxis.identification.notes import dimension_notes, estimate_notes
+from trueaxis.identification.report import (
+    ComponentReport,
+    IdentificationReport,
+    InstrumentReport,
+    Known,
+    LocationReport,
+    NoiseGroupReport,
+)
+from trueaxis.identification.words import DETERMINED_BY, enumerated
+from trueaxis.model.errors import Determined, ErrorValues
+from trueaxis.model.model import MachineModel
+
+KNOWN: dict[Determined, Known] = {"data": "determined", "partly": "partly", "prior": "undetermined"}
+ORIGINS: dict[bool, dict[Determined, str]] = {
+    True: DETERMINED_BY,
+    False: {"data": DETERMINED_BY["data"], "partly": "partly open", "prior": "open: zero"},
+}
+RULES = {"convention": "least-squares lines of the straightness are level (ISO 230-1)", "known": "given"}
+
+
+def estimated_report(
+    model: MachineModel,
+    observed: Observations,
+    found: Estimate,
+    values: ErrorValues,
+    given: ErrorValues,
+    *,
+    components: Mapping[ErrorName, Judged],
+    locations: Mapping[str, Judged],
+    judged: FitQuality,
+    squareness: str,
+    prior: bool,
+) -> IdentificationReport:
+    """values: as they are written; given: those that were taken as they are; components, locations: by what those that
+    were estimated are determined; squareness: what parts it from straightness; prior: whether anything was expected.
+    """
+    good = ~found.readings.outliers
+    unit = {name: model.machine.parameter_unit(name) for name in model.location_errors}
+    scale = np.array([found.noise.scale_of_run.get(index, np.nan) for index in range(len(observed.runs))])
+    sigma = {name: one.sigma for name, one in found.noise.of_instrument.items()}
+    each = np.array([sigma.get(run.instrument, np.nan) for run in observed.runs]) * scale
+    return IdentificationReport(
+        machine=model.name,
+        method="global",
+        squareness=RULES[squareness],
+        readings=observed.reading.size,
+        left_out=(),
+        lever=lever(model),
+        rank_tolerance=0.0,
+        blocks=(),
+        iterations=found.iteration.rounds + found.iteration.steps,
+        last_change=found.iteration.last_change,
+        residual_rms_um=float(np.sqrt(np.mean(found.readings.residual[good] ** 2))) * 1e3,
+        freedom=int(found.readings.freedom),
+        noise_um=float(np.sqrt(np.mean(each[observed.run] ** 2))) * 1e3,
+        noise_origin=_noise_origin(found),
+        locations=tuple(
+            _location(found, name, locations.get(name), unit[name], ORIGINS[prior]) for name in model.location_errors
+        ),
+        components=tuple(_component(name, components.get(name), ORIGINS[prior]) for name in model.components),
+        undetermined=values.undetermined,
+        quality=judged,
+        instruments=_instruments(observed, found),
+        noise_groups=_noise_groups(observed, found),
+        effects=effect_reports(values, found),
+        notes=estimate_notes(model, observed, found, given),
+        caveats=dimension_notes(model, given),
+    )
+
+
+def _location(
+    found: Estimate, name: str, judged: Judged | None, unit: str, origins: Mapping[Determined, str]
+) -> LocationReport:
+    value = found.values.parameters.get(name, 0.0)
+    if judged is None:
+        return LocationReport(name, value, None, unit, "given")
+    return LocationReport(
+        name,
+        value,
+        _known_u(judged),
+        unit,
+        origins[judged.determined],
+        u_readings=judged.u_readings,
+        u_prior=judged.u_prior,
+    )
+
+
+def _known_u(judged: Judged) -> float | None:
+    return judged.u if np.isfinite(judged.u) else None
+
+
+def _component(name: ErrorName, judged: Judged | None, origins: Mapping[Determined, str]) -> ComponentReport:
+    if judged is None:
+        return ComponentReport(name, "given", 0.0, None, name.unit)
+    return ComponentReport(
+        name,
+        KNOWN[judged.determined],
+        judged.largest,
+        _known_u(judged),
+        name.unit,
+        u_readings=judged.u_readings,
+        u_prior=judged.u_prior,
+        origin=origins[judged.determined],
+    )
+
+
+def _instruments(observed: Observations, found: Estimate) -> tuple[InstrumentReport, ...]:
+    layout = found.layout
+    u = np.linalg.norm(found.spread, axis=1)
+    silent = (u > NINE_TENTHS * found.scale) | open_counts(np.linalg.norm(found.open, axis=1), u)
+    reports = []
+    for place, unknown in enumerate(layout.shared, layout.of_machine):
+        if silent[place]:
+            continue
+        runs = ", ".join(observed.runs[index].id for index in unknown.runs)
+        value, unit = float(found.unknowns[place]), unknown.unknown_class.unit
+        reports.append(InstrumentReport(f"{unknown.label} ({runs})", value, float(u[place]), unit, ""))
+    return tuple(reports)
+
+
+def _noise_origin(found: Estimate) -> str:
+    estimated = sorted(found.noise.of_instrument.keys() - found.noise.stated)
+    if not estimated:
+        return "stated"
+    which = f" of {enumerated(estimated)}" if found.noise.stated else ""
+    return f"estimated with the errors{which}, by restricted maximum likelihood"
+
+
+def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupReport, ...]:
+    """Of every instrument, over its runs; what of it is slow."""
+    groups = []
+    for name, one in found.noise.of_instrument.items():
+        scales = [scale for index, scale in found.noise.scale_of_run.items() if observed.runs[index].instrument == name]
+        size = one.sigma * float(np.sqrt(np.mean(np.square(scales)))) * 1e3
+        slow = f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
+        told = " (stated)" if name in found.noise.stated else slow
+        groups.append(NoiseGroupReport(name + told, size))
+    return tuple(groups)

@@ -1,0 +1,181 @@
+"""How a fit ended: whether it stands still, and whether its residuals are of the size of the noise that is known."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trueaxis.estimation.machine import IdentifiedMachine, IntArray
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import pure_error
+from trueaxis.identification.expected_size import expected_size
+from trueaxis.identification.weighting import INSTRUMENTS, LEAST_FREEDOM
+from trueaxis.identification.words import enumerated
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.setup import Run
+from trueaxis.model.errors import Fit
+from trueaxis.model.model import MachineModel
+
+STEP = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
+LEAST_STEP = 1e-12  # mm: below it a step is rounding
+RESOLUTION = 1e-6  # mm: no instrument resolves less, however small the residuals are
+# Residuals over noise. No model is complete: lost motion or heat of the size of the noise double the residuals, and are
+# for `diagnose` to find. At three times the noise eight ninths of the residual variance are not noise: the
+# uncertainties, which follow from the noise, are wrong by that factor. A factor, other than a p-value, does not grow
+# with the number of readings.
+MISFIT = 3.0
+MISFIT_OF_RUN = 5.0  # a run may have one reading: beyond five standard deviations it is no noise either
+DISCREPANCY = 0.01  # of the prior size of a reading: what any model of a machine leaves, however small the stated noise
+FAR_FROM_NOISE = "the residuals are far from the noise that is known"
+MOST_RUNS = 10  # named
+
+
+@dataclass(frozen=True, slots=True)
+class RunResidual:
+    """Residuals of a run: how many readings, their rms (um), and that over the noise; None where that is unknown."""
+
+    run: str
+    readings: int
+    rms_um: float
+    ratio: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class FitQuality:
+    """How the fit ended, the residuals of every run, worst first, and why it is a misfit, in words; else empty."""
+
+    fit: Fit
+    runs: tuple[RunResidual, ...]
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Residuals:
+    """Residuals of readings, or of groups of readings of one run at one position.
+
+    run: (n,), index into the runs; count: (n,), readings of each; squares: (n,), sums of their squared residuals, mm^2;
+    noise, size: (n,), standard deviation of a reading by its noise, and by errors of their prior sizes, mm; None where
+    unknown; freedom: degrees of freedom left; copied: runs, by index, whose repeats are mostly equal to the last digit.
+    """
+
+    run: IntArray
+    count: FloatArray
+    squares: FloatArray
+    noise: FloatArray | None
+    size: FloatArray | None
+    freedom: int
+    copied: tuple[int, ...] = ()
+
+
+class NotConvergedError(RuntimeError):
+    """A fit that does not stand still: there are no values. `runs`: the residuals of every run, worst first."""
+
+    def __init__(self, runs: Sequence[RunResidual], iterations: int) -> None:
+        self.runs = tuple(runs)
+        self.iterations = iterations
+        super().__init__(f"the fit has not converged in {iterations} iterations")
+
+
+def stands_still(step: FloatArray, u: FloatArray, sigma: float | None) -> bool:
+    """Whether the last step (n,), mm, is small; u: (n,), standard uncertainties for readings of noise 1; sigma: mm."""
+    largest = STEP * u * max(sigma or 0.0, RESOLUTION)
+    return bool(np.all(np.abs(step) <= np.maximum(largest, LEAST_STEP)))
+
+
+def known_noise(observed: Observations, sigma: float | None, roots: FloatArray | None = None) -> FloatArray | None:
+    """(n,): standard deviation of each reading, mm: sigma over roots, else from repeats of its instrument; None where
+    one instrument has too few of them.
+    """
+    if sigma is not None:
+        return np.full(observed.reading.size, sigma) if roots is None else sigma / roots
+    instrument = np.array([INSTRUMENTS.index(run.instrument) for run in observed.runs], dtype=np.int64)[observed.run]
+    squares, freedom = pure_error(observed, instrument, len(INSTRUMENTS))
+    if (freedom[np.unique(instrument)] < LEAST_FREEDOM).any():
+        return None
+    each: FloatArray = np.sqrt(squares / np.maximum(freedom, 1))[instrument]
+    return each
+
+
+def expected_sizes(
+    machine: IdentifiedMachine, runs: Sequence[Run], run: IntArray, positions: FloatArray
+) -> FloatArray | None:
+    """(n,): see `expected_size`, rows of several runs; None where the machine has no prior."""
+    if not isinstance(machine, MachineModel):
+        return None
+    found = np.zeros(run.size)
+    for index, one in enumerate(runs):
+        rows = np.flatnonzero(run == index)
+        if rows.size:
+            found[rows] = expected_size(machine, one, np.ascontiguousarray(positions[:, rows]))
+    return found
+
+
+def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
+    """Judge the residuals of a fit that stands still."""
+    each = run_residuals(residuals, runs)
+    left = residuals.freedom > 0
+    if residuals.noise is not None and left:
+        chi2 = float((residuals.squares / np.maximum(residuals.noise, RESOLUTION) ** 2).sum()) / residuals.freedom
+        allowed = _with_discrepancy(residuals)
+        ratio = float(np.sqrt((residuals.squares / allowed**2).sum() / residuals.freedom))
+        of_runs = _ratios(residuals, allowed, len(runs))
+        worst = sorted(np.flatnonzero(of_runs > MISFIT), key=lambda index: -of_runs[index])
+        if ratio > MISFIT or of_runs.max(initial=0.0) > MISFIT_OF_RUN:
+            named = tuple(runs[int(index)].id for index in worst) or (runs[int(of_runs.argmax())].id,)
+            reason = FAR_FROM_NOISE + _copies(residuals, runs)
+            if float(np.median(of_runs[of_runs > 0.0])) > MISFIT:
+                reason += "; most runs are: a noise that is stated too small looks like that"
+            return FitQuality(Fit("misfit", chi2, named), each, reason)
+        return FitQuality(Fit("converged", chi2), each)
+    if residuals.size is not None and left:
+        rms = float(np.sqrt(residuals.squares.sum() / residuals.count.sum()))
+        prior = float(np.sqrt((residuals.count * residuals.size**2).sum() / residuals.count.sum()))
+        if rms > max(prior, RESOLUTION):
+            reason = f"the residuals are larger than errors of the sizes of [prior] would be ({prior * 1e3:.3g} um)"
+            return FitQuality(Fit("misfit", None, tuple(one.run for one in each[:MOST_RUNS])), each, reason)
+    return FitQuality(Fit("converged"), each)
+
+
+def with_reversed(judged: FitQuality, runs: Sequence[str]) -> FitQuality:
+    """A misfit where runs, by id, surest first, read as if their sign were reversed: the values follow them, too."""
+    if not runs:
+        return judged
+    named = f"run {runs[0]} reads" if len(runs) == 1 else f"runs {', '.join(runs)}: one of them at least reads"
+    reason = f"{named} as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)"
+    return replace(judged, fit=Fit("misfit", judged.fit.chi2, tuple(runs)), reason=reason)
+
+
+def _copies(residuals: Residuals, runs: Sequence[Run]) -> str:
+    if not residuals.copied:
+        return ""
+    named = enumerated([runs[index].id for index in residuals.copied[:MOST_RUNS]])
+    return f"; repeats of {named} are equal to the last digit, which makes this noise too small: are rows copied?"
+
+
+def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidual, ...]:
+    """Of every run with readings, worst first: by the noise, else by the rms."""
+    count = np.bincount(residuals.run, weights=residuals.count, minlength=len(runs))
+    squares = np.bincount(residuals.run, weights=residuals.squares, minlength=len(runs))
+    present = np.flatnonzero(count)
+    rms = np.sqrt(squares[present] / count[present])
+    ratio = None if residuals.noise is None else _ratios(residuals, np.maximum(residuals.noise, RESOLUTION), len(runs))
+    found = [
+        RunResidual(
+            runs[index].id, int(count[index]), float(of_run) * 1e3, None if ratio is None else float(ratio[index])
+        )
+        for index, of_run in zip(present.tolist(), rms, strict=True)
+    ]
+    return tuple(sorted(found, key=lambda one: (-(one.rms_um if one.ratio is None else one.ratio), one.run)))
+
+
+def _with_discrepancy(residuals: Residuals) -> FloatArray:
+    assert residuals.noise is not None
+    noise = np.maximum(residuals.noise, RESOLUTION)
+    return noise if residuals.size is None else np.hypot(noise, DISCREPANCY * residuals.size)
+
+
+def _ratios(residuals: Residuals, noise: FloatArray, runs: int) -> FloatArray:
+    """(runs,): rms of the residuals over the noise; 0 where a run has no readings."""
+    count = np.bincount(residuals.run, weights=residuals.count, minlength=runs)
+    squares = np.bincount(residuals.run, weights=residuals.squares / noise**2, minlength=runs)
+    return np.sqrt(np.divide(squares, count, out=np.zeros(runs), where=count > 0))

@@ -1,0 +1,123 @@
+"""What a reader of identified values must know besides."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.set_up import is_straightness
+from trueaxis.identification.report import ComponentReport
+from trueaxis.identification.words import enumerated
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
+
+SLOW = 3.0  # slow over white noise: instruments drift by about as much as they scatter
+MOST_OUTLIERS = 20  # named
+MOST_ZEROS = 5  # named
+FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
+FAR = 3.0  # times the size of [prior], from where on a size is reported
+COVERAGE_FACTOR = 2.0  # of the interval of a size, 95 %
+
+
+def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str, ...]:
+    """Dimensions that nobody gave."""
+    silent = [n for n in machine.parameters if n not in machine.location_errors and n not in given.parameters]
+    if not silent:
+        return ()
+    return (
+        f"dimensions {enumerated(silent)} are not given (--known) and taken as zero: what follows is of a machine "
+        "with its axes and points there",
+    )
+
+
+def weak_notes(components: Sequence[ComponentReport]) -> tuple[str, ...]:
+    """Components that are hardly larger than their uncertainty."""
+    weak = [c.name for c in components if c.u is not None and 2.0 * c.u > c.largest]
+    return (f"{enumerated(weak)}: less than twice the standard uncertainty everywhere",) if weak else ()
+
+
+def alignment_notes(machine: IdentifiedMachine, observed: Observations) -> tuple[str, ...]:
+    """Straightness runs whose line is taken to lie along the motion: no uncertainty covers that."""
+    lines = [
+        run.id
+        for index, run in enumerate(observed.runs)
+        if is_straightness(machine, run, observed.positions[:, observed.run == index])
+    ]
+    if not lines:
+        return ()
+    return (
+        f"{enumerated(lines)}: straightness lines are taken as aligned with the axes to the last micrometre; "
+        "squareness, and rotations found from several such lines, rest on that, which u does not hold; --method global "
+        "fits offset and slope of each line",
+    )
+
+
+def estimate_notes(model: MachineModel, observed: Observations, found: Estimate, given: ErrorValues) -> tuple[str, ...]:
+    """On an estimate: what was taken as known, and where readings and expectations are far apart."""
+    notes = []
+    fixed = [name for name in model.location_errors if name in given.parameters]
+    if fixed:
+        zero = [name for name in fixed if given.parameters[name] == 0.0]
+        what = f", {enumerated(zero)} as exactly 0" if zero else ""
+        notes.append(
+            f"{enumerated(fixed)}: taken as known{what}, without uncertainty (--known, --squareness known); "
+            "remove them from the file to have them estimated"
+        )
+    for name, one in found.noise.of_instrument.items():
+        if one.slow > SLOW * one.white:
+            notes.append(
+                f"the noise of {name} is mostly slow: its slow part, {one.slow * 1e3:.3g} um, is "
+                f"{one.slow / one.white:.2g} times its white part. Drift of the instrument looks like that, and so do "
+                "a wrong sign, a wrong point in setup.toml and an effect that the model lacks; diagnose tells more"
+            )
+    expected = {
+        "translation": (model.prior.translation * 1e3, "translation_um"),
+        "rotation": (model.prior.rotation * 1e6, "rotation_urad"),
+        "location rad": (model.prior.location_angle * 1e6, "location_urad"),
+        "location mm": (model.prior.location_length * 1e3, "location_um"),
+    }
+    for kind, (size, key) in expected.items():
+        factor, u = found.factors.get(kind, 1.0), found.factors_u.get(kind, np.inf)
+        # a size of which readings tell little may come out far from the expected one without meaning it
+        if abs(np.log(factor)) > max(np.log(FAR), COVERAGE_FACTOR * u):
+            low, high = (size * factor * float(np.exp(sign * COVERAGE_FACTOR * u)) for sign in (-1.0, 1.0))
+            notes.append(
+                f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g} ({low:.2g} to "
+                f"{high:.2g}): more than a factor of {FAR:g} apart; the estimate takes the size that the readings show"
+            )
+    if found.readings.outliers.any():
+        rows = np.flatnonzero(found.readings.outliers)
+        seq = rows if observed.seq is None else observed.seq[rows]
+        named = [
+            f"{observed.runs[index].id} seq {number}"
+            for index, number in zip(observed.run[rows].tolist(), seq.tolist(), strict=True)
+        ]
+        rest = f" and {len(named) - MOST_OUTLIERS} more" if len(named) > MOST_OUTLIERS else ""
+        notes.append(
+            f"{rows.size} of {found.readings.outliers.size} readings {'is' if rows.size == 1 else 'are'} left out as "
+            f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
+            f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
+        )
+    return (*notes, *_zeros_far_off(observed, found))
+
+
+def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:
+    """Runs whose readings start far from zero: beside the others of their class, and beside what is usual of it."""
+    zeros: dict[str, dict[str, float]] = {}
+    for index, own in found.own.items():
+        for kind, value in zip(own_kinds(observed.runs[index], found.layout.straightness[index]), own, strict=True):
+            if kind.endswith(" zero"):
+                zeros.setdefault(kind, {})[observed.runs[index].id] = float(value)
+    for kind, of_run in zeros.items():
+        usual = max(SET_UP_FACTOR * CLASSES[kind].size, FAR_ZERO * float(np.median(np.abs([*of_run.values()]))))
+        far = sorted((run for run in of_run if abs(of_run[run]) > usual), key=lambda run: -abs(of_run[run]))
+        if far:
+            named = [f"{run} by {of_run[run] * 1e3:.3g} um" for run in far[:MOST_ZEROS]]
+            rest = f" and {len(far) - MOST_ZEROS} more" if len(far) > MOST_ZEROS else ""
+            yield (
+                f"{len(far)} of {len(of_run)} runs are off by their {kind}, farther than {usual * 1e3:.3g} um: "
+                f"{', '.join(named)}{rest}; the estimate takes that for the instrument, not for the machine"
+            )

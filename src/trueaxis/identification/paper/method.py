@@ -1,0 +1,194 @@
+"""`identify --method paper`: from readings to tables of every component, step by step."""
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.repeats import copied_runs
+from trueaxis.identification.fit_quality import (
+    FitQuality,
+    NotConvergedError,
+    Residuals,
+    expected_sizes,
+    known_noise,
+    quality,
+    stands_still,
+)
+from trueaxis.identification.noise import Noise, noise
+from trueaxis.identification.notes import alignment_notes, dimension_notes, weak_notes
+from trueaxis.identification.paper import describe
+from trueaxis.identification.paper.covariance import covariance_of
+from trueaxis.identification.paper.effects import without_effects
+from trueaxis.identification.paper.equations import equations
+from trueaxis.identification.paper.grid import BoolArray, Cells, grid_and_cells
+from trueaxis.identification.paper.result import PaperOptions, PaperResult
+from trueaxis.identification.paper.solution import Exact, Response, Solution, natural, sloped, solve, tables, with_rule
+from trueaxis.identification.paper.squareness import LinesFromAngles, Squareness, covered, squareness_rule
+from trueaxis.identification.paper.steps import RANK_TOLERANCE, Steps, solve_steps, steps_in_order
+from trueaxis.identification.report import CurveOrderReport, Identification, IdentificationReport
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.model.errors import ErrorValues
+
+
+def identify_paper(
+    machine: IdentifiedMachine, observed: Observations, options: PaperOptions | None = None
+) -> Identification:
+    """Identify the way of Sects. 3.2-3.6 of the paper.
+
+    machine: its own error values do not matter. Effects of known values are taken off the readings. Raises InputError
+    where the machine has effects of unknown values, where no run can be used, and where a run visits a position of an
+    axis at which what it needs was not measured before; NotConvergedError where the solution does not stand still.
+    """
+    options = options or PaperOptions()
+    given = options.known or ErrorValues(machine.name)
+    given = replace(given, u={}, undetermined=())
+    observed = without_effects(machine.with_values(given), observed, given)
+    bare = replace(given, effects=())
+    machine = machine.with_values(bare)
+    usable, left_out = _usable(observed)
+    grid, cells = grid_and_cells(machine, usable)
+    given_components = np.array([name in given.motion_errors for name in machine.components], dtype=bool)
+    free = np.array([name not in given.parameters for name in machine.location_errors], dtype=bool)
+    system = equations(machine, usable, grid, cells, given_components)
+    order = steps_in_order(system, grid, cells, len(usable.runs))
+    steps = solve_steps(order, system, grid, cells, usable)
+    rule = squareness_rule(
+        options.squareness, machine, grid, steps.reached, free, _of_free(natural(steps, system)[1], free)
+    )
+    response = with_rule(steps, system, rule)
+    solution = solve(Exact(machine, bare, usable, grid, cells), response, rule)
+    found, rms = _noise(steps, cells, solution, options.noise_um)
+    judged = _quality(machine, usable, cells, solution, (found, options.noise_um))
+    variances = response.variances(cells)
+    if not stands_still(solution.step / response.node_scale, np.sqrt(variances[0]) / response.node_scale, found.sigma):
+        raise NotConvergedError(judged.runs, solution.iterations)
+    u_nodes, u_locations = _uncertainty(response, variances, rule, found, free)
+    result = PaperResult(
+        machine, usable, left_out, given, options, grid, cells, system, steps, response, rule, free, solution, found,
+        u_nodes, u_locations, rms, judged,
+    )  # fmt: skip
+    return _identification(result)
+
+
+def _usable(observed: Observations) -> tuple[Observations, tuple[str, ...]]:
+    """Without the ball-bar runs, which sense no fixed direction."""
+    bars = [index for index, run in enumerate(observed.runs) if run.instrument == "ballbar"]
+    keep = np.flatnonzero(~np.isin(observed.run, bars))
+    left_out = tuple(observed.runs[index].id for index in bars)
+    if keep.size == 0:
+        problem = "the point-by-point method needs laser or probe readings, and there are none"
+        raise InputError([Fault(observed.source, "", problem, "use --method global")])
+    return observed.of(keep), left_out
+
+
+def _of_free(along: csr_array, free: BoolArray) -> FloatArray:
+    """(n_nodes, n_location_errors): given location errors move nothing."""
+    dense = np.asarray(along.toarray(), dtype=np.float64)
+    dense[:, ~free] = 0.0
+    return dense
+
+
+def _noise(steps: Steps, cells: Cells, solution: Solution, given_um: float | None) -> tuple[Noise, float]:
+    """The noise, and the rms of the residuals (mm) of the readings that stand in steps."""
+    used = np.unique(np.concatenate([step.cells for step in steps.steps])) if steps.steps else np.zeros(0, dtype=int)
+    squares = float(cells.repeats[used] @ solution.residual[used] ** 2 + cells.scatter[used].sum())
+    readings = int(cells.repeats[used].sum())
+    rank = sum(step.inverse.rank for step in steps.steps)
+    return noise(squares, readings, rank, given_um), float(np.sqrt(squares / max(readings, 1)))
+
+
+def _quality(
+    machine: IdentifiedMachine,
+    observed: Observations,
+    cells: Cells,
+    solution: Solution,
+    noise: tuple[Noise, float | None],
+) -> FitQuality:
+    """noise: that of the fit, and what was given, um."""
+    found, given_um = noise
+    known = known_noise(observed, None if given_um is None else given_um * 1e-3)
+    if known is not None:
+        of_run = dict(zip(observed.run.tolist(), known.tolist(), strict=True))
+        known = np.array([of_run[run] for run in cells.run.tolist()])
+    squares = cells.repeats * solution.residual**2 + cells.scatter
+    size = expected_sizes(machine, observed.runs, cells.run, cells.positions)
+    copied = tuple(copied_runs(observed).tolist()) if given_um is None else ()
+    return quality(Residuals(cells.run, cells.repeats, squares, known, size, found.freedom, copied), observed.runs)
+
+
+def _uncertainty(
+    response: Response, variances: tuple[FloatArray, FloatArray], rule: Squareness, found: Noise, free: BoolArray
+) -> tuple[FloatArray | None, FloatArray | None]:
+    if found.sigma is None:
+        return None, None
+    nodes, locations = (found.sigma * np.sqrt(variance) for variance in variances)
+    opened = response.open_nodes
+    locations[response.open_locations | ~covered(rule)] = np.nan
+    if isinstance(rule, LinesFromAngles):
+        # The rule is no measurement of the squareness: how far it is off is not a matter of noise.
+        locations[free] = np.nan
+        opened = opened | sloped(response, free)
+    return np.where(opened, np.nan, nodes), locations
+
+
+def _identification(result: PaperResult) -> Identification:
+    grid, machine = result.grid, result.machine
+    curves = tables(grid, result.solution.nodes, result.steps.reached, result.u_nodes)
+    found = describe.components(result)
+    notes = weak_notes(found)
+    notes += alignment_notes(result.machine, result.observed)
+    if result.options.squareness == "from-angles":
+        notes += (describe.FROM_ANGLES,)
+    orders: tuple[CurveOrderReport, ...] = ()
+    covariance = covariance_of(result)
+    if result.options.curves != "table":
+        from trueaxis.identification.curve_fit import in_polynomials  # noqa: PLC0415
+        from trueaxis.identification.curve_orders import ordered_curves  # noqa: PLC0415  statsmodels takes long to import
+
+        tabled = curves
+        curves, more, orders = ordered_curves(tabled, result.options.curves)
+        covariance = in_polynomials(covariance, tabled, curves)
+        notes += more
+    undetermined = describe.undetermined(result)
+    located = dict(zip(machine.location_errors, result.solution.locations.tolist(), strict=True))
+    u = {}
+    if result.u_locations is not None:
+        pairs = zip(machine.location_errors, result.u_locations.tolist(), strict=True)
+        u = {name: value for (name, value), free in zip(pairs, result.free, strict=True) if free}
+    values = ErrorValues(
+        machine=machine.name,
+        parameters={**result.given.parameters, **located},
+        motion_errors={**curves, **result.given.motion_errors},
+        u=u,
+        undetermined=undetermined,
+        effects=result.given.effects,
+        fit=result.quality.fit,
+    )
+    report = IdentificationReport(
+        machine=machine.name,
+        method="paper",
+        squareness=describe.RULES[result.options.squareness],
+        readings=result.cells.readings,
+        left_out=result.left_out,
+        lever=describe.lever_of(result),
+        rank_tolerance=RANK_TOLERANCE,
+        blocks=describe.blocks(result),
+        iterations=result.solution.iterations,
+        last_change=result.solution.change,
+        residual_rms_um=result.residual_rms * 1e3,
+        freedom=result.noise.freedom,
+        noise_um=result.noise.um,
+        noise_origin=result.noise.origin,
+        locations=describe.locations(result),
+        components=found,
+        undetermined=undetermined,
+        quality=result.quality,
+        notes=notes,
+        curve_orders=orders,
+        caveats=dimension_notes(machine, result.given),
+    )
+    return Identification(values, report, covariance)

@@ -1,0 +1,178 @@
+"""What identification has to say besides the values: blocks, rank, residuals, uncertainty, what stayed open."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from trueaxis.effects.kind import Role
+from trueaxis.estimation.combinations import Combination
+from trueaxis.estimation.tool_point import ToolSummary
+from trueaxis.identification.fit_quality import FitQuality
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.errors import ErrorValues, Undetermined
+
+Method = Literal["paper", "global"]
+FROM_READINGS = "from the readings"
+Known = Literal["determined", "up to a slope", "partly", "undetermined", "not measured", "given"]
+
+
+@dataclass(frozen=True, slots=True)
+class BlockReport:
+    """Unknowns that were solved together.
+
+    runs and components by name; equations, unknowns and rank: counts; condition: the largest ratio of singular
+    values over the positions, rotations scaled by the lever of the report; remark: what is wrong, may be empty.
+    """
+
+    runs: tuple[str, ...]
+    components: tuple[str, ...]
+    equations: int
+    unknowns: int
+    rank: int
+    condition: float
+    remark: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class LocationReport:
+    """A location error: value and standard uncertainty (None: unknown) in `unit`, and where it comes from.
+
+    u_readings, u_prior: the parts of u by the readings and by the prior, None where they are not known.
+    """
+
+    name: str
+    value: float
+    u: float | None
+    unit: str
+    origin: str
+    u_readings: float | None = None
+    u_prior: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ComponentReport:
+    """A component over the measured positions: largest value and standard uncertainty (None: unknown), mm or rad.
+
+    u_readings, u_prior: the parts of u, where it is largest, by the readings and by the prior, None where they are not
+    known; origin: where it comes from, in words, empty where `known` says it.
+    """
+
+    name: str
+    known: Known
+    largest: float
+    u: float | None
+    unit: str
+    u_readings: float | None = None
+    u_prior: float | None = None
+    origin: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class InstrumentReport:
+    """An unknown of an instrument: value and standard uncertainty (None: unknown) in `unit`; in how many runs."""
+
+    name: str
+    value: float
+    u: float | None
+    unit: str
+    origin: str
+
+
+@dataclass(frozen=True, slots=True)
+class EffectParameterReport:
+    """A parameter of an effect: value and standard uncertainty (None: unknown) in `unit`; role: as in its kind."""
+
+    name: str
+    value: float
+    u: float | None
+    unit: str
+    role: Role
+
+
+@dataclass(frozen=True, slots=True)
+class EffectReport:
+    """An effect of the machine and where its values come from."""
+
+    effect: str
+    parameters: tuple[EffectParameterReport, ...]
+    origin: str
+
+
+@dataclass(frozen=True, slots=True)
+class NoiseGroupReport:
+    """Noise of the readings of an instrument, and what is said of it."""
+
+    group: str
+    noise_um: float
+
+
+@dataclass(frozen=True, slots=True)
+class CurveOrderReport:
+    """Powers of a component's polynomial by the paper's procedure and by held-out positions, and by what each is off at
+    positions held out (rms, mm or rad); none by the paper: no term is significant.
+    """
+
+    name: str
+    by_paper: tuple[int, ...]
+    by_held_out: tuple[int, ...]
+    held_out_by_paper: float
+    held_out: float
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class IdentificationReport:
+    """Everything besides the values. Lengths mm and angles rad unless a name says otherwise.
+
+    readings: those used; left_out: runs that the method cannot use; iterations of the exact model and the last
+    change (mm); residual_rms_um: of all readings used; freedom: degrees of freedom left; noise_um: standard
+    deviation of a reading, None where neither given nor to be had from the data; noise_origin says which;
+    undetermined as in the error values; notes: everything else a reader must know; instruments: their unknowns;
+    noise_groups: of each instrument; curve_orders: of tables that were made polynomials; effects: those of the
+    machine; quality: how the fit ended, and the residuals of each run; combinations: errors of which the readings tell
+    a sum much better than its parts; tool: how well the tool point is known over the volume, None without a prior;
+    measurement: free text of setup.toml about it; caveats: what must be known before all else.
+    """
+
+    machine: str
+    method: Method
+    squareness: str
+    readings: int
+    left_out: tuple[str, ...]
+    lever: float
+    rank_tolerance: float
+    blocks: tuple[BlockReport, ...]
+    iterations: int
+    last_change: float
+    residual_rms_um: float
+    freedom: int
+    noise_um: float | None
+    noise_origin: str
+    locations: tuple[LocationReport, ...]
+    components: tuple[ComponentReport, ...]
+    undetermined: tuple[Undetermined, ...]
+    quality: FitQuality
+    notes: tuple[str, ...] = ()
+    instruments: tuple[InstrumentReport, ...] = ()
+    noise_groups: tuple[NoiseGroupReport, ...] = ()
+    curve_orders: tuple[CurveOrderReport, ...] = ()
+    effects: tuple[EffectReport, ...] = ()
+    combinations: tuple[Combination, ...] = ()
+    tool: ToolSummary | None = None
+    measurement: Mapping[str, str] = field(default_factory=dict)
+    caveats: tuple[str, ...] = ()
+
+    @property
+    def nothing_determined(self) -> bool:
+        """Whether the data gave no value at all."""
+        told = any(component.known in ("determined", "up to a slope", "partly") for component in self.components)
+        return not told and not any(one.origin == FROM_READINGS for one in self.effects)
+
+
+@dataclass(frozen=True, slots=True)
+class Identification:
+    """Error values, the report on them, and their covariance with what the readings leave open."""
+
+    values: ErrorValues
+    report: IdentificationReport
+    covariance: Covariance

@@ -1,0 +1,200 @@
+"""The identification report as a person reads it, and as JSON."""
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+from trueaxis.identification.fit_quality import MISFIT, MOST_RUNS, FitQuality, RunResidual
+from trueaxis.identification.report import (
+    BlockReport,
+    ComponentReport,
+    CurveOrderReport,
+    EffectParameterReport,
+    EffectReport,
+    IdentificationReport,
+    InstrumentReport,
+    LocationReport,
+)
+from trueaxis.identification.words import IN_COMBINATION, combination_text, in_small, tool_sentence
+
+WIDTH = 100
+MICRO = 1e6
+
+
+def report_text(report: IdentificationReport) -> str:
+    """Lines of text, ending with a newline."""
+    noise = "unknown" if report.noise_um is None else f"{report.noise_um:.4g} um"
+    lines = [
+        f"{report.machine}: method {report.method}, {report.readings} readings, {report.iterations} iterations on the "
+        f"exact model (last change {report.last_change:.1g} mm)",
+        f"residuals: rms {report.residual_rms_um:.4g} um; noise of a reading: {noise} ({report.noise_origin})",
+        f"squareness: {report.squareness}",
+        f"fit: {fit_text(report.quality)}",
+    ]
+    for caveat in report.caveats:
+        lines[1:1] = _wrapped(caveat, "NOTE: ")
+    if report.noise_groups:
+        said = (f"{group.group} {group.noise_um:.4g} um" for group in report.noise_groups)
+        lines += _wrapped(", ".join(said), "noise by group:")
+    if report.left_out:
+        lines.append(f"left out (this method cannot use ball-bar runs): {', '.join(report.left_out)}")
+    if report.noise_um is None:
+        lines.append("standard uncertainties are not given: the noise is unknown (--noise-um gives it)")
+    if report.blocks:
+        lines += ["", "solved, in this order:"]
+    lines += [line for number, block in enumerate(report.blocks, 1) for line in _block(number, block)]
+    if report.locations:
+        lines += ["", "location errors:"]
+        lines += [_location(location) for location in report.locations]
+    lines += ["", "motion errors over the measured positions:" if report.blocks else "motion errors over the travel:"]
+    lines += [_component(component) for component in report.components]
+    if report.effects:
+        lines += ["", "effects (U: expanded uncertainty, k = 2):"]
+        lines += [line for one in report.effects for line in _effect(one)]
+    if report.instruments:
+        lines += ["", "unknowns of the instruments:"]
+        lines += [line for one in report.instruments for line in _instrument(one)]
+    if report.curve_orders:
+        lines += ["", "powers of the polynomials, and rms at positions held out:"]
+        lines += [_curve_order(one) for one in report.curve_orders]
+    lines += ["", "undetermined:" if report.undetermined else "undetermined: nothing at all is left open"]
+    for item in report.undetermined:
+        lines += _wrapped(item.combination, "- ")
+    lines += _known_of_tool(report)
+    for note in report.notes:
+        lines += _wrapped(note, "note: ")
+    return "\n".join(lines) + "\n"
+
+
+def _known_of_tool(report: IdentificationReport) -> list[str]:
+    """The uncertainty of the tool point, and which errors are known as a sum alone."""
+    lines: list[str] = []
+    if report.tool is not None:
+        lines += ["", *_wrapped(tool_sentence(report.tool), "tool point:")]
+    if report.combinations:
+        lines += ["", f"{IN_COMBINATION}:"]
+        for combination in report.combinations:
+            lines += _wrapped(combination_text(combination), "- ")
+    return lines
+
+
+def report_json(report: IdentificationReport) -> str:
+    """The same as JSON; NaN is null; combinations carry their text."""
+    tree = _plain({"schema": 1, **asdict(report)})
+    for one, combination in zip(tree["combinations"], report.combinations, strict=True):
+        one["text"] = combination_text(combination)
+    return json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def fit_text(judged: FitQuality) -> str:
+    """How the fit ended, in a sentence."""
+    chi2 = "" if judged.fit.chi2 is None else f"chi-square per degree of freedom {judged.fit.chi2:.3g}"
+    if judged.fit.state == "misfit":
+        return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
+    if not chi2:
+        return (
+            "converged; the residuals could not be judged: no noise is stated (--noise-um), no run repeats its readings"
+        )
+    return f"converged, {chi2}"
+
+
+def runs_text(runs: Sequence[RunResidual]) -> str:
+    """The worst runs with the rms of their residuals: `X1 12 um (40 times the noise)`, and how many more misfit."""
+    said = [
+        f"{one.run} {one.rms_um:.4g} um" + ("" if one.ratio is None else f" ({one.ratio:.3g} times the noise)")
+        for one in runs[:MOST_RUNS]
+        if one.ratio is None or one.ratio > MISFIT or one is runs[0]
+    ]
+    more = sum(one.ratio is not None and one.ratio > MISFIT for one in runs[MOST_RUNS:])
+    return ", ".join([*said, f"and {more} more"] if more else said)
+
+
+def _curve_order(one: CurveOrderReport) -> str:
+    sides = [
+        f"{how} {' '.join(map(str, powers)) or 'none'}: {value:.4g} {unit}"
+        for how, powers, off in (
+            ("paper", one.by_paper, one.held_out_by_paper),
+            ("held-out", one.by_held_out, one.held_out),
+        )
+        for value, unit in [_small(off, one.unit)]
+    ]
+    return f"  {one.name}  {sides[0]:<36} {sides[1]}"
+
+
+def _instrument(one: InstrumentReport) -> list[str]:
+    value, unit = _small(one.value, one.unit)
+    return _wrapped(f"{one.name}: {value:+.4g} {unit} {_with_u(one.u, one.unit).strip()} {one.origin}", "  ")
+
+
+def _effect(one: EffectReport) -> list[str]:
+    told = "; ".join(_effect_parameter(parameter) for parameter in one.parameters)
+    return _wrapped(f"{one.effect}: {told}; {one.origin}", "  ")
+
+
+def _effect_parameter(one: EffectParameterReport) -> str:
+    """Sizes in micrometres or microradians, periods, times and phases as they are."""
+    factor, unit = in_small(one.unit) if one.role in ("linear", "root") else (1.0, one.unit)
+    unit = "" if unit == "1" else unit
+    told = f"{one.name} {factor * one.value:.5g} {unit}".rstrip()
+    return told if one.u is None else f"{told}, U {2.0 * factor * one.u:.2g} {unit}".rstrip()
+
+
+def _block(number: int, block: BlockReport) -> list[str]:
+    solved = f"rank {block.rank}" if block.rank == block.unknowns else f"RANK {block.rank} OF {block.unknowns}"
+    head = f"{number}. {' '.join(block.runs)} -> {' '.join(block.components)}: "
+    head += f"{block.equations} equations, {block.unknowns} unknowns, {solved}, condition {block.condition:.3g}"
+    return _wrapped(head + (f"; {block.remark}" if block.remark else ""), "  ")
+
+
+def _location(location: LocationReport) -> str:
+    value, unit = _small(location.value, location.unit)
+    u = _with_u(location.u, location.unit) + _parts(location)
+    return f"  {location.name:<10} {value:+10.4g} {unit:<5} {u}  {location.origin}"
+
+
+def _component(component: ComponentReport) -> str:
+    value, unit = _small(component.largest, component.unit)
+    largest = f"largest {value:10.4g} {unit:<5} {_with_u(component.u, component.unit)}{_parts(component)}"
+    if component.known in ("not measured", "given"):
+        largest = ""
+    known = f"{component.origin:<22}" if component.origin else f"{component.known:<13}"
+    return f"  {component.name:<4} {known} {largest}".rstrip()
+
+
+def _parts(one: LocationReport | ComponentReport) -> str:
+    """The two parts of u."""
+    if one.u_readings is None or one.u_prior is None:
+        return ""
+    readings, prior = (_small(part, one.unit)[0] for part in (one.u_readings, one.u_prior))
+    return f" (readings {readings:.3g}, prior {prior:.3g})"
+
+
+def _with_u(u: float | None, unit: str) -> str:
+    return f"u {_small(u, unit)[0]:9.3g}" if u is not None else " " * 11
+
+
+def _small(value: float, unit: str) -> tuple[float, str]:
+    """In micrometres, microradians or parts per million."""
+    if unit == "1":
+        return value * MICRO, "ppm"
+    return (value * 1e3, "um") if unit == "mm" else (value * MICRO, "urad")
+
+
+def _wrapped(text: str, lead: str) -> list[str]:
+    lines, current = [], lead
+    for word in text.split():
+        if len(current) + len(word) + 1 > WIDTH and current.strip():
+            lines.append(current)
+            current = " " * (len(lead) + 1)
+        current += word if current.endswith(" ") else f" {word}"
+    return [*lines, current]
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

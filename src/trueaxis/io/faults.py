@@ -1,0 +1,53 @@
+"""Faults of an input: gathered, so that a user sees all of them at once."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from trueaxis.io.plain_text import shown
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """One thing wrong with an input file.
+
+    file: the file as the user named it; place: key, line or column within it (may be empty);
+    problem: what is wrong; remedy: what would be right (may be empty), with further lines where it shows
+    the place. As text each part is one line, safe to show and cut to a length that can be read, whatever an input put
+    into it.
+    """
+
+    file: str
+    place: str
+    problem: str
+    remedy: str = ""
+
+    def __str__(self) -> str:
+        file, place, problem = (shown(part) for part in (self.file, self.place, self.problem))
+        remedy = "\n".join(map(shown, self.remedy.split("\n")))
+        where = f"{file}: {place}" if place else file
+        return f"{where}: {problem}" + (f"; {remedy}" if remedy else "")
+
+
+class InputError(ValueError):
+    """Raised once an input has been read to its end and is wrong; carries every fault found."""
+
+    def __init__(self, faults: Iterable[Fault]) -> None:
+        self.faults = tuple(faults)
+        super().__init__("\n".join(str(fault) for fault in self.faults))
+
+
+@dataclass(slots=True)
+class Faults:
+    """Collector of the faults of one file."""
+
+    file: str
+    found: list[Fault] = field(default_factory=list)
+
+    def add(self, place: str, problem: str, remedy: str = "") -> None:
+        """Note one fault and go on reading."""
+        self.found.append(Fault(self.file, place, problem, remedy))
+
+    def raise_if_any(self) -> None:
+        """Raise InputError with everything noted so far, if anything was."""
+        if self.found:
+            raise InputError(self.found)

@@ -1,0 +1,43 @@
+"""Reading an input file whose absence or encoding is the user's fault, not the program's."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from trueaxis.io.faults import Fault, Faults, InputError
+
+
+@contextmanager
+def gathering(found: list[Fault]) -> Iterator[None]:
+    """Add the faults of the input read inside to `found`, so that the faults of several files are told together."""
+    try:
+        yield
+    except InputError as error:
+        found += error.faults
+
+
+def input_bytes(path: Path) -> bytes:
+    """The file's content. Raises InputError when the file cannot be read."""
+    faults = Faults(str(path))
+    try:
+        return path.read_bytes()
+    except FileNotFoundError:
+        faults.add("", "there is no such file")
+    except IsADirectoryError:
+        faults.add("", "is a folder", "name a file")
+    except OSError as error:
+        faults.add("", f"cannot be read: {error.strerror}")
+    except ValueError as error:  # a NUL character in the name
+        faults.add("", f"is not a file name: {error}")
+    raise InputError(faults.found)
+
+
+def utf8_text(path: Path, data: bytes) -> str:
+    """The file's content as text, without a byte order mark. Raises InputError where it is not UTF-8."""
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        faults = Faults(str(path))
+        line = data.count(b"\n", 0, error.start) + 1
+        faults.add(f"line {line}", f"byte {data[error.start]:#04x} is not UTF-8", "save the file as UTF-8")
+        raise InputError(faults.found) from None

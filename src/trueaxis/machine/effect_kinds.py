@@ -1,0 +1,132 @@
+"""[[effect_kind]]: kinds of effects that a spec adds to the library."""
+
+import math
+import re
+from collections.abc import Sequence
+
+from trueaxis.effects.expression import FUNCTIONS
+from trueaxis.effects.kind import Kind, Parameter
+from trueaxis.effects.library import ALL_DIRECTIONS, BY_NAME
+from trueaxis.effects.variables import VARIABLES
+from trueaxis.error_name import ErrorName
+from trueaxis.machine.body import PROSE, PROSE_MEANING
+from trueaxis.machine.effect_expression import check_expression
+from trueaxis.machine.fields import Fields, shown
+from trueaxis.machine.machine import AXES, Body
+from trueaxis.machine.structure import is_taken
+
+MOST_KINDS = 20
+MOST_PARAMETERS = 6
+MOST_GRIDS = 2
+LARGEST_GRID = 100  # values of one parameter
+LARGEST_SEARCH = 1000  # combinations of values of all
+
+_NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
+_PARAMETER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
+_UNIT = r"(1|{0})([*/]{0})*".format(r"(u|axis|mm|deg|rad|s|K)(\^[2-9])?")
+_UNIT_MEANING = (
+    "units u (of the component), axis (of its axis), mm, deg, rad, s, K or 1, joined by * and /, such as u/K"
+)
+
+
+def read_effect_kinds(top: Fields, bodies: Sequence[Body] | None) -> tuple[Kind, ...]:
+    """The machine's own kinds; complains of every fault. bodies: None while they are in doubt."""
+    found: dict[str, Kind] = {}
+    for index, fields in enumerate(top.tables("effect_kind")):
+        if index == MOST_KINDS:
+            top.fault("effect_kind", "has too many tables", f"{MOST_KINDS} kinds at most")
+            break
+        kind = _read_kind(fields, bodies)
+        if kind.name in BY_NAME:
+            fields.fault("name", f"{kind.name!r} is a kind of the library", "another name")
+        elif kind.name in found:
+            fields.fault("name", f"there is another kind {kind.name!r}", "a name of its own")
+        elif kind.name:
+            found[kind.name] = kind
+    return tuple(found.values())
+
+
+def component_errors(bodies: Sequence[Body]) -> list[ErrorName]:
+    """The motion errors of all bodies, axis by axis."""
+    moving = sorted((body for body in bodies if body.moves), key=lambda body: AXES.index(body.moves or ""))
+    return [name for body in moving for name in body.motion_errors]
+
+
+def _read_kind(fields: Fields, bodies: Sequence[Body] | None) -> Kind:
+    name = fields.text("name")
+    if name is not None and not _NAME.fullmatch(name):
+        fields.fault("name", f"is {shown(name)}", "a small letter, then small letters, digits and _, 40 at most")
+        name = None
+    text = fields.text("expression") or ""
+    acts = fields.texts("components", required=True) or ()
+    other_axis = fields.flag("other_axis")
+    sentence = fields.text(
+        "sentence", default="an effect that the spec describes", pattern=PROSE, meaning=PROSE_MEANING
+    )
+    parameters = _read_parameters(fields)
+    fields.refuse_others()
+    kind = Kind(
+        name or "",
+        "component",
+        text,
+        tuple(parameters.values()),
+        (sentence or "").rstrip("."),
+        directions=tuple(part for part in acts if part in ALL_DIRECTIONS),
+        components=tuple(part for part in acts if part not in ALL_DIRECTIONS),
+        other_axis=other_axis,
+    )
+    _check_components(fields, kind, bodies)
+    if text:
+        check_expression(fields, kind, bodies)
+    return kind
+
+
+def _read_parameters(fields: Fields) -> dict[str, Parameter]:
+    told = isinstance(fields.raw.get("parameters"), dict)
+    table = fields.table("parameters", required=True)
+    found: dict[str, Parameter] = {}
+    for name in table.raw:
+        if not _PARAMETER.fullmatch(name):
+            table.fault(name, "is no name", "a letter, then letters, digits and _, 40 at most")
+        elif name in VARIABLES or name in FUNCTIONS or name == "pi":
+            table.fault(name, "is a name of the language of expressions", "another name")
+        elif len(name) > 1 and (is_taken(name) or re.match(r"term|context", name)):
+            table.fault(name, "clashes with a name that generated code uses", "another name")
+        found[name] = _read_parameter(table.table(name), name)
+    grids = [parameter.values for parameter in found.values() if parameter.role == "grid"]
+    linear = len(found) - len(grids)
+    if len(found) > MOST_PARAMETERS:
+        table.complain(table.path, f"are {len(found)}", f"{MOST_PARAMETERS} parameters at most")
+    elif not linear and told:
+        table.complain(
+            table.path, "have no linear one", "a parameter without a grid, to which the term is proportional"
+        )
+    if len(grids) > MOST_GRIDS or math.prod(map(len, grids)) > LARGEST_SEARCH:
+        problem = f"have {len(grids)} grids of {math.prod(map(len, grids))} combinations"
+        table.complain(table.path, problem, f"{MOST_GRIDS} grids and {LARGEST_SEARCH} combinations at most")
+    return found
+
+
+def _read_parameter(fields: Fields, name: str) -> Parameter:
+    unit = fields.text("unit", pattern=_UNIT, meaning=_UNIT_MEANING)
+    meaning = fields.text("meaning", default=name, pattern=PROSE, meaning=PROSE_MEANING)
+    fields.known.add("grid")
+    grid = fields.raw.get("grid")
+    fields.refuse_others("unit, meaning, grid")
+    if "grid" not in fields.raw:
+        return Parameter(name, unit or "1", meaning or name)
+    values = [fields.finite(part) for part in grid] if isinstance(grid, list) else []
+    numbers = tuple(value for value in values if value is not None)
+    if not 1 <= len(values) <= LARGEST_GRID or len(set(numbers)) < len(values):
+        fields.fault("grid", f"is {shown(grid)}", f"a list of 1 to {LARGEST_GRID} different finite numbers")
+    return Parameter(name, unit or "1", meaning or name, "grid", "given", numbers or (1.0,))
+
+
+def _check_components(fields: Fields, kind: Kind, bodies: Sequence[Body] | None) -> None:
+    there = None if bodies is None else component_errors(bodies)
+    for component in kind.components:
+        name = ErrorName.parse(component)
+        if name is None or name.is_location or (there is not None and name not in there):
+            right = f"of {' '.join(there)}" if there else "a component error of this machine"
+            problem = f"{shown(component)} is no component error of this machine"
+            fields.fault("components", problem, f"{' '.join(ALL_DIRECTIONS)}, or one {right}")

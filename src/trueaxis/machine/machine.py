@@ -1,0 +1,129 @@
+"""The frozen record of a machine: bodies, their lower bodies, and what may be wrong between them."""
+
+import hashlib
+import json
+from dataclasses import asdict, dataclass, field
+from functools import cached_property
+
+from trueaxis.effects.kind import Effect, Kind
+from trueaxis.effects.library import BY_NAME
+from trueaxis.error_name import Direction, ErrorName
+from trueaxis.machine.places import Position
+from trueaxis.machine.prior import Prior
+
+AXES = ("X", "Y", "Z", "A", "B", "C")
+LINEAR, ROTARY = AXES[:3], AXES[3:]
+BED = 1
+
+
+@dataclass(frozen=True)
+class Body:
+    """One rigid body and its joint to its lower body (the four factors of Eq. 1 of the paper).
+
+    moves: the axis letter, None for a body fixed to its lower body. travel: mm, or deg for a rotary axis.
+    position: home position in the lower body's frame, each a number (mm) or the name of a parameter.
+    motion_errors: ISO 230-1 names, in the order EX EY EZ EA EB EC. position_errors: (direction, parameter) pairs.
+    """
+
+    number: int
+    name: str
+    lower: int
+    moves: str | None = None
+    sense: int = 1
+    travel: tuple[float, float] | None = None
+    position: tuple[float | str, float | str, float | str] = (0.0, 0.0, 0.0)
+    motion_errors: tuple[ErrorName, ...] = ()
+    position_errors: tuple[tuple[Direction, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Machine:
+    """A machine as its spec tells it; every property has the one order that all generated code uses.
+
+    curve_degree: highest power of the motion-error polynomials that the polynomial kernels are emitted for.
+    true_rotation: whether error rotations are true rotations instead of the paper's matrix 1 + [epsilon x].
+    runs: folder of the measuring plan whose identification systems are derived, relative to the spec; or None.
+    references: pairs (equation label, where the literature has it), printed beside the equations.
+    effects: terms beside the geometric errors, in the order of the spec; effect_kinds: the spec's own kinds.
+    prior: sizes of errors to expect before measuring.
+    start: axis positions before a program, for the axes named, mm and deg; reference_points: those to which G28 and G30
+    go.
+    """
+
+    name: str
+    title: str
+    bodies: tuple[Body, ...]
+    workpiece: int
+    tool: int
+    curve_degree: int = 7
+    true_rotation: bool = False
+    runs: str | None = None
+    references: tuple[tuple[str, str], ...] = ()
+    effects: tuple[Effect, ...] = ()
+    effect_kinds: tuple[Kind, ...] = ()
+    prior: Prior = field(default_factory=Prior)
+    start: Position = ()
+    reference_points: tuple[tuple[str, Position], ...] = ()
+
+    @cached_property
+    def axes(self) -> tuple[str, ...]:
+        """Axis letters, in the order X Y Z A B C."""
+        moved = {body.moves for body in self.bodies}
+        return tuple(axis for axis in AXES if axis in moved)
+
+    @cached_property
+    def components(self) -> tuple[ErrorName, ...]:
+        """Motion-error components: axis by axis, EX EY EZ EA EB EC within each."""
+        return tuple(name for axis in self.axes for name in self.mover(axis).motion_errors)
+
+    @cached_property
+    def dimensions(self) -> tuple[str, ...]:
+        """Named home positions (mm), in the order of the spec: nominal geometry, not errors."""
+        return tuple(p for body in self.bodies for p in body.position if isinstance(p, str))
+
+    @cached_property
+    def location_errors(self) -> tuple[str, ...]:
+        """Named position errors (mm or rad), in the order of the spec."""
+        return tuple(name for body in self.bodies for _, name in body.position_errors)
+
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        """Every named parameter: dimensions, then location errors."""
+        return self.dimensions + self.location_errors
+
+    @cached_property
+    def kinds(self) -> dict[str, Kind]:
+        """Every kind of effect by its name: those of the library, then the machine's own."""
+        return BY_NAME | {kind.name: kind for kind in self.effect_kinds}
+
+    @cached_property
+    def travel(self) -> dict[str, tuple[float, float]]:
+        """Travel of each axis, mm or deg."""
+        return {axis: self.mover(axis).travel or (0.0, 0.0) for axis in self.axes}
+
+    def body(self, number: int) -> Body:
+        """The body of that number."""
+        return next(body for body in self.bodies if body.number == number)
+
+    def mover(self, axis: str) -> Body:
+        """The body that an axis moves."""
+        return next(body for body in self.bodies if body.moves == axis)
+
+    def location_direction(self, parameter: str) -> Direction:
+        """EX .. EC: what a location error displaces or turns."""
+        return next(d for body in self.bodies for d, name in body.position_errors if name == parameter)
+
+    def parameter_unit(self, parameter: str) -> str:
+        """`mm` or `rad`."""
+        return self.location_direction(parameter).unit if parameter in self.location_errors else "mm"
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 of the parsed spec: what it says, not how it is laid out.
+
+        References are prose; sizes to expect and the positions that programs rely on change no kernel: left out.
+        """
+        said = asdict(self)
+        for name in ("references", "prior", "start", "reference_points"):
+            del said[name]
+        return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()

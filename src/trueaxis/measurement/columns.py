@@ -1,0 +1,148 @@
+"""Columns of a table as arrays, with every bad cell noted at its place."""
+
+from collections.abc import Sequence
+from difflib import get_close_matches
+
+import numpy as np
+import numpy.typing as npt
+import polars as pl
+
+from trueaxis.io.faults import Faults
+from trueaxis.measurement.limits import COLDEST, FASTEST, LONGEST_TIME, WARMEST
+from trueaxis.measurement.machine import FloatArray, MachineAxes
+from trueaxis.measurement.table import MOST_FAULTS, Table
+
+BoolArray = npt.NDArray[np.bool_]
+IntArray = npt.NDArray[np.int64]
+
+LONGEST_SHOWN = 40  # characters of a cell in a message
+AXIS_LETTERS = ("X", "Y", "Z", "A", "B", "C")
+
+
+def check_columns(
+    table: Table, machine: MachineAxes, faults: Faults, *, required: Sequence[str], optional: Sequence[str]
+) -> None:
+    """Note missing and unknown columns. The axes of the machine are required besides `required`."""
+    names, axes = table.frame.columns, machine.axes
+    for axis in axes:
+        if axis not in names:
+            faults.add(f"column {axis}", "is missing", f"machine {machine.name} has axis {axis}: give its position")
+    for name in required:
+        if name not in names:
+            faults.add(f"column {name}", "is missing")
+    known = (*required, *axes, *optional)
+    for name in names:
+        letter = name.removeprefix("dir_")
+        if name in known:
+            continue
+        if letter in AXIS_LETTERS and letter not in axes:
+            faults.add(f"column {name}", f"machine {machine.name} has no axis {letter}", f"axes {' '.join(axes)}")
+        else:
+            close = get_close_matches(name, known, n=1)
+            remedy = f"did you mean {close[0]}?" if close else f"known: {', '.join(known)}"
+            faults.add(f"column {shortened(name)}", "is not a known column", remedy)
+
+
+def numbers(table: Table, name: str, faults: Faults, *, may_be_empty: bool = False) -> FloatArray:
+    """A column as finite numbers, (n,), NaN where a cell is empty or wrong; wrong cells are noted."""
+    column = table.frame[name]
+    if column.dtype == pl.String:
+        text = column.str.strip_chars().fill_null("")
+        empty = (text == "").to_numpy()
+        cast = text.cast(pl.Float64, strict=False)
+    elif column.dtype.is_numeric() or column.dtype == pl.Null:
+        empty = column.is_null().to_numpy()
+        cast = column.cast(pl.Float64, strict=False)
+    else:
+        faults.add(f"column {name}", f"holds {column.dtype}", "numbers")
+        return np.full(len(column), np.nan)
+    unread = cast.is_null().to_numpy() & ~empty
+    values = np.array(cast.fill_null(np.nan), dtype=np.float64)
+    infinite = ~np.isfinite(values) & ~empty & ~unread
+    note(table, name, unread, faults, "is not a number")
+    note(table, name, infinite, faults, "is not a finite number")
+    if not may_be_empty:
+        note(table, name, empty, faults, "is empty", remedy="a number")
+    values[infinite] = np.nan
+    return values
+
+
+def whole_numbers(table: Table, name: str, faults: Faults) -> IntArray:
+    """A column as whole numbers, (n,), 0 where a cell is wrong; wrong cells are noted."""
+    values = numbers(table, name, faults)
+    known = np.isfinite(values)
+    wrong = known & ((values != np.round(values)) | (np.abs(values) > 2.0**53))
+    note(table, name, wrong, faults, "is not a whole number")
+    return np.where(known & ~wrong, values, 0.0).astype(np.int64)
+
+
+def texts(table: Table, name: str, faults: Faults) -> pl.Series:
+    """A column as text without surrounding spaces; empty cells are noted."""
+    column = table.frame[name]
+    if column.dtype in (pl.Categorical, pl.Enum) or column.dtype.is_integer():
+        column = column.cast(pl.String)
+    if column.dtype != pl.String:
+        faults.add(f"column {name}", f"holds {column.dtype}", "texts")
+        return pl.Series(name, [""] * len(column), dtype=pl.String)
+    found = column.str.strip_chars().fill_null("")
+    note(table, name, (found == "").to_numpy(), faults, "is empty", remedy="a text")
+    return found
+
+
+def within(table: Table, name: str, faults: Faults, low: float, high: float, unit: str) -> FloatArray:
+    """A column as numbers, (n,), NaN where a cell is empty or wrong; those beyond the limits are noted."""
+    values = numbers(table, name, faults, may_be_empty=True)
+    remedy = f"{unit}, from {low:g} to {high:g}"
+    note(table, name, (values < low) | (values > high), faults, "is outside what can be", remedy=remedy)
+    return values
+
+
+def time_feed_temperature(table: Table, faults: Faults) -> dict[str, FloatArray]:
+    """Those of the columns time_s, feed and temperature_c that are there, (n,) each, NaN where a cell is empty."""
+    limits = {
+        "time_s": (-LONGEST_TIME, LONGEST_TIME, "s"),
+        "feed": (0.0, FASTEST, "mm/min"),
+        "temperature_c": (COLDEST, WARMEST, "degC"),
+    }
+    return {name: within(table, name, faults, *limits[name]) for name in limits if name in table.frame.columns}
+
+
+def approaches(table: Table, name: str, faults: Faults) -> FloatArray:
+    """A column of approach directions, (n,): +1, -1 or 0, NaN where a cell is empty or wrong; wrong ones are noted."""
+    values = numbers(table, name, faults, may_be_empty=True)
+    wrong = ~np.isnan(values) & ~np.isin(values, (-1.0, 0.0, 1.0))
+    note(table, name, wrong, faults, "is not a direction", remedy="+1, -1 or 0")
+    return values
+
+
+def positions(table: Table, machine: MachineAxes, faults: Faults) -> FloatArray:
+    """Commanded axis positions, (n_axes, n), mm or deg; those outside the travel are noted."""
+    found = np.zeros((len(machine.axes), table.frame.height))
+    for row, axis in enumerate(machine.axes):
+        if axis in table.frame.columns:  # else noted already
+            found[row] = values = numbers(table, axis, faults)
+            low, high = machine.travel[axis]
+            outside = (values < low) | (values > high)
+            note(table, axis, outside, faults, "is outside the travel", remedy=f"from {low!r} to {high!r}")
+    return found
+
+
+def note(table: Table, name: str, wrong: BoolArray, faults: Faults, problem: str, *, remedy: str = "") -> None:
+    """Note the cells that are wrong in one way, the first ones each and the rest as a count."""
+    rows = np.flatnonzero(wrong)
+    for row in rows[:MOST_FAULTS]:
+        cell = table.frame[name][int(row)]
+        faults.add(table.place(int(row), name), f"{_quoted(cell)}{problem}", remedy)
+    if len(rows) > MOST_FAULTS:
+        faults.add(f"column {name}", f"and so {len(rows) - MOST_FAULTS} more cells")
+
+
+def _quoted(cell: object) -> str:
+    if cell is None or not str(cell).strip():
+        return ""
+    return f'"{shortened(cell)}" ' if isinstance(cell, str) else f"{shortened(str(cell))} "
+
+
+def shortened(text: str) -> str:
+    """A text of a cell as a message shows it."""
+    return text if len(text) <= LONGEST_SHOWN else f"{text[: LONGEST_SHOWN - 4]} ..."

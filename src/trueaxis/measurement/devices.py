@@ -1,0 +1,59 @@
+"""The tables [device.ID] of setup.toml: what is known of the instruments."""
+
+from collections.abc import Mapping, Sequence
+
+from trueaxis.machine.fields import Fields, shown
+from trueaxis.measurement.limits import LONGEST_ID
+from trueaxis.measurement.setup import Device, Run
+
+LARGEST_UM = 1e4  # um, a centimetre: no instrument is off by more
+LARGEST_PPM = 1e4  # a percent
+KEYS = "serial, resolution_um, noise_um, length_u_um, scale_u_ppm"
+
+
+def read_devices(top: Fields) -> dict[str, Device]:
+    """ID -> device; complains of what is wrong."""
+    table = top.table("device")
+    found = {}
+    for name in table.raw:
+        fields = table.table(name)
+        found[name] = Device(
+            id=name,
+            serial=fields.text("serial", default="") or "",
+            resolution=_size(fields, "resolution_um", 1e-3, LARGEST_UM),
+            noise=_size(fields, "noise_um", 1e-3, LARGEST_UM),
+            length_u=_size(fields, "length_u_um", 1e-3, LARGEST_UM),
+            scale_u=_size(fields, "scale_u_ppm", 1e-6, LARGEST_PPM),
+        )
+        fields.refuse_others(KEYS)
+    return found
+
+
+def check_devices(top: Fields, devices: Mapping[str, Device], runs: Sequence[Run]) -> None:
+    """A device that no run has been read with is a slip of the pen."""
+    table = top.table("device")
+    used = {run.device.id for run in runs if run.device is not None}
+    for name in devices:
+        if name not in used:
+            table.fault(name, "is the device of no run", f'device = "{name}" in the runs that were read with it')
+
+
+def check_label(fields: Fields, key: str, label: str) -> None:
+    """Complains of a name that cannot be told from others by looking at it, or that is too long."""
+    if label and (label != label.strip() or not label.isprintable()):
+        fields.fault(key, f"is {shown(label)}", "printable characters with no space before or after them")
+    if len(label) > LONGEST_ID:
+        fields.fault(key, f"has {len(label)} characters", f"{LONGEST_ID} at most")
+
+
+def _size(fields: Fields, key: str, unit: float, largest: float) -> float | None:
+    """A number above 0, in mm or 1; None where it is absent or wrong."""
+    if key not in fields.raw:
+        fields.known.add(key)
+        return None
+    right = f"a number above 0, at most {largest:g}"
+    value = fields.number(key, right)
+    if value is not None and not 0.0 < value <= largest:
+        fields.fault(key, f"is {value:g}", right)
+        return None
+    return None if value is None else value * unit

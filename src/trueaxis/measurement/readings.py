@@ -1,0 +1,71 @@
+"""The readings of a set of measured data, as arrays."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import polars as pl
+
+from trueaxis.measurement.approach import DirectionArray
+from trueaxis.measurement.table import table_bytes
+
+FloatArray = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int64]
+
+FILE_NAME = "readings.csv"
+PARQUET_NAME = "readings.parquet"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Readings:
+    """One row per reading, in the order of the file.
+
+    axes: letters in the order X Y Z A B C; run_ids: in the order of the setup; run: (n,), index into run_ids;
+    seq: (n,), order within the run; positions: (n_axes, n), commanded, mm or deg; directions: (n_axes, n), approach
+    directions, as given or from the order of seq; given_directions: axes whose directions the file gave; reading:
+    (n,), mm, NaN where the row is a plan; time (s), feed (mm/min), temperature (degC): (n,), None where the file
+    has no such column, NaN where a cell is empty.
+    """
+
+    axes: tuple[str, ...]
+    run_ids: tuple[str, ...]
+    run: IntArray
+    seq: IntArray
+    positions: FloatArray
+    directions: DirectionArray
+    reading: FloatArray
+    given_directions: tuple[str, ...] = ()
+    time: FloatArray | None = None
+    feed: FloatArray | None = None
+    temperature: FloatArray | None = None
+
+    @property
+    def planned(self) -> npt.NDArray[np.bool_]:
+        """(n,), true where the row has no reading yet."""
+        return np.isnan(self.reading)
+
+    def of_run(self, index: int) -> IntArray:
+        """The rows of one run, in the order in which they were read."""
+        rows = np.flatnonzero(self.run == index)
+        return rows[np.argsort(self.seq[rows], kind="stable")]
+
+
+def dump_readings(readings: Readings, suffix: str = ".csv") -> bytes:
+    """The content of readings.csv or, for the suffix `.parquet`, readings.parquet; numbers read back exactly."""
+    columns: dict[str, pl.Series] = {
+        "run": pl.Series(np.array(readings.run_ids, dtype=np.str_)[readings.run], dtype=pl.String),
+        "seq": pl.Series(readings.seq),
+    }
+    if readings.time is not None:
+        columns["time_s"] = pl.Series(readings.time)
+    for axis, values in zip(readings.axes, readings.positions, strict=True):
+        columns[axis] = pl.Series(values)
+    for axis, approach in zip(readings.axes, readings.directions, strict=True):
+        if axis in readings.given_directions:
+            columns[f"dir_{axis}"] = pl.Series(approach)
+    if readings.feed is not None:
+        columns["feed"] = pl.Series(readings.feed)
+    if readings.temperature is not None:
+        columns["temperature_c"] = pl.Series(readings.temperature)
+    columns["reading"] = pl.Series(readings.reading)
+    return table_bytes(pl.DataFrame(columns).fill_nan(None), suffix)

@@ -1,0 +1,127 @@
+"""The uncertainty of the tool point over many positions at once: over the travel, or along a program."""
+
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from trueaxis.model.bases import HatBasis
+from trueaxis.model.context import Context
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.curves import FloatArray
+from trueaxis.model.model import MachineModel
+from trueaxis.model.uncertainty import OPEN_MOVES, derivative, home_of, open_steps, tool_uncertainty
+
+_MOST_POSITIONS = 2000  # of a grid over the travel: 12 in each of three axes, 4 in each of five
+MOST_NAMED = 500  # positions from which the names of what is open are taken
+_TAKES_PART = 1e-6  # share of an open combination from which a component belongs to it
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UncertaintyExtent:
+    """Of the tool point at a number of positions, relative to home.
+
+    points: how many; largest_u: largest standard uncertainty of a coordinate, mm, of those that are known (0: none),
+    at the position largest_at (n_axes,), mm or deg;
+    largest_u_prior: largest part of one that rests on the prior, mm, None where the parts are not known;
+    unknown: positions at which an uncertainty is not known; open: those of them that rest on what nothing determines;
+    largest_open: by how much that moves the tool at the size of the prior, mm; components: those that are open there,
+    and location errors.
+    shift: by how much what nothing determines may displace this tool point against the origin of the tool frame, the
+    same everywhere, at the size of the prior, mm.
+    """
+
+    points: int
+    largest_u: float
+    largest_u_prior: float | None
+    unknown: int
+    open: int
+    largest_open: float
+    components: tuple[str, ...]
+    shift: float = 0.0
+    largest_at: tuple[float, ...] = ()
+
+    @property
+    def counted(self) -> float:
+        """The largest standard uncertainty, mm; infinite where one is not known or not determined."""
+        return float("inf") if self.unknown else self.largest_u
+
+
+def uncertainty_extent(
+    model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray
+) -> UncertaintyExtent:
+    """The largest uncertainty over positions (n_axes, n), mm or deg, of the point `tool` (3, 1), mm, datum home."""
+    context = _after_reversals(model, positions)
+    uncertainty = tool_uncertainty(model, covariance, positions, tool, datum=home_of(model), context=context)
+    at_home = tool_uncertainty(model, covariance, home_of(model), tool, datum=None)
+    known = np.where(np.isnan(uncertainty.u), 0.0, uncertainty.u)
+    rests = (uncertainty.open > 0.0).any(axis=0)
+    return UncertaintyExtent(
+        points=positions.shape[1],
+        largest_u=float(known.max(initial=0.0)),
+        largest_u_prior=None
+        if covariance.of_prior is None
+        else float(np.nan_to_num(uncertainty.u_prior).max(initial=0.0)),
+        unknown=int(np.isnan(uncertainty.u).any(axis=0).sum()),
+        open=int(rests.sum()),
+        largest_open=float(uncertainty.open.max(initial=0.0)),
+        components=open_names(model, covariance, positions[:, rests][:, :MOST_NAMED], tool),
+        shift=float(at_home.open.max()),
+        largest_at=tuple(positions[:, int(known.max(axis=0, initial=0.0).argmax())].tolist()) if known.size else (),
+    )
+
+
+def volume_grid(model: MachineModel, covariance: Covariance) -> FloatArray:
+    """(n_axes, n): a regular grid over the travel of all axes, its ends included, mm or deg; and every position of a
+    table, the other axes in the middle and at the corners of their travel.
+    """
+    each = max(2, int(_MOST_POSITIONS ** (1.0 / len(model.axes))))
+    points = list(product(*(np.linspace(*model.travel[axis], each) for axis in model.axes)))
+    for row, axis in enumerate(model.axes):
+        others = [model.travel[other] if other != axis else (0.0,) for other in model.axes]
+        middle = tuple(0.5 * (model.travel[other][0] + model.travel[other][1]) for other in model.axes)
+        for node in table_positions(covariance, axis):
+            points += [(*at[:row], node, *at[row + 1 :]) for at in (*product(*others), middle)]
+    return np.array(points).T
+
+
+def table_positions(covariance: Covariance, axis: str) -> list[float]:
+    """The positions of an axis at which components are told by tables: what is open there may be open nowhere else."""
+    return sorted(
+        {
+            position
+            for name, basis in zip(covariance.components, covariance.bases, strict=True)
+            if name.axis == axis and isinstance(basis, HatBasis)
+            for position in basis.positions
+        }
+    )
+
+
+def _after_reversals(model: MachineModel, positions: FloatArray) -> Context:
+    """All axes have just turned back: where effects of direction and of reversals are largest."""
+    still = Context.at_rest(len(model.axes), positions.shape[1])
+    just = np.zeros_like(positions)
+    return replace(still, directions=np.ones_like(positions), since_reversal=just, time_since=just, path_since=just)
+
+
+def open_names(model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray) -> tuple[str, ...]:
+    """The components and location errors that take part in open combinations that move the tool at these positions.
+
+    positions: (n_axes, n), mm or deg; tool: (3, 1), mm.
+    """
+    if positions.shape[1] == 0:
+        return ()
+    steps = open_steps(model.machine, covariance)
+    at_home = derivative(model, covariance, home_of(model), tool)
+    by_value = derivative(model, covariance, positions, tool, _after_reversals(model, positions)) - at_home
+    moves = np.abs(np.einsum("ikn,kd->ind", by_value, steps, optimize=True)).max(axis=(0, 1), initial=0.0)
+    moving = covariance.open[:, moves > OPEN_MOVES]
+    largest = np.abs(moving).max(axis=0, initial=0.0)
+    start = sum(basis.count for basis in covariance.bases)
+    located = [name for row, name in enumerate(covariance.locations, start) if (moving[row] != 0.0).any()]
+    components = [
+        name
+        for name in covariance.components
+        if (np.abs(moving[covariance.rows_of(name)]) > _TAKES_PART * largest).any()
+    ]
+    return (*components, *located)

@@ -1,0 +1,56 @@
+"""What `derive` wrote of a machine: manifest.json holds the digest of every file, and no other content is run."""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from trueaxis.io.faults import Fault, Faults, InputError
+from trueaxis.io.input_files import gathering, input_bytes
+
+MANIFEST = "manifest.json"
+C_FILES = ("kernels.c", "kernels.h")
+CODE_FILES = ("kernels.py", *C_FILES)
+KERNEL_FILES = (*CODE_FILES, "equations.md", MANIFEST)
+
+
+def verified_code(folder: Path, *, abi: int, digest: str, spec: Path, remedy: str) -> dict[str, bytes]:
+    """The content of each of CODE_FILES in a machine's folder, checked to be what was derived from this spec.
+
+    abi: of the kernels that can be called; digest: of the spec. Raises InputError, with the command that mends it, when
+    a file is missing or was changed since, or the kernels are of another ABI or another spec. The digests tell a file
+    that was edited or damaged; they are no signature, and who can write one file can write the manifest, too.
+    """
+    if not (folder / CODE_FILES[0]).is_file():
+        raise InputError([Fault(str(folder / CODE_FILES[0]), "", "there are no kernels of this machine", remedy)])
+    record = _record(folder / MANIFEST, remedy)
+    faults = Faults(str(folder / MANIFEST))
+    if record.get("kernel_abi") != abi:
+        faults.add("kernel_abi", f"is {record.get('kernel_abi')!r}, not {abi}", remedy)
+    elif record.get("spec_sha256") != digest:
+        faults.add("spec_sha256", f"is not that of {spec} as it is now", remedy)
+    faults.raise_if_any()
+    found: list[Fault] = []
+    code: dict[str, bytes] = {}
+    for name in CODE_FILES:
+        with gathering(found):
+            code[name] = input_bytes(folder / name)
+            if hashlib.sha256(code[name]).hexdigest() != record["files"].get(name):
+                problem = f"is not as it was derived: its SHA-256 is not that in {MANIFEST}"
+                raise InputError([Fault(str(folder / name), "", problem, remedy)])
+    if found:
+        raise InputError(found)
+    return code
+
+
+def _record(path: Path, remedy: str) -> Mapping[str, Any]:
+    if not path.is_file():
+        raise InputError([Fault(str(path), "", "there is no manifest of these kernels", remedy)])
+    try:
+        record = json.loads(input_bytes(path))
+    except (ValueError, RecursionError) as error:
+        raise InputError([Fault(str(path), "", f"is no manifest: {error}", remedy)]) from None
+    if not isinstance(record, dict) or not isinstance(record.get("files"), dict):
+        raise InputError([Fault(str(path), "files", "is no list of files with their digests", remedy)])
+    return record

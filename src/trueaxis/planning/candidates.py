@@ -1,0 +1,213 @@
+"""Candidate runs over the whole travels of a machine: of a laser, a ball bar, a probe.
+
+Every path is taken there and back, so that both directions of approach are read. Tool points are seen from the
+workpiece, which is what parts are made by.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import combinations, product
+from typing import cast
+
+import numpy as np
+
+from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_model import column
+from trueaxis.measurement.setup import Device, Instrument, PointOn, Run, Vector
+from trueaxis.planning.paths import (
+    at_share,
+    follow,
+    follow_circle,
+    follow_turn,
+    grid,
+    home_position,
+    line,
+    linear_axes,
+    places,
+    rotary_axes,
+    there_and_back,
+    tilted,
+    turn,
+)
+
+__all__ = ["Candidate", "Kit", "candidates", "follow"]
+
+LENGTHS = (150.0, 300.0)  # mm: of ball bars, where the plan has none (ISO 230-4 tests use such)
+CIRCLE = 36  # readings of a circle, one way
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Candidate:
+    """A run that could be added, (n_axes, n) positions of its readings, and what it is in words."""
+
+    run: Run
+    positions: FloatArray
+    what: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Kit:
+    """What is at hand. tools: points in the tool frame at which optics, balls and styli sit, mm; lengths: of ball bars,
+    mm; devices: of instruments, where they are known; session: of the new runs.
+    """
+
+    instruments: tuple[Instrument, ...]
+    tools: tuple[Vector, ...] = ((0.0, 0.0, 0.0),)
+    lengths: tuple[float, ...] = LENGTHS
+    devices: Mapping[str, Device] = field(default_factory=dict)
+    session: str = ""
+
+
+def candidates(machine: IdentifiedMachine, kit: Kit) -> list[Candidate]:
+    """All candidates, in a fixed order; ids are left to whoever takes one."""
+    makers = {"laser": (_lines, _diagonals), "ballbar": (_circles, _bar_turns), "probe": (_grids, _sphere_turns)}
+    found = [one for name, of in makers.items() if name in kit.instruments for make in of for one in make(machine, kit)]
+    return [
+        replace(one, run=replace(one.run, device=kit.devices.get(one.run.instrument), session=kit.session))
+        for one in found
+    ]
+
+
+def _lines(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
+    """Along every linear axis, the others at the middle or at ends of their travels: displacement and straightness."""
+    for tool, axis in product(kit.tools, linear_axes(machine)):
+        others = [other for other in linear_axes(machine) if other != axis]
+        for shares in [(0.5,) * len(others), *product((0.0, 1.0), repeat=len(others))]:
+            ends = {other: (share, share) for other, share in zip(others, shares, strict=True)}
+            positions = line(machine, {axis: (0.0, 1.0), **ends})
+            at = _at_text({other: at_share(machine, other, share) for other, (share, _) in ends.items()})
+            place = f"{axis} moving at {at}" if at else f"{axis} moving"
+            motion = _motion(machine, positions, tool)
+            along = int(np.abs(motion).argmax())
+            for k, unit in enumerate(np.eye(3)):
+                kind = "displacement" if k == along else f"straightness in {'xyz'[k]}"
+                direction = _vector(motion, 9) if k == along else _vector(unit)
+                yield _seen("laser", machine, positions, tool, direction, f"laser, {place}, {kind}")
+
+
+def _diagonals(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
+    """Displacement along the diagonals of the faces and of the volume (ISO 230-6)."""
+    linear = linear_axes(machine)
+    for tool, count in product(kit.tools, (2, 3)):
+        for moved in combinations(linear, count):
+            rest = [axis for axis in linear if axis not in moved]
+            signs = product((1.0, 0.0), repeat=count - 1)
+            for ways, shares in product(signs, product((0.0, 1.0), repeat=len(rest))):
+                ends = {axis: (1.0 - way, way) for axis, way in zip(moved, (1.0, *ways), strict=True)}
+                ends |= {axis: (share, share) for axis, share in zip(rest, shares, strict=True)}
+                positions = line(machine, ends)
+                direction = _vector(_motion(machine, positions, tool), 9)
+                first, last = (
+                    _at_text({axis: at_share(machine, axis, ends[axis][k]) for axis in linear}) for k in (0, 1)
+                )
+                what = f"laser, diagonal from {first} to {last}, displacement"
+                yield _seen("laser", machine, positions, tool, direction, what)
+
+
+def _grids(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
+    """A calibrated plate probed in planes of the axes, low, in the middle and high; read in x, y and z."""
+    linear = linear_axes(machine)
+    for tool, plane in product(kit.tools, combinations(linear, 2)):
+        rest = [axis for axis in linear if axis not in plane]
+        for shares in product((0.0, 0.5, 1.0), repeat=len(rest)):
+            at = {axis: at_share(machine, axis, share) for axis, share in zip(rest, shares, strict=True)}
+            positions = grid(machine, plane, at)
+            for unit, name in zip(np.eye(3), "xyz", strict=True):
+                what = f"probe in {name}, grid in {''.join(plane)} at {_at_text(at)}"
+                yield _seen("probe", machine, positions, tool, _vector(unit), what)
+
+
+def _sphere_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
+    """A probe follows a sphere on the workpiece while a rotary axis turns; read in x, y, z of the bed."""
+    for tool, axis, place in product(kit.tools, rotary_axes(machine), places(machine)):
+        for at in tilted(machine, axis, place):
+            centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
+            turning = turn(machine, axis, at)
+            positions = follow_turn(machine, turning, tool, np.repeat(centre, turning.shape[1], axis=1))
+            if positions is None:
+                continue
+            sphere = PointOn("workpiece", _vector(centre[:, 0]))
+            home = dict(zip(machine.axes, positions[:, 0].tolist(), strict=True))
+            for unit, name in zip(np.eye(3), "xyz", strict=True):
+                run = Run("", "probe", PointOn("tool", tool), sphere, "bed", home, _vector(unit))
+                what = f"probe in {name}, {_turn_text(machine, axis, at)} about a sphere at {_told(sphere)}"
+                yield Candidate(run, there_and_back(positions), what)
+
+
+def _circles(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
+    """The tool ball on circles about a workpiece ball, in the planes of the workpiece; arcs where travels end."""
+    angle = 2.0 * np.pi * np.arange(CIRCLE) / CIRCLE
+    planes = combinations(range(3), 2)
+    for tool, place, plane, length in product(kit.tools, places(machine), planes, kit.lengths):
+        centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
+        way = np.repeat(centre, angle.size, axis=1)
+        way[plane[0]] += length * np.cos(angle)
+        way[plane[1]] += length * np.sin(angle)
+        positions = follow_circle(machine, np.repeat(place, angle.size, axis=1), tool, way)
+        if positions is not None:
+            kind = "circle" if positions.shape[1] == angle.size else "arc"
+            yield _bar(machine, tool, centre, length, positions, f"{kind} in {''.join('xyz'[i] for i in plane)}")
+
+
+def _bar_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
+    """A rotary axis turns, the tool ball follows beside the workpiece ball: along x, y or z of the workpiece."""
+    length = min(kit.lengths)
+    for tool, axis, place, side in product(kit.tools, rotary_axes(machine), places(machine), range(3)):
+        for at in tilted(machine, axis, place):
+            centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
+            turning = turn(machine, axis, at)
+            way = np.repeat(centre + length * np.eye(3)[:, [side]], turning.shape[1], axis=1)
+            positions = follow_turn(machine, turning, tool, way)
+            if positions is not None:
+                what = f"{_turn_text(machine, axis, at)}, bar along {'xyz'[side]}"
+                yield _bar(machine, tool, centre, length, positions, what)
+
+
+def _seen(
+    instrument: Instrument,
+    machine: IdentifiedMachine,
+    positions: FloatArray,
+    tool: Vector,
+    direction: Vector,
+    what: str,
+) -> Candidate:
+    """The tool point against the workpiece, zeroed at the first position."""
+    start = machine.view_ideal("tool_in_workpiece", np.ascontiguousarray(positions[:, :1]), column(tool))
+    home = dict(zip(machine.axes, positions[:, 0].tolist(), strict=True))
+    ends = PointOn("tool", tool), PointOn("workpiece", _vector(start[:, 0]))
+    return Candidate(Run("", instrument, *ends, "workpiece", home, direction), positions, what)
+
+
+def _bar(
+    machine: IdentifiedMachine, tool: Vector, centre: FloatArray, length: float, positions: FloatArray, what: str
+) -> Candidate:
+    ball = PointOn("workpiece", _vector(centre[:, 0]))
+    run = Run("", "ballbar", PointOn("tool", tool), ball, "bed", home_position(machine), None, length)
+    text = f"ball bar of {length:g} mm, {what}, about {_told(ball)}"
+    return Candidate(run, there_and_back(positions), text)
+
+
+def _motion(machine: IdentifiedMachine, positions: FloatArray, tool: Vector) -> FloatArray:
+    """(3,): unit vector from the first position of a path to its middle, seen from the workpiece."""
+    ends = np.ascontiguousarray(positions[:, [0, positions.shape[1] // 2]])
+    seen = machine.view_ideal("tool_in_workpiece", ends, column(tool))
+    moved = seen[:, 1] - seen[:, 0]
+    return np.asarray(moved / np.linalg.norm(moved))
+
+
+def _turn_text(machine: IdentifiedMachine, axis: str, place: FloatArray) -> str:
+    others = {other: float(place[machine.axes.index(other), 0]) for other in rotary_axes(machine) if other != axis}
+    return f"{axis} turning at {_at_text(others)}" if others else f"{axis} turning"
+
+
+def _at_text(positions: Mapping[str, float]) -> str:
+    return " ".join(f"{axis}{position:g}" for axis, position in positions.items())
+
+
+def _vector(values: FloatArray, digits: int = 3) -> Vector:
+    return cast(Vector, tuple(round(float(value), digits) + 0.0 for value in values))
+
+
+def _told(end: PointOn) -> str:
+    return f"({', '.join(f'{part:g}' for part in end.point)}) on the {end.on}"

@@ -1,0 +1,149 @@
+"""Runs that would add most to a plan, or make the first one: candidates, what they tell, and the choice among them."""
+
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trueaxis.estimation.effects.planned import planned_effects
+from trueaxis.estimation.expected import expected_posterior, informing_rows
+from trueaxis.estimation.gauge import levelling
+from trueaxis.estimation.judgement import SAMPLES
+from trueaxis.estimation.layout import Layout, layout_of
+from trueaxis.estimation.runs import measured_runs
+from trueaxis.estimation.tool_point import POINTS, Datum, moved_by, volume
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.setup import Run, Vector
+from trueaxis.model.effect_values import EffectValues
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
+from trueaxis.planning.candidates import Candidate, Kit, candidates
+from trueaxis.planning.choice import Chosen, Offer, choose
+from trueaxis.planning.measuring_time import SET_UP_MINUTES, run_minutes, set_up_of
+from trueaxis.planning.runs import PlannedRuns
+
+VOLUME = "volume"  # what is to be known best: the tool point over the volume, or the error that is named instead
+LEAST_FREEDOM = 20  # degrees of freedom of repeats: the noise of an instrument is then known to a sixth
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wish:
+    """What proposed runs are for. wanted: VOLUME, a component or a location error; tools: points in the tool frame
+    whose place against the datum counts, mm; noise: standard deviation of readings by instrument, mm; effects: values
+    at which effects of the spec are linearised.
+    """
+
+    wanted: str
+    datum: Datum
+    tools: tuple[Vector, ...]
+    noise: dict[str, float]
+    effects: tuple[EffectValues, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Proposed:
+    """A run taken from `count` candidates: minutes it takes, u of what is wanted after it, mm or rad."""
+
+    candidate: Candidate
+    minutes: float
+    u: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Proposal:
+    """Runs in the order of their choice, among `count` candidates; before: u without them, mm or rad."""
+
+    runs: tuple[Proposed, ...]
+    count: int
+    before: float
+
+
+def propose(
+    model: MachineModel,
+    given: ErrorValues,
+    there: PlannedRuns,
+    noise: dict[int, float],
+    kit: Kit,
+    wish: Wish,
+    goes_on: Callable[[Sequence[Chosen]], float],
+    least_fall: float = 0.0,
+) -> Proposal:
+    """Choose runs to be added to those that are there. Where there are none, repeats of the noise take time, too.
+
+    noise: of the runs that are there, by index, mm; goes_on, least_fall: see `choose`.
+    """
+    first = len(there.runs)
+    offered = candidates(model.with_values(given), kit)
+    everything = there.with_added(offered).observed
+    effects = planned_effects(model, everything, given, wish.effects).unknowns
+    layout = layout_of(model.with_values(given), everything, given, effects)
+    before, _ = expected_posterior(layout, everything.of(np.flatnonzero(everything.run < first)), noise)
+    scale = before.scale * layout.sizes
+    rows = [one.rows for one in measured_runs(everything) if one.rows.index >= first]
+    offers = [
+        _offer(informing_rows(layout, one, wish.noise[one.run.instrument], scale), candidate, repeats=not first)
+        for one, candidate in zip(rows, offered, strict=True)
+    ]
+    spread = before.spread / before.scale[:, np.newaxis]
+    target = _target(layout, wish) * scale
+    chosen = choose(spread, target, offers, goes_on, [set_up_of(*path) for path in there.paths], least_fall)
+    runs = tuple(Proposed(offered[one.index], one.minutes, one.u) for one in chosen)
+    return Proposal(runs, len(offered), float(np.linalg.norm(target @ spread)))
+
+
+def for_noise(proposal: Proposal) -> Proposal:
+    """The same with the first run of every instrument taken more than once, so that repeats tell the noise."""
+    runs, known = [], set[str]()
+    for one in proposal.runs:
+        instrument = one.candidate.run.instrument
+        runs.append(one if instrument in known else replace(one, candidate=_repeated(one.candidate)))
+        known.add(instrument)
+    return replace(proposal, runs=tuple(runs))
+
+
+def _repeated(one: Candidate) -> Candidate:
+    again = one.positions[:, 1:]  # from where the run ends, which is where it began
+    return replace(one, positions=np.ascontiguousarray(np.hstack([one.positions, *([again] * _passes(one))])))
+
+
+def _passes(one: Candidate) -> int:
+    """How often a run is repeated: each time as many readings are taken again, but for where it turns."""
+    return -(-LEAST_FREEDOM // max(int(one.positions.shape[1]) - 2, 1))
+
+
+def named(proposal: Proposal, taken: Sequence[Run], prefix: str) -> Proposal:
+    """With ids that no run has yet."""
+    ids, number, runs = {run.id for run in taken}, 0, []
+    for one in proposal.runs:
+        number += 1
+        while f"{prefix}{number}" in ids:
+            number += 1
+        candidate = replace(one.candidate, run=replace(one.candidate.run, id=f"{prefix}{number}"))
+        runs.append(replace(one, candidate=candidate))
+    return replace(proposal, runs=tuple(runs))
+
+
+def _offer(informing: FloatArray, one: Candidate, *, repeats: bool) -> Offer:
+    run, readings = one.run, one.positions.shape[1]
+    shared: list[tuple[Hashable, float]] = [(set_up_of(run, one.positions), SET_UP_MINUTES[run.instrument])]
+    once = run_minutes(run, readings)
+    if repeats:
+        more = run_minutes(run, readings + _passes(one) * (readings - 1)) - once
+        shared.append((run.instrument, more))
+    return Offer(informing, once, tuple(shared))
+
+
+def _target(layout: Layout, wish: Wish) -> FloatArray:
+    """(q, n): rows whose variances sum up to the mean variance of what is wanted, by unknowns in mm and rad."""
+    found = np.zeros((1, layout.count))
+    if wish.wanted == VOLUME:
+        moved = moved_by(layout, volume(layout.model), wish.tools, wish.datum) / np.sqrt(POINTS)
+        return np.hstack([moved, np.zeros((moved.shape[0], layout.count - layout.of_machine))])
+    if wish.wanted in layout.locations:
+        found[0, int(layout.offsets[-1]) + layout.locations.index(wish.wanted)] = 1.0
+    else:
+        place = layout.components.index(wish.wanted)
+        basis, first = layout.bases[place], int(layout.offsets[place])
+        found = np.zeros((SAMPLES, layout.count))
+        found[:, first : first + basis.degree] = basis(np.linspace(basis.low, basis.high, SAMPLES)).T / np.sqrt(SAMPLES)
+    return np.asarray(found @ levelling(layout))

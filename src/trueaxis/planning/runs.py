@@ -1,0 +1,106 @@
+"""The runs of a plan with their rows, whose readings are not looked at; with some left out, or with others added."""
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trueaxis.estimation.observations import Observations
+from trueaxis.measurement.approach import approach_directions
+from trueaxis.measurement.context import context_of
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_model import home_positions
+from trueaxis.measurement.readings import Readings
+from trueaxis.measurement.setup import Run
+from trueaxis.planning.candidates import Candidate
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PlannedRuns:
+    """source: where they come from, named in faults; runs; readings: their rows."""
+
+    source: str
+    runs: tuple[Run, ...]
+    readings: Readings
+
+    @property
+    def observed(self) -> Observations:
+        """Every row, whether it has a reading or not; readings count as zero."""
+        rows, nothing = self.readings, np.zeros(self.readings.run.size)
+        context = context_of(self.runs, rows)
+        return Observations(
+            self.source, self.runs, rows.run, rows.positions, nothing, rows.seq, rows.directions, context
+        )
+
+    @property
+    def paths(self) -> list[tuple[Run, FloatArray]]:
+        """Every run with its positions (n_axes, n), in the order of its readings."""
+        return [(run, self.readings.positions[:, self.readings.of_run(index)]) for index, run in enumerate(self.runs)]
+
+    def of(self, ids: Collection[str]) -> "PlannedRuns":
+        """Some of the runs alone, as if the others were not there."""
+        kept = [index for index, run in enumerate(self.runs) if run.id in ids]
+        rows, keep = self.readings, np.isin(self.readings.run, kept)
+
+        def picked(column: FloatArray | None) -> FloatArray | None:
+            return None if column is None else column[keep]
+
+        readings = replace(
+            rows,
+            run_ids=tuple(rows.run_ids[index] for index in kept),
+            run=np.searchsorted(np.array(kept), rows.run[keep]).astype(np.int64),
+            seq=rows.seq[keep],
+            positions=rows.positions[:, keep],
+            directions=rows.directions[:, keep],
+            reading=rows.reading[keep],
+            time=picked(rows.time),
+            feed=picked(rows.feed),
+            temperature=picked(rows.temperature),
+        )
+        return replace(self, runs=tuple(self.runs[index] for index in kept), readings=readings)
+
+    def with_added(self, added: Sequence[Candidate]) -> "PlannedRuns":
+        """With new runs behind the others."""
+        runs = (*self.runs, *(one.run for one in added))
+        return replace(self, runs=runs, readings=_with_rows(self.readings, added))
+
+
+def no_runs(source: str, axes: Sequence[str]) -> PlannedRuns:
+    """A plan to which runs are added."""
+    nothing, rows = np.zeros(0, dtype=np.int64), np.zeros((len(axes), 0))
+    readings = Readings(tuple(axes), (), nothing, nothing, rows, rows.astype(np.int8), np.zeros(0))
+    return PlannedRuns(source, (), readings)
+
+
+def _with_rows(given: Readings, added: Sequence[Candidate]) -> Readings:
+    """With empty rows for every run added."""
+    counts = [one.positions.shape[1] for one in added]
+    seq = [np.arange(count) for count in counts]
+    index = np.repeat(np.arange(len(added)) + len(given.run_ids), counts)
+    directions = [
+        approach_directions(number, one.positions, _start(one.run, given.axes))
+        for number, one in zip(seq, added, strict=True)
+    ]
+    empty = np.full(sum(counts), np.nan)
+
+    def longer(column: FloatArray | None) -> FloatArray | None:
+        return None if column is None else np.concatenate([column, empty])
+
+    return Readings(
+        axes=given.axes,
+        run_ids=(*given.run_ids, *(one.run.id for one in added)),
+        run=np.concatenate([given.run, index]),
+        seq=np.concatenate([given.seq, *seq]),
+        positions=np.hstack([given.positions, *(one.positions for one in added)]),
+        directions=np.hstack([given.directions, *directions]),
+        reading=np.concatenate([given.reading, empty]),
+        given_directions=given.given_directions,
+        time=longer(given.time),
+        feed=longer(given.feed),
+        temperature=longer(given.temperature),
+    )
+
+
+def _start(run: Run, axes: Sequence[str]) -> FloatArray | None:
+    home = home_positions(run, axes)
+    return None if home is None else home[:, 0]

@@ -1,0 +1,111 @@
+"""Residual against position, for every axis along which lines were measured, before and after."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from trueaxis.diagnosis.result import Diagnosis, FloatArray, IntArray, Residuals
+from trueaxis.reporting.diagnosis.cloud import DOT, cloud
+from trueaxis.reporting.diagnosis.frame import stacked
+from trueaxis.reporting.diagnosis.lines import THINNED, Line, lines_of, sample
+from trueaxis.reporting.diagnosis.picture import Picture
+from trueaxis.reporting.diagnosis.quantity import UM
+from trueaxis.reporting.diagnosis.svg import BLUE, INK, ORANGE, SOFT, picture
+
+MOST_POINTS = 900  # of a panel; beyond, only a sample is drawn
+STAGES = ("given", "refitted", "extended")
+TITLES = {"given": "values as given", "refitted": "refitted", "extended": "extended model"}
+_WAYS = ((1, "^", BLUE, BLUE, "coming up (+)"), (-1, "v", ORANGE, "none", "coming down (\N{MINUS SIGN})"))
+
+
+def positions(diagnosis: Diagnosis) -> list[Picture]:
+    """One picture for each axis; none without lines."""
+    lines = lines_of(diagnosis.residuals)
+    return [_picture(diagnosis.residuals, [one for one in lines if one.axis == axis], axis) for axis in _axes(lines)]
+
+
+def _axes(lines: tuple[Line, ...]) -> list[int]:
+    return sorted({one.axis for one in lines})
+
+
+def _picture(residuals: Residuals, lines: list[Line], axis: int) -> Picture:
+    name = residuals.axes[axis]
+    rows = np.concatenate([one.rows for one in lines])
+    rms = ", ".join(f"{TITLES[s]} {_rms(residuals, s, rows):.3g} {UM}" for s in STAGES)
+    thinned = rows.size > MOST_POINTS
+    caption = (
+        f"{rows.size} readings of {len(lines)} runs. "
+        + (f"{THINNED} " if thinned else "A line joins one pass of a run. ")
+        + "The upper panel has a scale of its own."
+    )
+    return picture(
+        f"position-{name}",
+        f"Residual against {name}",
+        f"Residual against position {name} in three panels. RMS: {rms}.",
+        caption,
+        lambda: _figure(residuals, lines, axis, thinned),
+    )
+
+
+def _figure(residuals: Residuals, lines: list[Line], axis: int, thinned: bool) -> Figure:
+    figure, panels = stacked(5.6, 3, titled=True)
+    panels[1].sharey(panels[2])
+    for panel, stage in zip(panels, STAGES, strict=True):
+        panel.axhline(0.0, color=INK, linewidth=0.6)
+        values = 1e3 * getattr(residuals, stage)
+        for way, marker, colour, face, label in _WAYS:
+            _draw(panel, residuals, lines, axis, values, way, thinned, (marker, colour, face, label))
+        _still(panel, residuals, lines, axis, values)
+        panel.set_title(TITLES[stage])
+        panel.set_ylabel(UM)
+    unit = "mm" if residuals.axes[axis] in "XYZ" else "deg"
+    panels[-1].set_xlabel(f"{residuals.axes[axis]} ({unit})")
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper center", ncols=3)
+    return figure
+
+
+def _draw(
+    panel: Axes,
+    residuals: Residuals,
+    lines: list[Line],
+    axis: int,
+    values: FloatArray,
+    way: int,
+    thinned: bool,
+    look: tuple[str, str, str, str],
+) -> None:
+    marker, colour, face, label = look
+    passes = [one for line in lines for one in _passes(residuals, line.rows, axis, way)]
+    if not passes:
+        return
+    points = np.concatenate(passes)
+    if thinned:
+        points = points[np.argsort(residuals.positions[axis, points], kind="stable")]
+        points = points[sample(values[points], MOST_POINTS // 2)]
+    else:
+        gap = np.array([np.nan])
+        x = np.concatenate([part for one in passes for part in (residuals.positions[axis, one], gap)])
+        y = np.concatenate([part for one in passes for part in (values[one], gap)])
+        panel.plot(x, y, "-", color=colour, linewidth=0.5, alpha=0.55)
+    cloud(panel, residuals.positions[axis, points], values[points], marker, colour, face, 2.6, label)
+
+
+def _passes(residuals: Residuals, rows: IntArray, axis: int, way: int) -> list[IntArray]:
+    """Rows of a run cut where its direction changes; those that came the given way."""
+    direction = np.sign(residuals.directions[axis, rows])
+    cut = np.split(np.arange(rows.size), np.flatnonzero(np.diff(direction)) + 1)
+    return [rows[part] for part in cut if direction[part[0]] == way]
+
+
+def _still(panel: Axes, residuals: Residuals, lines: list[Line], axis: int, values: FloatArray) -> None:
+    """Readings before the axis has moved at all."""
+    rows = np.concatenate([one.rows for one in lines])
+    rows = rows[residuals.directions[axis, rows] == 0.0][:MOST_POINTS]
+    if rows.size:
+        x = residuals.positions[axis, rows]
+        cloud(panel, x, values[rows], DOT, SOFT, SOFT, 2.2, "not moved yet")
+
+
+def _rms(residuals: Residuals, stage: str, rows: IntArray) -> float:
+    return float(1e3 * np.sqrt(np.mean(getattr(residuals, stage)[rows] ** 2)))

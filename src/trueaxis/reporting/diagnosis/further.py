@@ -1,0 +1,136 @@
+"""What to measure next, what the data lack, what to be careful with: in sentences for a console.
+
+Each of them becomes one for a page by `in_words`.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from trueaxis.diagnosis.result import Absence, Diagnosis, NextRun, SecondOrder, Separating, Told
+from trueaxis.effects.kind import Effect
+from trueaxis.reporting.diagnosis.quantity import quantity
+from trueaxis.reporting.diagnosis.structures import check_name, closer_look
+from trueaxis.reporting.diagnosis.words import enumerated, held_out_warning, largest_structures, noise_origin
+
+DIGITS = 2  # of sizes that are told apart
+MOST_NAMED = 3
+_INSTRUMENTS = {"ballbar": "a ball bar", "laser": "a laser"}
+
+
+@dataclass(frozen=True, slots=True)
+class Proposal:
+    """A further run: what to do, what for, what it would tell."""
+
+    run: str
+    purpose: str
+    gain: str
+
+
+def proposals(diagnosis: Diagnosis) -> tuple[Proposal, ...]:
+    """Each run once, for the first of its purposes."""
+    found: dict[str, Proposal] = {}
+    for one in map(_proposal, diagnosis.next_runs):
+        if one.run:
+            found.setdefault(one.run, one)
+    return tuple(found.values())
+
+
+def _proposal(one: NextRun) -> Proposal:
+    if one.check is not None:
+        purpose = f"see whether the structure returns ({check_name(one.check)})"
+        return Proposal(closer_look(one.check), purpose, f"{quantity(one.check.rms, 'mm')} RMS that has no name yet")
+    if one.told is None:
+        run, purpose = f"every run of the {one.instrument} three times", f"know the noise of the {one.instrument}"
+        return Proposal(run, purpose, "noise from repeats, which no effect can be mistaken for")
+    pairs = [f"{effect.label} from {_labels(others)}" for effect, others in one.pairs]
+    return Proposal(_times(one.run, one.times), f"separate {'; also '.join(pairs)}", _smallest(one.told))
+
+
+def separating_run(separating: Separating) -> str:
+    """The run that tells a cause from its rivals, from which size on, and what it leaves open."""
+    if separating.told is None:
+        other = f"; what does: {separating.broken_by}" if separating.broken_by else ""
+        return f"none of the runs considered separates it from {_labels(separating.left)}{other}"
+    text = f"{_times(separating.run, separating.times)}, separates it from {_labels(separating.apart)}"
+    text += f": {_smallest(separating.told)}"
+    if separating.needed > separating.times:
+        text += f"; for the size found it has to be taken about {separating.needed} times"
+    return text + (f"; {_labels(separating.left)} cannot be excluded by it" if separating.left else "")
+
+
+def absences(diagnosis: Diagnosis) -> tuple[str, ...]:
+    """A sentence for each."""
+    terms = [diagnosis.second_order] if diagnosis.second_order.largest > 0.0 else []
+    return (*map(absence_sentence, diagnosis.absences), *map(_second_order, terms))
+
+
+def absence_sentence(one: Absence) -> str:
+    """What is lacking, and what that costs."""
+    match one.lack:
+        case "column":
+            lacking, size = one.empty
+            where = f"with {one.place} empty in {lacking} of {size} readings" if lacking < size else ""
+            return f"{where or f'without {one.place}'}: {enumerated(one.kinds)} cannot be seen"
+        case "instrument":
+            without = enumerated([_INSTRUMENTS[name] for name in one.lacking], "or")
+            where = f"without {without}" if without else "in these runs"
+            return f"{where}: {enumerated(one.kinds)} cannot be told from a recalibration"
+        case "one_side":
+            return f"lines of {one.place} from one side only: they show nothing of its backlash"
+        case "one_direction":
+            return f"circles in {one.place} in one direction only: play and servo lag look like errors of the geometry"
+        case "one_feed":
+            return f"circles in {one.place} at one feed only: servo lag is told from play by its form alone"
+
+
+def _second_order(terms: SecondOrder) -> str:
+    told = "large enough to be seen" if terms.seen else "below what could be detected"
+    size = f"{1e3 * terms.largest:.2g} um"
+    return f"linearisation: second-order terms of the errors given reach {size}, {told}; the model has them"
+
+
+def warnings(diagnosis: Diagnosis) -> Iterator[str]:
+    """What to be careful with."""
+    for one in diagnosis.noise:
+        if one.origin not in ("repeats", "given"):
+            yield f"noise of the {one.instrument}: {noise_origin(one.origin)}; repeat runs to know it"
+    if diagnosis.verdict == "unexplained_structure":
+        yield "structure is left that no known cause explains: no name is given"
+    if any(one.remainder for one in diagnosis.causes):
+        shown, _ = largest_structures(diagnosis.checks)
+        left = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
+        named = enumerated([one.effect.label for one in diagnosis.causes])
+        yield f"beside {named} a remainder is left: {'; '.join(left)}"
+    if held_out_warning(diagnosis.gain):
+        yield held_out_warning(diagnosis.gain)
+    for cause in diagnosis.causes:
+        if cause.rivals:
+            rivals = _labels([rival.effect for rival in cause.rivals])
+            yield f"{cause.effect.label} and {rivals} predict the same readings"
+    if diagnosis.outliers:
+        count = len(diagnosis.outliers)
+        yield f"left out as outliers: {count} {'reading' if count == 1 else 'readings'}"
+
+
+def _smallest(told: Told) -> str:
+    """From which size on an effect is told from others."""
+    now = (
+        f"{quantity(told.without, told.unit, DIGITS)} without it"
+        if math.isfinite(told.without)
+        else "no size without it"
+    )
+    return (
+        f"smallest {told.effect.label} that is told apart: {quantity(told.with_run, told.unit, DIGITS)} with it, {now}"
+    )
+
+
+def _times(run: str, times: int) -> str:
+    return run + (f", {times} times" if times > 1 else "")
+
+
+def _labels(effects: Sequence[Effect]) -> str:
+    labels = [one.label for one in effects]
+    if len(labels) > MOST_NAMED:
+        labels = [*labels[:MOST_NAMED], f"{len(labels) - MOST_NAMED} more"]
+    return enumerated(labels)

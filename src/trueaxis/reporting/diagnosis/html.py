@@ -1,0 +1,193 @@
+"""The report as one HTML file that needs nothing else: no network, no script."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from trueaxis.diagnosis.result import Cause, Diagnosis
+from trueaxis.reporting.diagnosis import further, tables
+from trueaxis.reporting.diagnosis.formula import mathml
+from trueaxis.reporting.diagnosis.picture import Picture, Pictures
+from trueaxis.reporting.diagnosis.quantity import UM, equals_p, micrometres, percent, with_expanded, written
+from trueaxis.reporting.diagnosis.tables import Table
+from trueaxis.reporting.diagnosis.words import (
+    TITLES,
+    effect_title,
+    explanation,
+    headline,
+    in_words,
+    joint,
+    misfit,
+    predicted_scatter,
+)
+from trueaxis.template_folders import template_folders
+
+TEMPLATE = "report.html.j2"
+
+
+@dataclass(frozen=True, slots=True)
+class CauseText:
+    """A cause as its card shows it. parameters: name and value with U; formula: MathML, may be empty."""
+
+    title: str
+    joint: str
+    sentence: str
+    formula: str
+    parameters: tuple[tuple[str, str], ...]
+    facts: tuple[tuple[str, str], ...]
+    rivals: Table | None
+    separating: str
+    remainder: bool
+    pictures: tuple[Picture, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A part of the page; left out where there is nothing in it."""
+
+    name: str
+    title: str
+    intro: str
+    pictures: tuple[Picture, ...]
+    tables: tuple[Table, ...]
+
+
+def report_html(diagnosis: Diagnosis, pictures: Pictures) -> str:
+    """The page, the same for the same diagnosis and its pictures to the byte.
+
+    Figures are SVG within it, formulas MathML; colours follow the reader's preference, light or dark.
+    """
+    kinds = frozenset(one.effect.kind for one in diagnosis.limits)
+    return rendered(
+        TEMPLATE,
+        machine=diagnosis.machine,
+        verdict=diagnosis.verdict,
+        title=TITLES[diagnosis.verdict],
+        headline=headline(diagnosis),
+        explanation=explanation(diagnosis),
+        key_figures=_key_figures(diagnosis),
+        warnings=[*filter(None, [misfit(diagnosis)]), *(in_words(one, kinds) for one in further.warnings(diagnosis))],
+        absences=[in_words(one, kinds) for one in further.absences(diagnosis)],
+        report=diagnosis.report,
+        measured=tables.measured(diagnosis),
+        errors=tables.errors(diagnosis),
+        causes_title=_causes_title(diagnosis),
+        causes=[_cause(one, drawn, kinds) for one, drawn in zip(diagnosis.causes, pictures.causes, strict=True)],
+        sections=[
+            one
+            for one in _sections(diagnosis, kinds, pictures.sections)
+            if one.pictures or any(table.rows for table in one.tables)
+        ],
+    )
+
+
+def rendered(template: str, **content: object) -> str:
+    """A page by its template, whose variables are those given; texts are escaped."""
+    import jinja2  # noqa: PLC0415 - right of the generated files only pages need templates
+
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(template_folders()),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=True,
+    )
+    return environment.get_template(template).render(**content)
+
+
+def _key_figures(diagnosis: Diagnosis) -> list[tuple[str, str]]:
+    gain = diagnosis.gain
+    scatter = written(gain.standardised, ".2f")
+    return [
+        ("RMS as given", f"{micrometres(gain.rms.given)} {UM}"),
+        ("RMS refitted", f"{micrometres(gain.rms.refitted)} {UM}"),
+        ("RMS extended", f"{micrometres(gain.rms.extended)} {UM}"),
+        ("held out, refitted", f"{micrometres(gain.held_out.refitted)} {UM}"),
+        ("held out, extended", f"{micrometres(gain.held_out.extended)} {UM}"),
+        ("noise floor", f"{micrometres(gain.floor)} {UM}"),
+        *([("held out, over predicted scatter", scatter)] if math.isfinite(gain.standardised) else []),
+    ]
+
+
+def _causes_title(diagnosis: Diagnosis) -> str:
+    if diagnosis.verdict == "ambiguous":
+        return "Possible causes"
+    return "Causes" if len(diagnosis.causes) > 1 else "Cause"
+
+
+def _cause(cause: Cause, pictures: tuple[Picture, ...], kinds: frozenset[str]) -> CauseText:
+    return CauseText(
+        title=effect_title(cause.effect),
+        joint=joint(cause.effect),
+        sentence=cause.sentence[:1].upper() + cause.sentence[1:],
+        formula=mathml(cause.formula) if cause.formula else "",
+        parameters=tuple((one.name, with_expanded(one.value, one.u, one.unit)) for one in cause.parameters),
+        facts=(
+            ("explains", f"{micrometres(cause.rms)} {UM} RMS of the readings"),
+            ("evidence", f"{written(cause.evidence, '.3g')} ({equals_p(cause.p_value)})"),
+            ("held-out RMS", _change(cause.held_out_gain)),
+            ("same size everywhere", equals_p(cause.homogeneous_p)),
+            ("kind, as a spec has it", cause.effect.kind),
+        ),
+        rivals=tables.rivals(cause) if cause.rivals else None,
+        separating="" if cause.separating is None else in_words(further.separating_run(cause.separating), kinds),
+        remainder=cause.remainder,
+        pictures=pictures,
+    )
+
+
+def _sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}." if text else ""
+
+
+def _change(gain: float) -> str:
+    return f"higher by {percent(-gain)}" if gain < 0.0 else f"lower by {percent(gain)}"
+
+
+def _sections(
+    diagnosis: Diagnosis, kinds: frozenset[str], pictures: Mapping[str, tuple[Picture, ...]]
+) -> list[Section]:
+    return [
+        Section(
+            "stale",
+            "Values that are no longer true",
+            "The readings ask for other values than those given. Change: what they ask for less what was given, where "
+            "it exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; p: of all of it.",
+            (),
+            (tables.stale(diagnosis),),
+        ),
+        Section("next", "What to measure next", "", (), (tables.next_runs(diagnosis, kinds),)),
+        Section(
+            "gain",
+            "Before and after",
+            _sentence(predicted_scatter(diagnosis.gain)),
+            pictures["gain"],
+            (tables.circularity(diagnosis),),
+        ),
+        Section(
+            "residuals",
+            "Residuals",
+            f"Measured less model, {UM}: with the values given, refitted, and with the extended model.",
+            pictures["residuals"],
+            (),
+        ),
+        Section(
+            "circles",
+            "Circles",
+            "Radial deviations measured, and what the extended model says of them.",
+            pictures["circles"],
+            (),
+        ),
+        Section("periods", "Periods", "", pictures["periods"], ()),
+        Section("structure", "Is noise all that is left?", "", pictures["structure"], (tables.checks(diagnosis),)),
+        Section("evidence", "Evidence", "", pictures["evidence"], (tables.scan(diagnosis),)),
+        Section(
+            "limits",
+            "What these runs can and cannot see",
+            "",
+            pictures["limits"],
+            (tables.limits(diagnosis),),
+        ),
+        Section("noise", "Noise and outliers", "", (), (tables.noise(diagnosis), tables.outliers(diagnosis))),
+    ]

@@ -1,0 +1,79 @@
+"""The diagnosis on the console."""
+
+import math
+from collections.abc import Iterator
+
+from trueaxis.diagnosis.result import Cause, Diagnosis, Gain
+from trueaxis.effects.library import BY_NAME
+from trueaxis.reporting.diagnosis.further import proposals, separating_run, warnings
+from trueaxis.reporting.diagnosis.quantity import ascii_only, micrometres, percent, probability, with_expanded
+from trueaxis.reporting.diagnosis.structures import check_meaning, check_name
+from trueaxis.reporting.diagnosis.words import (
+    effect_title,
+    headline,
+    joint,
+    largest_structures,
+    misfit,
+    predicted_scatter,
+    stale_change,
+)
+
+
+def summary_text(diagnosis: Diagnosis) -> str:
+    """A few lines in ASCII, the verdict first, ending with a newline."""
+    return ascii_only("\n".join(_lines(diagnosis))) + "\n"
+
+
+def _lines(diagnosis: Diagnosis) -> Iterator[str]:
+    yield f"{diagnosis.verdict}: {headline(diagnosis)}"
+    for number, cause in enumerate(diagnosis.causes, 1):
+        yield from _cause(number, cause)
+    if diagnosis.verdict == "unexplained_structure":
+        shown, more = largest_structures(diagnosis.checks)
+        yield from (
+            f"looks like: {check_name(one)}: {check_meaning(one)} "
+            f"({micrometres(one.rms)} um RMS, p {probability(one.p_value)})"
+            for one in shown
+        )
+        if more:
+            yield f"looks like: {more} more classes, smaller or the same seen otherwise (report.html)"
+    if diagnosis.misfits:
+        yield misfit(diagnosis)
+    yield from (f"stale: {stale_change(one)} (p of the whole {probability(one.p_value)})" for one in diagnosis.stale)
+    yield from _gain(diagnosis.gain)
+    yield from (f"next: {one.run}, to {one.purpose}: {one.gain}" for one in proposals(diagnosis))
+    yield from (f"warning: {text}" for text in warnings(diagnosis))
+
+
+def _gain(gain: Gain) -> Iterator[str]:
+    for what, stage in (("RMS", gain.rms), (f"held-out RMS ({gain.split})", gain.held_out)):
+        if not math.isfinite(stage.given):
+            yield f"{what}: none, the zeros of their instruments take up all of these readings"
+            continue
+        yield (
+            f"{what}: given {micrometres(stage.given)}, refitted {micrometres(stage.refitted)}, "
+            f"extended {micrometres(stage.extended)} um; noise floor {micrometres(gain.floor)} um"
+        )
+    if predicted_scatter(gain):
+        yield predicted_scatter(gain)
+
+
+def _cause(number: int, cause: Cause) -> Iterator[str]:
+    yield f"cause {number}: {effect_title(cause.effect)}: {cause.sentence}"
+    yield f"  where: {joint(cause.effect)}"
+    kind = BY_NAME.get(cause.effect.kind)
+    term = kind.expression if kind else cause.formula  # places on a body are moved by no term
+    if term:
+        yield f"  term: {term}"
+    for one in cause.parameters:
+        yield f"  {one.name} = {with_expanded(one.value, one.u, one.unit)}"
+    yield (
+        f"  evidence: p {probability(cause.p_value)}, {micrometres(cause.rms)} um RMS, "
+        f"held-out RMS lower by {percent(cause.held_out_gain)}"
+    )
+    if cause.rivals:
+        yield f"  cannot be told from: {', '.join(effect_title(rival.effect) for rival in cause.rivals)}"
+    if cause.separating is not None:
+        yield f"  what would tell: {separating_run(cause.separating)}"
+    if cause.remainder:
+        yield "  a remainder is left that this cause does not explain"

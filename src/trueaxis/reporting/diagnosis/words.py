@@ -1,0 +1,227 @@
+"""Effects and verdicts in plain words."""
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+
+from trueaxis.diagnosis.result import Cause, Check, Diagnosis, Gain, Stale, StructureClass, Verdict
+from trueaxis.effects.kind import Effect
+from trueaxis.effects.library import BY_NAME
+from trueaxis.error_name import ErrorName
+from trueaxis.reporting.diagnosis.quantity import NBSP, UM, micrometres, probability, quantity, with_expanded, written
+from trueaxis.reporting.diagnosis.structures import check_name
+
+TITLES: dict[Verdict, str] = {
+    "no_discrepancy": "No discrepancy",
+    "recalibrate": "Recalibrate",
+    "explained": "Explained",
+    "ambiguous": "Ambiguous",
+    "unexplained_structure": "Unexplained structure",
+}
+MOST_STRUCTURES = 5  # named in a line
+MOST_MISFITS = 5
+AS_PREDICTED = 0.9, 1.1  # standardised held-out residuals of a model that is right
+ESTIMATED = frozenset({"repeats", "courses"})  # origins of a noise that has degrees of freedom
+
+
+def effect_title(effect: Effect) -> str:
+    """`Backlash in EXX`, `Cross axis in EXX with Y`, `Laser cosine of X1, X2`."""
+    words = effect.kind.replace("_", " ")
+    text = words[:1].upper() + words[1:]
+    rest = effect.label.removeprefix(effect.kind)
+    return text + (f" in{rest}" if effect.component else rest)
+
+
+def joint(effect: Effect) -> str:
+    """Where an effect acts: `positioning error of the X axis (EXX)`."""
+    if effect.component is None:
+        where = f"readings of {', '.join(effect.runs)}" if effect.runs else "readings of the instrument"
+        return f"set-up of {', '.join(effect.runs) or 'the runs'}" if effect.end else where
+    name, axis = effect.error, effect.own_axis
+    if name.is_location:
+        return f"squareness: position error {name.direction} of the joint of the {axis} axis ({name})"
+    if name.is_positioning:
+        return f"positioning error of the {axis} axis ({name})"
+    if name.is_rotation:
+        return f"rotation of the {axis} axis about {name.direction.line} ({name})"
+    error = "straightness" if name.is_straightness else "error motion"
+    return f"{error} of the {axis} axis in {name.direction.line} ({name})"
+
+
+def size_of(cause: Cause) -> str:
+    """`width 6.10 um +/- 0.40 um (k = 2)`, of the first parameter."""
+    if not cause.parameters:
+        return ""
+    first = cause.parameters[0]
+    return f"{first.name} {with_expanded(first.value, first.u, first.unit)}"
+
+
+def in_words(text: str, kinds: Iterable[str]) -> str:
+    """A text made for a console: `cross_axis EXX with Y` becomes `cross axis in EXX with Y`, um the unit's own sign."""
+    names = "|".join(sorted(map(re.escape, {*kinds, *BY_NAME}), key=len, reverse=True))
+
+    def spoken(match: re.Match[str]) -> str:
+        return match.group(1).replace("_", " ") + (" in " if match.group(2) else "")
+
+    text = re.sub(rf"\b({names})\b( (?=E[A-Z0-9]{{2,3}}\b))?", spoken, text)
+    return re.sub(r"(?<=\d) um\b", f"{NBSP}{UM}", text)
+
+
+def enumerated(words: Sequence[str], last: str = "and") -> str:
+    """`a`, `a and b`, `a, b and c`."""
+    return f"{', '.join(words[:-1])} {last} {words[-1]}" if len(words) > 1 else "".join(words)
+
+
+def headline(diagnosis: Diagnosis) -> str:
+    """The verdict as one sentence."""
+    causes = [f"{effect_title(one.effect)}, {size_of(one)}".removesuffix(", ") for one in diagnosis.causes]
+    match diagnosis.verdict:
+        case "no_discrepancy":
+            return "The readings agree with the model: what is left is noise."
+        case "recalibrate":
+            return "The form of the model suffices, its values are stale: recalibrate."
+        case "explained":
+            return f"{'Causes' if len(causes) > 1 else 'Cause'} found: {enumerated(causes)}."
+        case "ambiguous":
+            sets = [
+                enumerated([effect_title(one.effect), *(effect_title(rival.effect) for rival in one.rivals)], "or")
+                for one in diagnosis.causes
+            ]
+            return f"{'; '.join(sets)}: these readings cannot tell which."
+        case "unexplained_structure":
+            return "The residuals are not noise, and no known effect explains them: no cause is named."
+
+
+def explanation(diagnosis: Diagnosis) -> str:
+    """What the verdict means, and what to do."""
+    return f"{_MEANING[diagnosis.verdict]} {_detail(diagnosis)}".rstrip()
+
+
+_MEANING: dict[Verdict, str] = {
+    "no_discrepancy": (
+        "No test finds more in the residuals than the noise of the repeats, and refitting the values brings no more "
+        "than chance would. There is nothing to mend; effects below their detection limits cannot be excluded."
+    ),
+    "recalibrate": (
+        "The same model with new values leaves nothing but noise, so no effect has to be added: identify the errors "
+        "anew from readings such as these and compensate with them."
+    ),
+    "explained": (
+        "The model with the terms named below leaves nothing but noise (or a remainder, where a cause says so), and it "
+        "predicts runs that it was not fitted to."
+    ),
+    "ambiguous": (
+        "Something beyond the model is in the readings, but several causes predict the same. The one that fits best is "
+        "shown with the size that it would have, its rivals beside it, and what would tell them apart."
+    ),
+    "unexplained_structure": (
+        "Naming the nearest candidate would be a guess: none of them leaves noise. The checks tell what the structure "
+        "looks like, which is where to search: by hand, or with an effect kind of your own in the machine file."
+    ),
+}
+
+
+def _detail(diagnosis: Diagnosis) -> str:
+    if diagnosis.verdict == "recalibrate":
+        p = probability(diagnosis.recalibration_p)
+        changed = [stale_change(one) for one in diagnosis.stale[:MOST_STRUCTURES]]
+        more = len(diagnosis.stale) - len(changed)
+        changed += [f"{more} more, listed below"] if more else []
+        listed = f"Changed: {'; '.join(changed)}. " if changed else ""
+        return f"{listed}The values given would look so stale by chance with a probability of {p}."
+    if diagnosis.verdict == "unexplained_structure":
+        shown, more = largest_structures(diagnosis.checks)
+        said = [f"{check_name(one)} ({quantity(one.rms, 'mm')} RMS)" for one in shown]
+        said += [f"{more} more classes, listed under the checks"] if more else []
+        return f"It looks like: {enumerated(said)}." if said else ""
+    return ""
+
+
+def stale_change(one: Stale) -> str:
+    """`EYY from 300 to 400 mm by 0.7 um, u 0.1 um (or EYZ instead)`; a location error has no range."""
+    size = f"by{NBSP}{quantity(one.value, one.unit)}, u{NBSP}{quantity(one.u, one.unit, 2)}"
+    start, end = stale_range(one)
+    where = f"{one.component} from {start} to {end}" if start else one.component
+    form = " from the straight line between its ends" if one.bent else ""
+    others = [*one.alike, *(each.label for each in one.effects)]
+    instead = f" (or {enumerated(others, 'or')} instead)" if others else ""
+    return f"{where} {size}{form}{instead}"
+
+
+def stale_range(one: Stale) -> tuple[str, str]:
+    """From where to where values have changed, `300` and `400 mm`; empty of a location error."""
+    if one.first is None or one.last is None:
+        return "", ""
+    unit = ErrorName(one.component).axis_unit
+    return written(one.first, ".4g"), f"{written(one.last, '.4g')}{NBSP}{unit}"
+
+
+def predicted_scatter(gain: Gain) -> str:
+    """What `standardised` comes to, as a sentence without its end; empty where it is unknown."""
+    if not math.isfinite(gain.standardised):
+        return ""
+    low, high = AS_PREDICTED
+    if gain.standardised > high:
+        judged = "more than noise and the uncertainty of the values account for"
+    elif gain.standardised < low:
+        judged = "less than predicted: the noise is taken for larger than it is"
+    else:
+        judged = "as it should be"
+    return f"held-out residuals have {written(gain.standardised, '.2f')} times the scatter predicted of them: {judged}"
+
+
+def held_out_warning(gain: Gain) -> str:
+    """Why held-out readings are predicted worse than by the values given; empty where they are not, or no worse than is
+    predicted of them: the values given may rest on more readings than the others.
+    """
+    if not gain.standardised > AS_PREDICTED[1]:
+        return ""
+    shown = {name: micrometres(getattr(gain.held_out, name)) for name in ("given", "refitted", "extended")}
+    worse = [
+        name
+        for name in ("refitted", "extended")
+        if getattr(gain.held_out, name) > gain.held_out.given and shown[name] != shown["given"]
+    ]
+    if not worse:
+        return ""
+    figures = enumerated([f"{name} {shown[name]} um" for name in worse])
+    return (
+        f"held-out readings are predicted worse ({figures}) than by the values given ({shown['given']} um): they hold "
+        "what the other readings do not show, such as a change between the runs"
+    )
+
+
+def largest_structures(checks: Iterable[Check]) -> tuple[list[Check], int]:
+    """The classes that fired, the largest ones first; how many more there are. One structure makes many fire."""
+    fired = [one for one in checks if one.fired]
+    fired.sort(key=lambda one: (one.structure is StructureClass.LACK_OF_FIT, -one.rms))
+    return fired[:MOST_STRUCTURES], len(fired[MOST_STRUCTURES:])
+
+
+def short_title(effect: Effect, longest: int = 26) -> str:
+    """`effect_title`, cut where a figure has no room for more."""
+    title = effect_title(effect)
+    return title if len(title) <= longest else f"{title[: longest - 1]}\N{HORIZONTAL ELLIPSIS}"
+
+
+def noise_origin(origin: str) -> str:
+    """Where the noise of an instrument comes from, in words."""
+    return {
+        "repeats": "repeats",
+        "courses": "nothing is repeated, from what the null model leaves",
+        "given": "given",
+        "unknown": "unknown: too few readings",
+    }[origin]
+
+
+def misfit(diagnosis: Diagnosis) -> str:
+    """Runs that no errors of the machine fit; empty where there are none."""
+    if not diagnosis.misfits:
+        return ""
+    shown = enumerated(diagnosis.misfits[:MOST_MISFITS])
+    more = f" and {len(diagnosis.misfits) - MOST_MISFITS} more" if len(diagnosis.misfits) > MOST_MISFITS else ""
+    return (
+        f"no errors of the machine fit {shown}{more}: is the sign of the readings right, do they belong to this run, "
+        "is its set-up as setup.toml says? `identify` tells by how much, and whether a run reads as if its sign were "
+        "reversed"
+    )

@@ -1,0 +1,55 @@
+"""Numbers without a decimal point."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.compensation.analytic_machine import XyzMachine
+from tests.compensation.control import Bench, execute
+from trueaxis.io.faults import InputError
+
+
+def shifted() -> XyzMachine:
+    return XyzMachine({"EXX": lambda x: 0.02 + 0.0 * x})
+
+
+def test_they_are_a_fault_said_once(bench: Bench) -> None:
+    with pytest.raises(InputError) as error:
+        bench.run("G21 G90\nG0 X0 Y0 Z0\nX100\nG1 Y100 F500\n", shifted())
+    assert len(error.value.faults) == 1
+    assert str(error.value.faults[0]).startswith("in.nc: line 3: X without a decimal point: X100 is 100 mm on some")
+    assert "--integers" in error.value.faults[0].remedy
+    with pytest.raises(InputError, match="I without"):
+        bench.run("G0 X0. Y0. Z0.\nG3 X0. Y2. J1. I0\nG3 X0. Y0. I5 J-1.\n")
+    with pytest.raises(InputError, match="without a decimal point"):
+        bench.run("G0 X0. Y0. Z0.\nX100\n", dialect="fanuc")
+
+
+def test_zero_feeds_and_dwells_mean_the_same_either_way(bench: Bench) -> None:
+    assert bench.run("G0 X0 Y0 Z0\nG1 X1. F100\nG4 X5\nG4 P500\nN10 S1000 M3 T5\n")
+
+
+@pytest.mark.parametrize(
+    "how", [("integers", "mm")] + [("dialect", name) for name in ("linuxcnc", "siemens", "heidenhain")]
+)
+def test_whole_millimetres(bench: Bench, how: tuple[str, str]) -> None:
+    known: dict[str, Any] = {how[0]: how[1]}
+    assert execute(bench.run("G0 X10 Y0 Z0\nX20\n", shifted(), **known))[0] == pytest.approx([9.98, 19.98])
+
+
+def test_least_increments(bench: Bench) -> None:
+    text = bench.run(
+        "G21 G0 X10000 Y0 Z0\nX12.5 Y20000\nG20 X10000\nG91 Y-10000\n", shifted(), integers="least-increment"
+    )
+    assert execute(text) == pytest.approx(
+        np.array([[9.98, 0, 0], [12.48, 20, 0], [25.38, 20, 0], [25.38, -5.4, 0]]).T, abs=2e-4
+    )
+    assert all("." in word for line in text.decode().splitlines() for word in line.split() if word[0] in "XY")
+
+
+def test_arcs_in_least_increments(bench: Bench) -> None:
+    dotted = bench.run("G0 X10. Y0 Z0\nG3 X0. Y10. I-10. F9\nX-10. Y0. R10.\n", chord_tolerance=0.01)
+    program = "G0 X10000 Y0 Z0\nG3 X0 Y10000 I-10000 F9\nX-10000 Y0 R10000\n"
+    whole = bench.run(program, chord_tolerance=0.01, integers="least-increment")
+    assert execute(dotted)[:, 1:] == pytest.approx(execute(whole)[:, 1:])

@@ -1,0 +1,216 @@
+"""SINUMERIK programs: what is written does on such a control what the source means on an error-free machine."""
+
+import re
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.compensation.analytic_machine import paper_sized
+from tests.compensation.path_distance import apart, sampled
+from tests.compensation.siemens_control import SiemensControl
+from trueaxis.compensation.dialects import dialect_of
+from trueaxis.compensation.files import compensate_file
+from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.tools import Tool, ToolTable
+from trueaxis.io.faults import InputError
+
+FRAMES = {54: (300.0, -200.0, 100.0), 55: (310.0, -150.0, 90.0)}
+LENGTHS = {1: 60.0, 5: 81.5}
+OFFSETS = Offsets(
+    {f"G{n}": {axis: (v, v) for axis, v in zip("XYZ", values, strict=True)} for n, values in FRAMES.items()}, {}, "G54"
+)
+TOOLS = ToolTable({tool: Tool(length=length) for tool, length in LENGTHS.items()})
+ALONG = 0.0015  # mm
+MACHINE = paper_sized()
+PROGRAM = """\
+%_N_TEST_MPF
+;$PATH=/_N_WKS_DIR/_N_TEST_WPD
+N10 G17 G71 G90 G40 G60 SOFT FFWON
+N20 MSG("start (G0 X5)") ; X5 Y6
+N25 WORKPIECE(,"",,"BOX",112,0,-20,-80,0,0,100,80)
+N30 T5 M6
+N40 D1
+N50 G54 G64
+N55 TRANS X=10 Y20
+N60 G0 X=100.5 Y=20 Z50 S3000 M3
+N70 START: G0 Z=10
+N80 G1 Z=-2 F=500
+N85 G641 ADIS=0.05
+N90 G2 X=120.5 Y=20 CR=10
+N95 G3 X=IC(10) Y=AC(30) I=AC(120.5) J=AC(30)
+N97 ATRANS Z5
+N100 G1 X50 Y60.5 Z1
+N101 G91 X5 Y=5
+N102 G90
+N105 G55 G1 X40 Y=30 M8
+N110 SUPA G0 Z300 D0
+N115 TRANS
+N120 M30
+"""
+
+
+def compensated(folder: Path, text: str, **more: object) -> str:
+    """What is written; nothing where it is reported not to be right."""
+    source, out = folder / "in.mpf", folder / "out.mpf"
+    source.write_bytes(text.encode("latin-1"))
+    given_too = {"offsets": OFFSETS, "tools": TOOLS, "dialect": "siemens"} | more
+    report = compensate_file(source, out, MACHINE, Settings(**given_too), name="in.mpf")  # type: ignore[arg-type]
+    waits = any("gets no word" in note for note in report.notes)  # the first feed then starts uncompensated
+    return out.read_bytes().decode("latin-1") if report.good and not (waits and "G153" in text) else ""
+
+
+def largest_error(source: str, written: str, length: float = LENGTHS[5]) -> tuple[float, float]:
+    """Largest distance from the path that is meant, with the machine's errors: as programmed, as written."""
+    meant, done = (SiemensControl([0.0, 0.0, 0.0], FRAMES, LENGTHS).run(text) for text in (source, written))
+    assert len(meant.runs) == len(done.runs)
+    assert len(meant.rapids) == len(done.rapids)
+    before = after = 0.0
+    point = np.array([[0.0], [0.0], [-length]])
+    for a, b in zip(meant.paths(), done.paths(), strict=True):
+        a, b = sampled(a, 0.3), sampled(b, 0.3)  # noqa: PLW2901
+        path = MACHINE.ideal(a, point)
+        before = max(before, apart(MACHINE.actual(a, point), path))
+        after = max(after, apart(MACHINE.actual(b, point), path))
+    return before, after
+
+
+def test_a_program_of_the_language_is_right_along_the_path(tmp_path: Path) -> None:
+    assert dialect_of(PROGRAM) == "siemens"
+    written = compensated(tmp_path, PROGRAM, dialect=None)
+    before, after = largest_error(PROGRAM, written)
+    assert before > 0.01
+    assert after < ALONG
+    for line in ('N20 MSG("start (G0 X5)") ; X5 Y6', "N55 TRANS X=10 Y20", "N97 ATRANS Z5", "; TRUEAXIS COMPENSATED"):
+        assert line in written.splitlines()
+    assert re.search(r"N80 G1 X[\d.-]+ Y[\d.-]+ Z-\d\.\d+ F=500|N80 G1 [XYZ .\d-]+ F=500", written)
+
+
+HEAD = "T5 M6\nD1\nG71 G90 G54 G0 X0 Y0 Z10\nG1 F100\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("G1 X=R1", "is no word whose value"),
+        ("R1=5", "is no word whose value"),
+        ("G1 X=5+3", "is no word whose value"),
+        ("X=5*2", "is no word whose value"),
+        ("G2 X5 Y5 R5.", "R is a parameter on SINUMERIK"),
+        ("G2 X5 Y5 CR=1", "more than 2 R"),
+        ("CIP X10 Y10 I1=5 J1=5", "is an arc through a middle point"),
+        ("CT X10 Y10", "is a tangential arc"),
+        ("G2 X0 Y0 I5 J0 TURN=2", "is no word whose value"),
+        ("ROT RPL=45", "is no word whose value"),
+        ("ROT Z45", "turns the coordinates"),
+        ("AROT Z10", "turns the coordinates"),
+        ("MIRROR X0", "mirrors"),
+        ("SCALE X2 Y2", "scales"),
+        ("CYCLE81(10,0,2,-20)", "CYCLE81 is a cycle or a subprogram"),
+        ("MCALL CYCLE81(10,0,2,-20)", "calls a cycle at every position"),
+        ("CYCLE800()", "tilts the plane"),
+        ("POCKET3(50,0,1)", "POCKET3 is a cycle or a subprogram"),
+        ("MYSUB", "MYSUB is not known, and may be a subprogram"),
+        ("L100", "L100"),
+        ("GOTOF END_LABEL", "is a jump"),
+        ("IF R1==1 GOTOF A", "is a branch"),
+        ("TRAORI", "no rotary axis"),
+        ("BSPLINE X5", "is a spline"),
+        ("G41 X5", "G41"),
+        ("G58 X5", "shifts single axes"),
+        ("G74 X1=0", "is no word"),
+        ("G75 X5", "moves to a fixed point"),
+        ("G505", "G505 is not a known code"),
+        ("G56", "where its zero is is not known"),
+        ("D2", "selects another edge"),
+        ('T="MILL"', "selects a tool by its name"),
+        ("T77 M6", "tool 77 is not in --tools"),
+        ("X1=5", "is no word"),
+        ("G1 X5 A=5", "this machine has no axis A"),
+        ("$TC_DP3[1,1]=5", "is no word"),
+        ("G1 X=AC(5", "is no word"),
+        ("G1 X=AC(R1)", "is no word"),
+        ("M17", "M17"),
+        ("M3=55", "is no word"),
+        ("POS[X]=5", "is no word"),
+        ("G91 T1 M6\nX=AC(5)", "AC or IC, other than"),
+        ("G10 X5", "polar motion"),
+    ],
+)  # fmt: skip
+def test_what_is_not_followed_is_named_with_its_line(tmp_path: Path, line: str, words: str) -> None:
+    with pytest.raises(InputError) as caught:
+        compensated(tmp_path, HEAD + line + "\nM30\n")
+    assert any(words in fault.problem for fault in caught.value.faults), [f.problem for f in caught.value.faults]
+    assert all(int(fault.place.removeprefix("line ")) >= 5 for fault in caught.value.faults)
+
+
+def test_machine_coordinates_are_those_of_the_tip_while_a_length_is_in_force(tmp_path: Path) -> None:
+    source = HEAD + "SUPA G0 Z150\nM30\n"
+    written = compensated(tmp_path, source)
+    meant, done = (
+        np.array(SiemensControl([0.0, 0.0, 0.0], FRAMES, LENGTHS).run(text).rapids[-1])[:, None]
+        for text in (source, written)
+    )
+    point = np.array([[0.0], [0.0], [-LENGTHS[5]]])
+    assert meant[2, 0] == 150.0 + LENGTHS[5]
+    # Z alone has a word here: X and Y were commanded in another frame
+    assert abs((MACHINE.actual(done, point) - MACHINE.ideal(meant, point))[2, 0]) < 0.001
+    assert abs((MACHINE.actual(meant, point) - MACHINE.ideal(meant, point))[2, 0]) > 0.001
+
+
+def test_inches_by_g700(tmp_path: Path) -> None:
+    source = "T5 M6\nD1\nG700 G90 G54 G0 X1 Y1 Z1\nG1 F10 X=2.5 Y2\nG2 X3.5 Y2 CR=0.5\nM30\n"
+    before, after = largest_error(source, compensated(tmp_path, source))
+    assert after < ALONG < before
+
+
+def test_length_without_d_is_noted(tmp_path: Path) -> None:
+    source, out = tmp_path / "in.mpf", tmp_path / "out.mpf"
+    source.write_text("T5 M6\nG71 G90 G54 G0 X0 Y0 Z10\nG1 X5 F100\nM30\n")
+    report = compensate_file(source, out, MACHINE, Settings(offsets=OFFSETS, tools=TOOLS, dialect="siemens"))
+    assert any("MD20270" in note for note in report.notes)
+    source.write_text("T5 M6\nD1\nG71 G90 G54 G0 X0 Y0 Z10\nG1 X5 F100\nM30\n")
+    report = compensate_file(source, out, MACHINE, Settings(offsets=OFFSETS, tools=TOOLS, dialect="siemens"))
+    assert not any("MD20270" in note for note in report.notes)
+
+
+@pytest.mark.parametrize(
+    "text", ["G0 X1 Y2\nG2 X5 R3\n", "%\nO1234 (A)\nG54 G0 X=5 is no word\n".replace("X=5", "X5"), ""]
+)
+def test_what_several_controls_read_is_not_recognised(text: str) -> None:
+    assert dialect_of(text) is None
+
+
+NUMBERS = st.integers(-20000, 20000).map(lambda n: f"{n / 1000:.3f}")
+BLOCKS = st.one_of(
+    st.tuples(st.sampled_from(["G0", "G1", "G90 G1", "G91 G1"]), st.sampled_from(["X", "X=", "Y="]), NUMBERS,
+              st.sampled_from(["", " M8", " ; c X5"])).map(lambda t: f"{t[0]} {t[1]}{t[2]}{t[3]}"),
+    st.tuples(NUMBERS, NUMBERS).map(lambda t: f"G1 X=AC({t[0]}) Y=IC({t[1]})"),
+    st.tuples(st.sampled_from("23"), NUMBERS, NUMBERS, st.sampled_from(["40", "-40"])).map(
+        lambda t: f"G{t[0]} X=IC({t[1]}) Y=IC({t[2]}) CR={t[3]}"),
+    st.tuples(st.sampled_from("23"), NUMBERS, NUMBERS).map(lambda t: f"G{t[0]} I{t[1]} J={t[2]}"),
+    st.tuples(st.sampled_from(["TRANS", "ATRANS"]), st.sampled_from("XYZ"), NUMBERS).map(
+        lambda t: f"{t[0]} {t[1]}={t[2]}\nG90 G0 X0 Y0 Z5"),
+    st.sampled_from(["TRANS\nG90 G0 X0 Y0 Z5", "G500 G90 G0 X300 Y0 Z5", "G54 G90 G0 X0 Y0 Z5", "G55 G90 G0 X0 Y0 Z5",
+                     "G71", "MSG(\"x\")", "D0\nG90 G0 Z100\nD1\nG0 Z100", "G153 G90 G0 Z200", "STOPRE",
+                     "M0\nG90 G0 X0 Y0 Z5"]),
+)  # fmt: skip
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.lists(BLOCKS, min_size=1, max_size=8))
+def test_random_programs_are_right_or_refused(blocks: list[str]) -> None:
+    source = HEAD + "\n".join(blocks) + "\nM30\n"
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            written = compensated(Path(folder), source)
+        except InputError as error:
+            for fault in error.faults:
+                assert re.search("radii|apart|radius 0|coincide|travel|AC or IC", fault.problem), fault
+            return
+    if written:
+        assert largest_error(source, written)[1] < ALONG

@@ -1,0 +1,109 @@
+"""The point of the sign check, against a machine of matrices."""
+
+import json
+
+import numpy as np
+import pytest
+
+from tests.compensation.analytic_machine import XyzMachine, paper_sized
+from tests.compensation.control import Bench, execute
+from tests.compensation.five_axes import TEXTS, FiveAxes, constant
+
+ORIGIN = np.zeros((3, 1))
+
+
+def test_it_is_where_a_gauge_moves_most(bench: Bench) -> None:
+    points = np.round(np.random.default_rng(5).uniform(-400, 400, (40, 3)), 3)
+    program = "G21 G90\n" + "".join(f"G0 X{x:.3f} Y{y:.3f} Z{z:.3f}\n" for x, y, z in points)
+    machine = paper_sized()
+    at = execute(bench.run(program, machine))
+    since = machine.deviation(points.T, ORIGIN) - machine.deviation(ORIGIN, ORIGIN)
+    direction, index = np.unravel_index(np.argmax(np.abs(since)), since.shape)
+    check = bench.report.sign_check
+    assert check is not None
+    assert (check.line, check.direction, check.axis) == (int(index) + 2, "XYZ"[direction], "XYZ"[direction])
+    assert check.since_home == pytest.approx(since[direction, index])
+    assert check.deviation == pytest.approx(machine.deviation(points.T, ORIGIN)[direction, index])
+    assert check.command == pytest.approx(at[direction, index])
+    # the command undoes what the gauge shows: in X and Z against it, in Y, which moves the table, with it
+    moved = check.command - check.position[check.axis]
+    assert bench.report.senses.towards == {"X": "X+", "Y": "Y-", "Z": "Z+"}
+    assert check.correction == pytest.approx(-moved if check.axis == "Y" else moved)
+    assert check.correction == pytest.approx(-check.deviation, abs=0.0006)
+    assert check.at_home == pytest.approx(machine.deviation(ORIGIN, ORIGIN)[direction, 0])
+    assert json.loads(bench.report.to_json())["sign_check"]["since_home"] == check.since_home
+
+
+def test_the_words_of_a_table_that_moves(bench: Bench) -> None:
+    text = bench.run("G21 G90\nG0 X0. Y0. Z0.\nY200.\n", XyzMachine({"EYY": lambda y: -6e-5 * y}))
+    # the table goes 12 um too little to Y+, so the tool stands 12 um too far to Y+ of the workpiece; Y+ takes it to Y-
+    assert text.endswith(b"Y200.012\n")
+    shown = str(bench.report)
+    assert "at X0 Y200 Z0 (line 3) the error values displace the tool point by dY = +0.0120 mm" in shown
+    assert "that is zero at home (X0 Y0 Z0) must show +0.0120 mm there.\n" in shown
+    assert "A reading above 0 means that the tool stands too far towards Y+ of the workpiece.\n" in shown
+    assert "commands Y200.012 (+0.0120 mm), and its words together move the tool by -0.0120 mm along Y.\n" in shown
+
+
+@pytest.mark.parametrize("turn", ["C90.", "C-90."])
+def test_what_errs_at_home_too_does_not_contradict_itself(bench: Bench, turn: str) -> None:
+    """Errors that are the same everywhere show in the workpiece frame once the table turns."""
+    machine = constant(TEXTS["table-table"], {"EXX": 0.15, "EYY": 0.1})
+    bench.run(f"G21 G90\nG0 X270. Y20. Z30. A0. C0.\n{turn}\n", machine)
+    check = bench.report.sign_check
+    assert check is not None
+    assert abs(check.since_home) == pytest.approx(0.25, abs=1e-3)
+    assert abs(check.at_home) > 0.09
+    assert check.since_home == pytest.approx(check.deviation - check.at_home)
+    assert check.correction + check.at_home == pytest.approx(-check.since_home, abs=0.001)
+    shown = str(bench.report)
+    assert f"d{check.direction} = {check.deviation:+.4f} mm there and {check.at_home:+.4f} mm at home" in shown
+    assert f"must show {check.since_home:+.4f} mm there, the difference.\n" in shown
+    assert f"at home they would by {-check.at_home:+.4f} mm: the difference is the reading, taken back" in shown
+
+
+@pytest.mark.parametrize("name", ["table-table", "head and table"])
+def test_the_correction_of_five_axes_takes_back_the_reading(bench: Bench, name: str) -> None:
+    machine = FiveAxes(TEXTS[name], seed=11)
+    blocks = [
+        " ".join(f"{axis}{value:.3f}" for axis, value in zip(machine.model.axes, column, strict=True))
+        for column in machine.programmed(12).T
+    ]
+    bench.run("G21 G90\nG0 " + "\n".join(blocks) + "\n", machine.model, orientation="correct")
+    check = bench.report.sign_check
+    assert check is not None
+    assert check.correction + check.at_home == pytest.approx(-check.since_home, abs=0.003)
+
+
+def test_every_report_says_which_way_each_axis_moves_the_tool(bench: Bench) -> None:
+    """A table axis without `sense = -1` may show in no reading: here there is no sign check at all."""
+    bench.run("G21 G90\nG0 X1. Y1. Z1.\n")
+    assert bench.report.sign_check is None
+    assert (
+        "the model takes it that X+ commands move the tool to X+ of the workpiece, "
+        "Y+ commands to Y- (as where the table moves to Y+), Z+ commands to Z+. "
+        "If that is not so on the machine, `sense` in the spec is wrong: do not run the program."
+    ) in str(bench.report)
+    assert json.loads(bench.report.to_json())["senses"]["towards"] == {"X": "X+", "Y": "Y-", "Z": "Z+"}
+
+
+@pytest.mark.parametrize(
+    ("name", "senses"),
+    [
+        ("table-table", {"X": "X+", "Y": "Y-", "Z": "Z+"}),
+        ("all reversed", {"X": "X-", "Y": "Y+", "Z": "Z-"}),
+    ],
+)
+def test_the_senses_follow_the_spec(bench: Bench, name: str, senses: dict[str, str]) -> None:
+    model = constant(TEXTS[name], {})
+    bench.run(f"G21 G90\nG0 {' '.join(f'{axis}10.' for axis in model.axes)}\n", model)
+    assert bench.report.senses.towards == senses
+    rotary = " ".join(f"{axis}0" for axis in model.axes if axis not in "XYZ")
+    assert f"the model takes it that at {rotary} X+ commands move" in str(bench.report)
+
+
+def test_it_is_left_out_where_nothing_is_to_be_seen(bench: Bench) -> None:
+    bench.run("G21 G90\nG0 X1. Y1. Z1.\n")
+    assert bench.report.sign_check is None
+    bench.run("G21 G90\nG0 X1. Y1. Z1.\n", XyzMachine({"EXX": lambda x: 0.01 + 0.0 * x}))
+    assert bench.report.sign_check is None  # the same at home: a gauge set to zero there shows nothing

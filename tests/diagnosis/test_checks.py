@@ -1,0 +1,126 @@
+"""Checks without causes: silent under noise, and each class fires for the structure that it is there for."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from scipy.stats import kstest
+
+from tests.diagnosis.prepared import SIGMA, SMALL, WHITE, Field, field
+from trueaxis.diagnosis.checks import run_checks, structures
+from trueaxis.diagnosis.result import Check, StructureClass
+from trueaxis.diagnosis.rows import Rows
+from trueaxis.reporting.diagnosis.structures import check_name
+
+FloatArray = npt.NDArray[np.float64]
+
+
+def checked(where: Field, values: FloatArray) -> tuple[Check, ...]:
+    """values: (n,), mm."""
+    theta = where.readings.reading.theta
+    residual = where.base.rest(where.whitening(values))
+    return run_checks(where.readings.rows, theta, where.whitening, where.base, residual, where.freedom)
+
+
+def noise(where: Field, seed: int) -> FloatArray:
+    return SIGMA * np.random.default_rng(seed).standard_normal(where.readings.rows.size)
+
+
+def test_p_values_are_uniform_but_for_the_number_of_checks() -> None:
+    where = field(SMALL, WHITE)
+    draws = [checked(where, noise(where, seed)) for seed in range(60)]
+    count = len(list(structures(where.readings.rows, where.readings.reading.theta)))
+    # of p values multiplied by their number those below 1 are known: of each check one in so many, evenly spread
+    of_classes = ("lines of", "circles of")
+    told = np.array([[one.p_value for one in checks if check_name(one).startswith(of_classes)] for checks in draws])
+    assert told.shape[1] > 20
+    below = told[told < 0.999]
+    assert below.size == pytest.approx(told.size / count, abs=4 * np.sqrt(told.size / count))
+    assert kstest(below, "uniform").pvalue > 1e-3
+    assert sum(one.fired for checks in draws for one in checks) <= 3
+
+
+def sense(rows: Rows) -> FloatArray:
+    """(n,): +1 for what turns counter-clockwise."""
+    return np.array([1.0 if run.id.endswith("ccw") else -1.0 for run in rows.runs])[rows.run]
+
+
+def known(values: FloatArray | None) -> FloatArray:
+    assert values is not None
+    return np.nan_to_num(values)
+
+
+PLANTED: dict[str, Callable[[Rows, FloatArray], FloatArray]] = {
+    "lines of X, between directions": lambda rows, _: rows.directions[0] * np.cos(rows.positions[0] / 60.0),
+    "lines of Y, by line": lambda rows, _: np.cos(2.0 * rows.setup) * (rows.positions[1] / 350.0 - 1.0) ** 4,
+    "lines of Z, in the course of a run": lambda rows, _: (rows.seq / 42.0 - 0.5) ** 2,
+    "lines of X, with temperature": lambda rows, _: (known(rows.temperature) - 20.0) * rows.positions[0] / 540.0,
+    "circles of XY, lobes by direction": lambda rows, theta: np.cos(4 * theta) * sense(rows),
+    "lines of Y, ripple between directions": lambda rows, _: rows.directions[1] * np.cos(rows.positions[1] / 9.0),
+    "circles of YZ, ripple by direction": lambda rows, theta: np.sin(23 * theta) * sense(rows),
+    "circles of XY, in the course of a run": lambda rows, _: (rows.seq / 36 - 1) ** 3 - 0.6 * (rows.seq / 36 - 1),
+    "circles of XY, lobes by feed": lambda rows, theta: np.cos(5 * theta) * (known(rows.feed) > 2000.0),
+    "circles of YZ, at reversals": lambda rows, _: rows.directions[1],
+    "circles of XZ, after reversals": lambda rows, _: np.exp(-rows.context.since_reversal[0] / 5) * rows.directions[0],
+}
+
+
+def axes_of(name: str) -> set[str]:
+    return set(name.split(" ")[2].strip(",")) if name.startswith(("lines of", "circles of")) else set()
+
+
+@pytest.mark.parametrize("name", PLANTED)
+def test_each_class_fires_for_its_structure(name: str) -> None:
+    where = field(replace(SMALL, lines=4), WHITE)
+    rows, theta = where.readings.rows, np.nan_to_num(where.readings.reading.theta)
+    wanted = np.zeros(rows.size, dtype=bool)
+    for index in rows.present:
+        mine = rows.of_run(index)
+        spans = np.ptp(rows.positions[:, mine], axis=1)
+        moving = {axis for axis, span in zip(rows.axes, spans, strict=True) if span > 0}
+        of_circle = rows.runs[index].instrument == "ballbar"
+        wanted[mine] = moving == axes_of(name) and of_circle == name.startswith("circles")
+    shape = np.where(wanted, PLANTED[name](rows, theta), 0.0)
+    assert np.ptp(shape) > 0.0
+    checks = checked(where, noise(where, 5) + 10 * SIGMA * shape / np.abs(shape).max())
+    by_name = {check_name(one): one for one in checks}
+    assert by_name[name].fired
+    assert by_name[name].rms > 0.0
+    # nothing that has no axis in common with it does
+    fired = [check_name(one) for one in checks if one.fired]
+    assert not [one for one in fired if axes_of(one) and not axes_of(name) & axes_of(one)]
+
+
+def fired_in(where: Field, values: FloatArray) -> list[StructureClass]:
+    return [one.structure for one in checked(where, values) if one.fired]
+
+
+def test_a_run_that_hums_is_told_and_named() -> None:
+    where = field(SMALL, WHITE)
+    values = noise(where, 9)
+    mine = where.readings.rows.of_run(2)
+    values[mine] += 1.8 * SIGMA * np.sin(0.9 * np.arange(mine.stop - mine.start))
+    (found,) = [one for one in checked(where, values) if one.structure is StructureClass.ONE_PERIOD]
+    assert found.fired
+    assert found.place == where.readings.rows.runs[2].id
+    # a drift of the same size is the noise of a run
+    values = noise(where, 9)
+    values[mine] += 1.8 * SIGMA * np.linspace(-1.0, 1.0, mine.stop - mine.start)
+    assert StructureClass.ONE_PERIOD not in fired_in(where, values)
+
+
+def test_what_no_class_has_is_more_than_repeats_differ_by() -> None:
+    """The same at every repeat, without any order in it: nothing but the comparison with repeats can tell."""
+    where = field(SMALL, WHITE)
+    rows = where.readings.rows
+    at_target = np.random.default_rng(4).standard_normal(int(rows.target.max()) + 1)[rows.target]
+    assert StructureClass.LACK_OF_FIT in fired_in(where, noise(where, 7) + 0.9 * SIGMA * at_target)
+    assert StructureClass.LACK_OF_FIT not in fired_in(where, noise(where, 7))
+
+
+def test_what_the_base_can_take_up_fires_nothing() -> None:
+    where = field(SMALL, WHITE)
+    smooth = where.columns @ (1e-3 * np.random.default_rng(2).standard_normal(where.columns.shape[1]))
+    assert not fired_in(where, noise(where, 6) + smooth)

@@ -1,0 +1,163 @@
+"""Values found anew change where the readings say so, and nowhere else."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.diagnosis.prepared import SMALL, prepared
+from tests.generator.dmu60p import PARAMETERS, coefficients, cubic_errors, dmu60p
+from tests.generator.machine import Generator, polynomial
+from tests.hidden_effects.case import Case
+from tests.identification.data import TRAVEL, line, moving, observed, paper_runs
+from tests.machines import DMU60P, ROOT
+from tests.reporting.diagnosis.builders import cause, diagnosis
+from trueaxis.diagnosis.extend import changed, kept_readings, named_effects, reidentified, start_values
+from trueaxis.diagnosis.result import Evidence, FloatArray, Verdict
+from trueaxis.diagnosis.temperature import smoothed
+from trueaxis.effects.kind import Effect
+from trueaxis.model.curves import PolynomialCurve, TableCurve
+from trueaxis.model.errors import ErrorValues, Undetermined
+from trueaxis.model.model import load_model
+
+
+class TestNamed:
+    RIVAL = Evidence(Effect("servo_lag", "EXX"), 5.0, 1e-6, 1.0, 100)
+
+    def test_causes_that_were_named_extend_the_machine(self) -> None:
+        causes = (cause(Effect("backlash", "EXX")), cause(Effect("drift", "EYY"), rivals=(self.RIVAL,)))
+        found = replace(diagnosis("ambiguous"), causes=causes)
+        assert named_effects(found) == (Effect("backlash", "EXX"),)
+        assert named_effects(replace(found, verdict="explained", causes=causes[:1])) == (Effect("backlash", "EXX"),)
+
+    @pytest.mark.parametrize("verdict", ["no_discrepancy", "recalibrate", "unexplained_structure"])
+    def test_nothing_does_where_nothing_was_named(self, verdict: Verdict) -> None:
+        found = replace(diagnosis("explained"), verdict=verdict, causes=(cause(Effect("backlash", "EXX")),))
+        assert named_effects(found) == ()
+
+    def test_the_fit_starts_at_what_the_diagnosis_found(self) -> None:
+        found = replace(diagnosis("explained"), causes=(cause(Effect("backlash", "EXX")),))
+        (one,) = start_values(found)
+        assert one.effect == Effect("backlash", "EXX")
+        assert one.parameters == {each.name: each.value for each in found.causes[0].parameters}
+        assert one.parameters.keys() == {"width"}
+
+
+def test_readings_are_those_that_were_taken_without_flicker() -> None:
+    given = prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
+    rows = given.rows.only(given.rows.run != 0)
+    found = diagnosis("explained")
+    observed = kept_readings(given.data, replace(found, residuals=replace(found.residuals, row=rows.row)), "here")
+    assert observed.context is not None
+    order = np.argsort(rows.row)
+    np.testing.assert_array_equal(observed.reading, rows.reading[order])
+    temperature = smoothed(given.data).readings.temperature
+    assert temperature is not None
+    np.testing.assert_array_equal(observed.context.temperature, temperature[np.sort(rows.row)])
+
+
+class TestChanged:
+    GIVEN = ErrorValues(
+        "m",
+        parameters={"q": 5.0, "kept": 1e-5, "moved": 2e-5},
+        motion_errors={
+            "EXX": PolynomialCurve((0, 2), (1.0, 3.0), (0.5, 0.5)),
+            "EYX": TableCurve((0.0, 10.0), (0.0, 2.0), (0.1, 0.1)),
+            "EZX": PolynomialCurve((1,), (7.0,)),
+        },
+        u={"kept": 1e-7, "moved": 1e-7},
+    )
+    CHANGE = ErrorValues(
+        "m",
+        parameters={"q": 5.0, "moved": 1e-6},
+        motion_errors={
+            "EXX": PolynomialCurve((1, 2), (10.0, 0.25), (0.01, 0.02)),
+            "EYX": PolynomialCurve((1,), (0.5,), (0.01,)),
+            "EAX": PolynomialCurve((1,), (9.0,), (0.03,)),
+        },
+        u={"moved": 3e-8},
+        undetermined=(Undetermined("EAX and moved: 1 combination; the solution of least norm", ("moved", "EAX")),),
+    )
+
+    def test_curves_and_location_errors_are_sums(self) -> None:
+        found = changed(self.GIVEN, self.CHANGE, ["kept", "moved"])
+        assert found.parameters == {"q": 5.0, "kept": 1e-5, "moved": pytest.approx(2.1e-5, abs=1e-20)}
+        assert found.u == {"moved": 3e-8}
+        exx = found.motion_errors["EXX"]
+        assert isinstance(exx, PolynomialCurve)
+        assert (exx.powers, exx.coefficients) == ((0, 1, 2), (1.0, 10.0, 3.25))
+        assert exx.u is not None
+        np.testing.assert_array_equal(exx.u, [np.nan, 0.01, 0.02])
+        assert found.motion_errors["EYX"] == TableCurve((0.0, 10.0), (0.0, 7.0))
+        assert found.motion_errors["EZX"] is self.GIVEN.motion_errors["EZX"]
+        assert found.motion_errors["EAX"] is self.CHANGE.motion_errors["EAX"]
+
+    def test_what_is_open_is_not_said_to_be_of_least_norm(self) -> None:
+        (left,) = changed(self.GIVEN, self.CHANGE, ["kept", "moved"]).undetermined
+        assert left.parameters == ("moved", "EAX")
+        assert left.combination.startswith("moved and EAX: not settled by the readings, as near to what was given")
+
+
+GIVEN = ErrorValues(
+    "dmu60p",
+    PARAMETERS,
+    {name: PolynomialCurve((1, 2, 3), tuple(one.values())) for name, one in coefficients().items()},
+)
+SHIFT = {"p1": 3e-6, "p3": -8e-12}  # by which EXX has changed: 1.3 um at most
+
+
+def worn() -> Generator:
+    """The machine of GIVEN with another EXX."""
+    exx = {power: value + SHIFT.get(power, 0.0) for power, value in coefficients()["EXX"].items()}
+    return dmu60p({**cubic_errors(), "EXX": polynomial(**exx)})
+
+
+def change_of(found: ErrorValues, name: str) -> FloatArray:
+    """Of a component, over its travel, um; of a rotation what it moves at 1 m."""
+    x = np.linspace(0.0, TRAVEL[name[2]], 40)
+    change = found.motion_errors[name](x) - GIVEN.motion_errors[name](x)
+    return np.asarray(change * (1e3 if name[1] in "XYZ" else 1e6))
+
+
+class TestReidentified:
+    MODEL = load_model(DMU60P, None, ROOT / "generated")
+    RUNS = paper_runs()
+    X = np.linspace(0.0, TRAVEL["X"], 40)
+    WANTED = 1e3 * (SHIFT["p1"] * X + SHIFT["p3"] * X**3)
+
+    def test_only_what_the_readings_hold_changes(self) -> None:
+        # lines of X that sense X at three levers: EXX, EBX and ECX, nothing else
+        runs = [run for run in self.RUNS if moving(run) == "X"]
+        found, _, _ = reidentified(self.MODEL, GIVEN, observed(worn(), runs, [line("X", 15) for _ in runs]))
+        for name in GIVEN.motion_errors:
+            wanted = self.WANTED if name == "EXX" else np.zeros(40)
+            np.testing.assert_allclose(change_of(found, name), wanted, rtol=0.0, atol=0.02)
+        assert found.parameters == pytest.approx(PARAMETERS, abs=1e-9)
+        (left,) = [one for one in found.undetermined if "EZY" in one.parameters]
+        assert "not settled by the readings" in left.combination
+
+    def test_values_that_are_right_stay(self) -> None:
+        data = observed(dmu60p(cubic_errors()), self.RUNS, [line(moving(run), 9) for run in self.RUNS])
+        found, _, _ = reidentified(self.MODEL, GIVEN, data)
+        for name in GIVEN.motion_errors:
+            np.testing.assert_allclose(change_of(found, name), 0.0, atol=1e-4)
+        assert found.parameters == pytest.approx(PARAMETERS, abs=1e-9)
+
+    @pytest.mark.parametrize("seed", [1, 2, 3])
+    def test_zeros_of_instruments_and_noise_are_no_errors_of_the_machine(self, seed: int) -> None:
+        """Every run has a zero of its own, 3 um, twice the change: what stays right stays, what changed is found."""
+        draw = np.random.default_rng(seed)
+        data = observed(worn(), self.RUNS, [line(moving(run), 25) for run in self.RUNS])
+        zeros = draw.normal(0.0, 3e-3, len(self.RUNS))[data.run]
+        reading = data.reading + zeros + draw.normal(0.0, 2e-4, data.reading.size)
+        found, table, fit = reidentified(self.MODEL, GIVEN, replace(data, reading=reading))
+        assert fit is not None
+        assert fit.state == "converged"
+        (exx,) = [one for one in table if one.name == "EXX"]
+        assert exx.determined in ("data", "partly")
+        assert exx.change == pytest.approx(1e-3 * self.WANTED[-1], abs=3.0 * exx.u)
+        assert abs(exx.given) == pytest.approx(np.abs(GIVEN.motion_errors["EXX"](self.X)).max(), rel=0.02)
+        left = change_of(found, "EXX") - self.WANTED
+        assert np.sqrt(np.mean(left**2)) < 0.5 * np.sqrt(np.mean(self.WANTED**2))
+        for name in ("EYY", "EZZ", "EYX", "EXZ"):
+            assert np.abs(change_of(found, name)).max() < 1.0

@@ -1,0 +1,174 @@
+"""What a cause may do besides its own form, against forms written out."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.diagnosis.prepared import field
+from trueaxis.diagnosis.imperfection import imperfection, imperfections
+from trueaxis.diagnosis.refit import Fitted
+from trueaxis.diagnosis.signatures import Readings, parameter_signature
+from trueaxis.effects.kind import Effect
+
+FloatArray = npt.NDArray[np.float64]
+
+
+def readings() -> Readings:
+    return field().readings
+
+
+def fitted(effect: Effect, values: Sequence[float]) -> Fitted:
+    kind = readings().model.machine.kinds[effect.kind]
+    at = np.array(values)
+    return Fitted(effect, kind, at, np.ones_like(at), parameter_signature(readings(), effect, at)[0])
+
+
+def holds(columns: FloatArray, wanted: FloatArray, tolerance: float = 1e-9) -> bool:
+    """Whether one of the columns is what is wanted, but for a share of its size."""
+    off = np.abs(columns - wanted[:, np.newaxis]).max(axis=0)
+    return bool(off.min() < tolerance * np.abs(wanted).max())
+
+
+def besides(cause: Fitted) -> FloatArray:
+    """(n, k), mm."""
+    return np.stack(list(imperfections(readings(), cause)), axis=1)
+
+
+def lever(component: str) -> FloatArray:
+    return np.asarray(readings().sensitivity[readings().model.components.index(component)])
+
+
+def legendre(scale: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """P1 and P2 on the range of the scale, written out."""
+    u = (2.0 * scale - scale.max() - scale.min()) / (scale.max() - scale.min())
+    return u, 1.5 * u**2 - 0.5
+
+
+class TestBacklash:
+    def cause(self) -> Fitted:
+        return fitted(Effect("backlash", "EXX"), [6e-3])
+
+    def signal(self) -> FloatArray:
+        return np.asarray(lever("EXX") * 3e-3 * readings().rows.directions[0])
+
+    def test_it_may_differ_by_a_tenth_along_the_travel_and_in_time(self) -> None:
+        rows = readings().rows
+        assert rows.time is not None
+        columns = besides(self.cause())
+        for scale in (rows.positions[0], rows.time):
+            for shape in legendre(scale):
+                assert holds(columns, 0.1 * self.signal() * shape)
+
+    def test_it_may_differ_by_a_tenth_from_instrument_to_instrument(self) -> None:
+        rows = readings().rows
+        columns = besides(self.cause())
+        for instrument in ("laser", "ballbar"):
+            mine = np.array([rows.runs[index].instrument == instrument for index in rows.run])
+            assert holds(columns, 0.1 * self.signal() * mine)
+
+    @pytest.mark.parametrize("way", [0.3, 1.0])
+    def test_it_may_be_taken_up_on_a_way(self, way: float) -> None:
+        since = readings().context.since_reversal[0]
+        wanted = self.signal() * np.exp(-since / way)
+        assert np.abs(wanted).max() > 1e-4  # some reading is near a reversal
+        assert holds(besides(self.cause()), wanted)
+
+    def test_there_is_nothing_else(self) -> None:
+        """2 along X, 2 in time, 2 instruments, 2 flanks."""
+        assert besides(self.cause()).shape == (readings().rows.size, 8)
+
+
+class TestThermalOffset:
+    def cause(self) -> Fitted:
+        return fitted(Effect("thermal_offset", "EYX"), [2e-3])
+
+    @pytest.mark.parametrize("constant", [250.0, 1000.0, 4000.0])
+    def test_it_may_follow_the_temperature_late(self, constant: float) -> None:
+        """The lag as a differential equation, constant y' = T - y, integrated by SciPy."""
+        rows = readings().rows
+        assert rows.time is not None
+        assert rows.temperature is not None
+        order = np.argsort(rows.time)
+        time, air = rows.time[order], rows.temperature[order]
+        found = solve_ivp(
+            lambda t, y: (np.interp(t, time, air) - y) / constant,
+            (time[0], time[-1]),
+            [air[0]],
+            t_eval=np.unique(time),
+            max_step=20.0,
+            rtol=1e-6,
+        )
+        late = np.interp(rows.time, found.t, found.y[0])
+        wanted = lever("EYX") * 2e-3 * (late - rows.temperature) / np.sqrt(3.0)  # one of three
+        assert holds(besides(self.cause()), wanted, 0.05)
+
+
+class TestCyclic:
+    AMPLITUDE, PHASE, PITCH = 1e-3, 0.7, 10.0
+
+    def cause(self) -> Fitted:
+        values = {"amplitude": self.AMPLITUDE, "phase": self.PHASE, "pitch": self.PITCH}
+        kind = readings().model.machine.kinds["cyclic"]
+        return fitted(Effect("cyclic", "EXX"), [values[one.name] for one in kind.parameters])
+
+    def test_it_may_have_a_second_harmonic_of_any_phase(self) -> None:
+        turn = 4.0 * np.pi * readings().rows.positions[0] / self.PITCH
+        second = 0.2 * self.AMPLITUDE * lever("EXX")[:, np.newaxis] * np.stack([np.cos(turn), -np.sin(turn)], axis=1)
+        columns = besides(self.cause())
+        found = [k for k in range(columns.shape[1]) if left(second, columns[:, k]) < 1e-9]
+        assert len(found) == 2
+        assert columns[:, found].T @ columns[:, found] == pytest.approx(second.T @ second, rel=1e-6, abs=1e-9)
+
+
+def left(basis: FloatArray, column: FloatArray) -> float:
+    """Share of a column that a basis does not hold."""
+    fit = np.linalg.lstsq(basis, column, rcond=None)[0]
+    return float(np.linalg.norm(column - basis @ fit) / np.linalg.norm(column))
+
+
+def test_a_time_constant_may_be_another() -> None:
+    kind = readings().model.machine.kinds["warm_up"]
+    (size,) = (one.name for one in kind.parameters if one.role == "linear")
+    values = {size: 5e-3, **{one.name: 900.0 for one in kind.parameters if one.role == "grid"}}
+    effect = Effect("warm_up", "EYY")
+    cause = fitted(effect, [values[one.name] for one in kind.parameters])
+    columns = besides(cause)
+    for factor in (1.6, 1.0 / 1.6):
+        other = {name: value * (factor if name != size else 1.0) for name, value in values.items()}
+        wanted = fitted(effect, [other[one.name] for one in kind.parameters]).signal - cause.signal
+        assert holds(columns, 0.3 * wanted)
+
+
+def test_what_is_driven_by_the_clock_alone_does_not_vary_along_the_travel() -> None:
+    """It would be of another kind: thermal expansion, warm-up. In time it may, and from instrument to instrument."""
+    assert besides(fitted(Effect("drift", "EXX"), [1e-6])).shape[1] == 2 + 2
+
+
+def test_of_no_cause_there_is_nothing_and_of_two_all_of_both() -> None:
+    one, other = fitted(Effect("backlash", "EXX"), [6e-3]), fitted(Effect("thermal_offset", "EYX"), [2e-3])
+    assert imperfection(readings(), [], seen).columns.shape == (readings().rows.size, 0)
+    each = [imperfection(readings(), [cause], seen) for cause in (one, other)]
+    both = imperfection(readings(), [one, other], seen)
+    np.testing.assert_array_equal(both.columns, np.hstack([found.columns for found in each]))
+    np.testing.assert_array_equal(both.beside, np.hstack([found.beside for found in each]))
+
+
+def seen(columns: FloatArray) -> FloatArray:
+    """What the base leaves, whitened."""
+    return field().base.rest(field().whitening(columns))
+
+
+@pytest.mark.parametrize("name", ["backlash", "drift", "cyclic"])
+def test_nothing_that_a_change_of_size_would_do_is_chance(name: str) -> None:
+    """As the readings see it: chance of that form would make every cause small beside it, the larger the smaller."""
+    values = {"backlash": [6e-3], "drift": [1e-6], "cyclic": [1e-3, 0.7, 10.0]}
+    cause = fitted(Effect(name, "EXX"), values[name])
+    found = imperfection(readings(), [cause], seen)
+    signal = seen(cause.signal[:, np.newaxis])[:, 0]
+    assert np.abs(signal @ found.columns).max() > 1e-3 * (signal @ signal)
+    assert np.abs(signal @ found.beside).max() < 1e-9 * (signal @ signal)
+    lost = found.columns - found.beside
+    assert np.linalg.matrix_rank(lost, tol=1e-6 * np.linalg.norm(lost)) == (2 if name == "cyclic" else 1)

@@ -1,0 +1,124 @@
+"""A set-up whose zero or slope is many times that of the others is a cause of the instrument; usual ones are none."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from tests.diagnosis.prepared import SIGMA, FloatArray, Prepared, prepared
+from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
+from trueaxis.diagnosis.extend import named_effects, start_values
+from trueaxis.diagnosis.instruments import Off, _chance, _Unknown, instruments_off
+from trueaxis.diagnosis.null import null_of
+from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.signatures import parameter_signature, readings_of
+from trueaxis.effects.kind import Effect
+from trueaxis.estimation.instruments import SET_UP_FACTOR, STATED_FACTOR
+
+USUAL = 2e-3  # mm, of the zeros of runs
+
+
+@cache
+def given() -> Prepared:
+    return prepared(
+        Case(seed=1, design=Design(lines=3, repeats=2, targets=15, samples=36), noise="none", given="exact")
+    )
+
+
+def readings(seed: int) -> FloatArray:
+    """(n,) mm: noise, and a zero and a creep of every run as usual."""
+    source, rows = np.random.default_rng(seed), given().rows
+    zero, creep = source.normal(0.0, USUAL, (2, len(rows.runs)))
+    passed = np.concatenate([np.linspace(0.0, 1.0, int((rows.run == k).sum())) for k in rows.present])
+    return np.asarray(SIGMA * source.standard_normal(rows.size) + zero[rows.run] + 0.5 * creep[rows.run] * passed)
+
+
+def found(values: FloatArray) -> tuple[Off, ...]:
+    null = null_of(given().model, given().rows, values, 1e3 * SIGMA)
+    return instruments_off(null, np.zeros(null.rows.size))
+
+
+def places(*runs: str) -> np.ndarray:
+    rows = given().rows
+    return np.isin(rows.run, [k for k, run in enumerate(rows.runs) if run.id in runs])
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_usual_zeros_are_no_cause(seed: int) -> None:
+    assert found(readings(seed)) == ()
+
+
+@pytest.mark.parametrize("size", [0.08, -0.08])
+def test_a_run_that_was_zeroed_elsewhere_is_named_with_its_size(size: float) -> None:
+    values = readings(7)
+    values[places("Y2-1")] += size
+    (one,) = found(values)
+    assert one.effect == Effect("reading_zero", runs=("Y2-1",))
+    assert one.values[0] == pytest.approx(size, abs=4.0 * USUAL)
+    assert one.p_value < 1e-4
+    assert np.abs(one.signal).max() == pytest.approx(abs(one.values[0]))
+    assert not one.signal[~places("Y2-1")].any()
+
+
+def test_runs_of_one_set_up_that_agree_are_one_cause() -> None:
+    values = readings(8)
+    values[places("X1-1", "X1-2")] += 0.2
+    (one,) = found(values)
+    assert one.effect == Effect("reading_zero", runs=("X1-1", "X1-2"))
+
+
+def test_the_diagnosis_names_the_instrument_and_extends_no_machine() -> None:
+
+    case = prepared.__wrapped__(Case(seed=3, design=Design(lines=3, repeats=2, targets=15, samples=36), given="exact"))
+    data = case.data
+    shifted = data.readings.reading + 0.15 * (data.readings.run == data.readings.run_ids.index("Z1-2"))
+    said = diagnose(case.model, replace(data, readings=replace(data.readings, reading=shifted)))
+    assert said.verdict == "explained"
+    assert [one.effect for one in said.causes] == [Effect("reading_zero", runs=("Z1-2",))]
+    assert said.causes[0].parameters[0].value == pytest.approx(0.15, abs=0.02)
+    assert named_effects(said) == ()
+    assert start_values(said) == ()
+
+
+@cache
+def straight() -> Prepared:
+    plan = Design(lines=1, repeats=1, targets=15, straightness=True, samples=60)
+    return prepared(Case(seed=1, design=plan, noise="none", given="exact"))
+
+
+def test_a_straightness_line_is_measured_by_the_others_of_its_class() -> None:
+    """Such lines may be some tenths of a millimetre off, but these are not."""
+    rows, source = straight().rows, np.random.default_rng(4)
+    names = [run.id for run in rows.runs]
+    values = SIGMA * source.standard_normal(rows.size) + source.normal(0.0, USUAL, len(names))[rows.run]
+    assert off_in(values) == []
+    odd = "SYX"
+    values[rows.run == names.index(odd)] += 0.2
+    assert [one.effect for one in off_in(values)] == [Effect("reading_zero", runs=(odd,))]
+
+
+def test_a_ball_in_another_place_is_named_with_that() -> None:
+    rows, source = straight().rows, np.random.default_rng(5)
+    plane = tuple(run.id for run in rows.runs if run.instrument == "ballbar" and run.id.startswith("XY"))
+    effect = Effect("ballbar_centre", runs=plane)
+    signal, _ = parameter_signature(readings_of(straight().model, rows), effect, np.array([6.0, -0.4, 0.0]))
+    (one,) = off_in(SIGMA * source.standard_normal(rows.size) + signal)
+    assert one.effect == effect
+    assert one.values[:2] == pytest.approx([6.0, -0.4], abs=0.1)
+
+
+def test_one_that_stands_alone_may_have_any_size_unless_its_device_says() -> None:
+    bar = "ballbar length"
+    alone = _Unknown(bar, 0, (0,), 20e-3, SET_UP_FACTOR, 60e-3, 1e-3, np.zeros(1), 3600.0)
+    assert _chance(alone, ()) > 0.1
+    assert _chance(replace(alone, size=1e-3, factor=STATED_FACTOR), ()) < 1e-4
+    others = [replace(alone, of=k, value=value) for k, value in enumerate((1e-3, -1e-3, 5e-4, 0.0, -5e-4, 1e-3))]
+    assert _chance(alone, others) < 1e-4
+
+
+def off_in(values: FloatArray) -> list[Off]:
+    case = straight()
+    null = null_of(case.model, case.rows, values, 1e3 * SIGMA)
+    return list(instruments_off(null, np.zeros(null.rows.size)))

@@ -1,0 +1,224 @@
+"""What a further run would add is what it adds; the run that is proposed separates."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.diagnosis.prepared import SIGMA, Field, field, field_of, prepared
+from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
+from tests.hidden_effects.hidden import Hidden
+from trueaxis.diagnosis.audit import Audit, audit
+from trueaxis.diagnosis.base import base_of
+from trueaxis.diagnosis.grids import grid_of
+from trueaxis.diagnosis.next_runs import Ahead, next_runs, separating_run
+from trueaxis.diagnosis.procedure import diagnose
+from trueaxis.diagnosis.prospect import TIMES, Outlook, Placed, Prospect, inverse_roots, outlooks_of, prospect_of
+from trueaxis.diagnosis.result import Check, Diagnosis, NoiseOf, StructureClass
+from trueaxis.diagnosis.separation import separation, told
+from trueaxis.diagnosis.signatures import signature_of
+from trueaxis.effects.kind import Effect
+from trueaxis.measurement.context import context_of
+
+PAIR = Effect("backlash", "EYX"), Effect("backlash", "EAX")
+SCALES = Effect("laser_scale"), Effect("ballbar_length")
+DRIFTS = Effect("drift", "EXX"), Effect("thermal_offset", "EXX")
+WHOLE = Design(repeats=1, targets=21, samples=120)
+
+
+def ahead_in(one: Field) -> Prospect:
+    return prospect_of(one.ground(np.zeros(one.readings.rows.size)))
+
+
+def outlook(prospect: Prospect, effect: Effect) -> Outlook:
+    readings = prospect.ground.readings
+    points = grid_of(readings.model.machine.kinds[effect.kind], effect, readings.rows)
+    return outlooks_of(prospect, [Placed(effect, points[len(points) // 2])])[0]
+
+
+@pytest.mark.parametrize(
+    "words", ["step gauge of 529 mm along X", "a laser line of Y at", "with a bar of 75", "diagonal"]
+)
+@pytest.mark.parametrize("pair", [PAIR, DRIFTS], ids=["plays", "drifts"])
+def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tuple[Effect, Effect]) -> None:
+    """Base and signatures of all rows at once, weighted by the noise: a least-squares fit, without any update."""
+    one = field(WHOLE)
+    prospect = ahead_in(one)
+    number = next(place for place, run in enumerate(prospect.further) if words in run.what)
+    rows, size = prospect.readings.rows, one.readings.rows.size
+    part = prospect.innovations[number]
+    keep = np.r_[0:size, part.rows]
+    every = replace(one, readings=prospect.readings, null=base_of(one.readings.model, rows))
+    base = np.hstack([every.columns, every.without_own()])
+    sigma = prospect.whitening.sigma[keep, np.newaxis]
+    assert prospect.whitening.sigma[:size] == pytest.approx(SIGMA)
+    columns = np.column_stack([signature_of(prospect.readings, effect).over_all()[:, 0] for effect in pair])
+    white, signatures = base[keep] / sigma, columns[keep] / sigma
+    white = white[:, white.any(axis=0)]
+    white = white / np.linalg.norm(white, axis=0)
+    rest = signatures - white @ np.linalg.lstsq(white, signatures, rcond=1e-10)[0]
+    gram = rest.T @ rest
+    mine, rival = (outlook(prospect, effect) for effect in pair)
+    found = told(mine, rival, number, TIMES.index(1))
+    assert found.detection == pytest.approx(gram[0, 0], rel=1e-4)
+    assert found.r2 == pytest.approx(gram[0, 1] ** 2 / (gram[0, 0] * gram[1, 1]), abs=1e-4)
+
+
+def test_what_is_said_of_now_is_what_the_audit_says() -> None:
+    one = field(WHOLE)
+    prospect = ahead_in(one)
+    limits = {limit.effect: limit for limit in audit(prospect.ground).limits}
+    for effect in (*PAIR, Effect("backlash", "EYX"), Effect("laser_cosine", runs=("X1",))):
+        limit = limits[effect]
+        if limit.nearest is not None:
+            (nearest,) = outlooks_of(prospect, [Placed(limit.nearest, limit.nearest_at)])
+            found = told(outlook(prospect, effect), nearest)
+            assert found.r2 == pytest.approx(limit.r2, abs=1e-6)
+
+
+def test_no_ball_bar_tells_its_length_and_a_gauge_tells_the_scale_of_a_laser() -> None:
+    """Every run of a ball bar has a zero of its own, every laser a scale that recalibration would take over."""
+    prospect = ahead_in(field(WHOLE))
+    scale, length = (outlook(prospect, effect) for effect in SCALES)
+    assert np.sum(scale.left**2) < 1e-9 * scale.whole
+    gauges = 0
+    for number, one in enumerate(prospect.further):
+        assert told(length, scale, number, TIMES.index(1)).detection == 0.0, one.what
+        visible = told(scale, length, number, TIMES.index(1)).detection > 1e-9 * scale.whole
+        assert visible == ("step gauge" in one.what), one.what
+        gauges += visible
+    assert gauges == 3
+
+
+def test_play_along_and_play_in_rotation_need_a_straightness_and_then_are_told_apart() -> None:
+    prospect = ahead_in(field(WHOLE))
+    mine, rival = (outlook(prospect, effect) for effect in PAIR)
+    best = separation(prospect, mine, [rival])
+    assert told(mine, rival).r2 > 0.95
+    assert best is not None
+    assert "straightness of X in Y" in best.further.what
+    assert told(mine, rival, prospect.further.index(best.further), TIMES.index(1)).r2 < 0.9
+
+
+def test_a_linear_temperature_needs_a_swing() -> None:
+    swinging, linear = (ahead_in(field_with_temperature(waves)) for waves in (3.0, 0.0))
+    mine, rival = (outlook(linear, effect) for effect in DRIFTS)
+    assert told(mine, rival).r2 > 0.999
+    best = separation(linear, mine, [rival])
+    assert best is not None
+    assert "temperature rises and falls" in best.further.what
+    mine, rival = (outlook(swinging, effect) for effect in DRIFTS)
+    assert told(mine, rival).r2 < 0.95
+
+
+def field_with_temperature(waves: float) -> Field:
+    """A ramp of 3 K over all readings and so many waves beside it, read without an error."""
+    given = prepared(Case(seed=1, design=WHOLE, noise="none", given="exact"))
+    rows = given.rows
+    assert rows.time is not None
+    share = (rows.time - rows.time.min()) / np.ptp(rows.time)
+    rows = replace(rows, temperature=20.0 + 3.0 * share + waves * np.sin(20.0 * np.pi * share))
+    rows = replace(rows, context=context_of(rows.runs, rows))
+    return field_of(given.model, rows)
+
+
+def test_no_run_tells_apart_what_is_one_displacement_of_tool_against_workpiece() -> None:
+    """A drift of all X positions: of which axis, no reading between tool and workpiece says."""
+    prospect = ahead_in(field(WHOLE))
+    mine, rival = (outlook(prospect, Effect("drift", name)) for name in ("EXX", "EXY"))
+    assert separation(prospect, mine, [rival]) is None
+    kinds = prospect.ground.readings.model.machine.kinds
+    said = separating_run(kinds, Ahead(Effect("drift", "EXX"), (Effect("drift", "EXY"),), 1e-8, None))
+    assert said is not None
+    assert (said.run, said.told, said.left) == ("", None, (Effect("drift", "EXY"),))
+    assert said.broken_by == kinds["drift"].broken_by
+
+
+def test_a_cause_too_small_for_one_run_is_told_how_many() -> None:
+    prospect = ahead_in(field(WHOLE))
+    mine, rival = (outlook(prospect, effect) for effect in PAIR)
+    best, kinds = separation(prospect, mine, [rival]), prospect.ground.readings.model.machine.kinds
+    large, small = (separating_run(kinds, Ahead(PAIR[0], PAIR[1:], size, best)) for size in (1e-2, 1e-7))
+    assert large is not None
+    assert small is not None
+    assert "straightness of X in Y" in large.run
+    assert (large.apart, large.left, large.needed) == (PAIR[1:], (), large.times)
+    assert large.told is not None
+    assert large.told.effect == PAIR[0]
+    assert 1e-4 < large.told.with_run < 1e-3
+    assert large.told.without > 1e-2
+    assert small.needed > 1000 * small.times
+
+
+def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() -> None:
+    prospect = ahead_in(field(WHOLE))
+    nothing = Audit((), (), np.zeros((0, 0)))
+    checks = (
+        Check(StructureClass.LINE_LOCAL, "Y", 1e-9, fired=True, rms=1e-3),
+        Check(StructureClass.CIRCLE_FEED, "XY", 1e-5, fired=True, rms=1e-3),
+        Check(StructureClass.LINE_BY_LINE, "X", 0.5, fired=False, rms=0.0),
+    )
+    noise = (NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 10.0, "courses"),)
+    found = next_runs(prospect, nothing, (), checks, noise)
+    assert [one.check for one in found] == [*checks[:2], None]
+    assert found[2].instrument == "laser"
+    courses = (
+        Check(StructureClass.LINE_TEMPERATURE, "Z", 1e-9, fired=True, rms=1e-3),
+        Check(StructureClass.CIRCLE_COURSE, "XY", 1e-8, fired=True, rms=1e-3),
+        Check(StructureClass.LACK_OF_FIT, "laser", 1e-7, fired=True, rms=1e-3),  # nothing in particular to measure
+    )
+    assert [one.check for one in next_runs(prospect, nothing, (), courses, ())] == [*courses]
+    repeated = (
+        NoiseOf("laser", SIGMA, 0.0, 0.0, 0.0, 100.0, "repeats"),
+        NoiseOf("probe", SIGMA, 0, 0, 0, 1e6, "given"),
+    )
+    assert next_runs(prospect, nothing, (), (), repeated) == ()
+    named = Ahead(Effect("backlash", "EXX"), (), 1e-3, None)
+    assert next_runs(prospect, nothing, (named,), checks, ()) == ()
+
+
+def names(found: Diagnosis) -> set[Effect]:
+    return {one for cause in found.causes for one in (cause.effect, *(rival.effect for rival in cause.rivals))}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("kind", "size", "run", "measured"),
+    [
+        ("backlash", -4e-3, "straightness of X in Y", Design(straightness=True)),
+        ("backlash_slope", -5e-3, "a laser diagonal", Design(diagonals=True)),
+    ],
+)
+def test_the_run_that_is_proposed_leaves_one_name(kind: str, size: float, run: str, measured: Design) -> None:
+    """Play of X across, told from play in rotation. (A laser that is off in scale or alignment is what recalibration
+    or its maker accounts for: without a gauge it has no rival.)
+    """
+    effect = Hidden(kind, "EYX", size=size)
+    before = _diagnosed(Case(4, effects=(effect,)))
+    assert before.verdict == "ambiguous"
+    assert names(before) == {Effect(kind, "EYX"), Effect(kind, "EAX")}
+    separating = before.causes[0].separating
+    assert separating is not None
+    assert run in separating.run
+    assert run in before.next_runs[0].run
+    after = _diagnosed(Case(4, design=measured, effects=(effect,)))
+    assert after.verdict == "explained"
+    assert names(after) == {Effect(kind, "EYX")}
+
+
+def _diagnosed(case: Case) -> Diagnosis:
+    given = prepared.__wrapped__(case)
+    return diagnose(given.model, given.data)
+
+
+@pytest.mark.parametrize("far", [1.0, 1e4, 1e8])
+def test_runs_far_from_the_readings_at_hand_are_whitened(far: float) -> None:
+    """What is known badly is weighted down as far as that, what is known keeps its weight: no rounding in between."""
+    draw = np.random.default_rng(3)
+    turn = np.linalg.qr(draw.standard_normal((12, 12)))[0]
+    known = turn[:, :4] * np.array([0.0, 1.0, far, far])
+    for times, root in zip(TIMES, inverse_roots(known), strict=True):
+        expected = (turn / (1.0 + times * np.r_[0.0, 1.0, far, far, np.zeros(8)] ** 2)) @ turn.T
+        whole = root(np.eye(len(expected)))
+        np.testing.assert_allclose(whole.T @ whole, expected, atol=1e-7)

@@ -1,0 +1,190 @@
+"""Noise from repeats in any order, by Monte Carlo: noise of known kinds is drawn by other means and found again."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from statsmodels.regression.mixed_linear_model import MixedLM
+from statsmodels.tsa.arima_process import arma_generate_sample
+
+from tests.diagnosis.prepared import SIGMA, FloatArray, dense_covariance, prepared, run_noise
+from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
+from trueaxis.diagnosis.base import Base, base_of
+from trueaxis.diagnosis.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
+from trueaxis.diagnosis.result import NoiseOf
+from trueaxis.diagnosis.rows import Rows
+from trueaxis.estimation.noise import Noise
+
+DRAWS = 6
+CORRELATION = 0.8
+DESIGN = Design(lines=2, repeats=3, targets=21, ball_bar=False)
+
+
+@cache
+def measured(design: Design = DESIGN) -> tuple[Rows, Base]:
+    given_case = prepared(Case(seed=1, design=design, noise="none", given="exact"))
+    return given_case.rows, base_of(given_case.model, given_case.rows)
+
+
+def drawn(rows: Rows, seed: int, slow: float = 0.0) -> FloatArray:
+    """(n,) mm: standard deviation SIGMA, of whose variance a share is slow; zero and creep of every run, large."""
+    source = np.random.default_rng(seed)
+    found = np.empty(rows.size)
+    for index in rows.present:
+        mine = rows.of_run(index)
+        size = mine.stop - mine.start
+        chain = arma_generate_sample(
+            [1.0, -CORRELATION], [1.0], size, np.sqrt(1.0 - CORRELATION**2), distrvs=source.standard_normal, burnin=200
+        )
+        found[mine] = SIGMA * (np.sqrt(1.0 - slow) * source.standard_normal(size) + np.sqrt(slow) * chain)
+        found[mine] += 10.0 * SIGMA * (source.normal() + source.normal() * np.arange(size) / size)
+    return found
+
+
+def noise_of(values: FloatArray, rows: Rows, base: Base, instrument: str = "laser") -> NoiseOf:
+    _, noise, _ = noise_of_runs(rows, base, values, None)
+    return next(one for one in noise if one.instrument == instrument)
+
+
+@pytest.mark.parametrize("slow", [0.0, 0.6])
+def test_noise_is_found_whatever_the_model_gets_wrong(slow: float) -> None:
+    """A misfit of 100 times the noise that all repeats share; zeros and creep of 10 times."""
+    rows, base = measured()
+    misfit = 100.0 * SIGMA * np.random.default_rng(3).standard_normal(int(rows.target.max()) + 1)[rows.target]
+    found = [noise_of(drawn(rows, seed, slow) + misfit, rows, base) for seed in range(DRAWS)]
+    assert {one.origin for one in found} == {REPEATS}
+    share = np.array([(one.correlated / one.sigma) ** 2 for one in found])
+    assert share.mean() == pytest.approx(slow, abs=0.25)
+    white = np.array([one.white for one in found])
+    assert white.mean() == pytest.approx(np.sqrt(1.0 - slow) * SIGMA, rel=0.12)
+
+
+def test_low_frequencies_are_as_strong_as_they_are() -> None:
+    """Slow noise and a walk may stand for each other: the variance of the mean of a run's first third says both."""
+    rows, base = measured()
+    run = base.runs[0].rows
+    first = (run.passed < 1.0 / 3.0) / np.count_nonzero(run.passed < 1.0 / 3.0)
+
+    def strength(noise: Noise, wanders: float, settles: float) -> float:
+        known = run_noise(noise, run.steps, run.passed, settles, wanders)
+        own = np.stack([np.ones(run.passed.size), run.passed], axis=1)
+        beside = first - own @ np.linalg.lstsq(own, first, rcond=None)[0]
+        return float(beside @ dense_covariance(known) @ beside)
+
+    truth = strength(Noise(np.sqrt(0.7) * SIGMA, np.sqrt(0.3) * SIGMA, -1.0 / np.log(CORRELATION)), 0.0, 0.0)
+    found = [noise_of(drawn(rows, seed, 0.3), rows, base) for seed in range(DRAWS)]
+    ratio = [
+        strength(Noise(one.white, one.correlated, -1.0 / np.log(one.correlation)), one.wanders, one.settles) / truth
+        for one in found
+    ]
+    assert np.exp(np.mean(np.log(ratio))) == pytest.approx(1.0, abs=0.3), ratio
+    assert min(ratio) > 0.4, ratio
+
+
+@pytest.mark.parametrize("order", ["cycles", "passes", "poses"])
+def test_repeats_are_known_in_any_order(order: str) -> None:
+    """The same readings of 12 targets, five times each, in one run."""
+    rows, base = measured()
+    run = base.runs[0]
+    size, targets = run.rows.at.size, 12
+    number = np.arange(size)
+    target = {
+        "cycles": number % targets,
+        "passes": np.abs((number % (2 * targets)) - targets + 0.5).astype(int),
+        "poses": np.repeat(np.arange(targets), -(-size // targets))[:size],
+    }[order]
+    numbers = rows.target.copy()
+    numbers[run.rows.at] = numbers.max() + 1 + target
+    values = drawn(rows, 5) + 50.0 * SIGMA * np.random.default_rng(1).standard_normal(numbers.max() + 1)[numbers]
+    changed = Rows(**{name: getattr(rows, name) for name in rows.__slots__} | {"target": numbers})
+    found = noise_of(values, changed, base)
+    assert found.origin == REPEATS
+    assert found.sigma == pytest.approx(SIGMA, rel=0.25)
+
+
+def test_white_noise_is_that_of_a_mixed_model() -> None:
+    """By statsmodels' REML, the targets as fixed effects, zeros of runs taken for random ones far apart."""
+    rows, base = measured(Design(lines=1, repeats=3, targets=11, ball_bar=False))
+    source = np.random.default_rng(4)
+    values = SIGMA * source.standard_normal(rows.size)
+    number = np.unique(rows.target, return_inverse=True)[1]
+    fixed = np.eye(number.max() + 1)[number]
+    passed = np.concatenate([run.rows.passed - 0.5 for run in base.runs])
+    random = np.stack([np.ones(rows.size), passed], axis=1)
+    apart = values + (100.0 * SIGMA * source.standard_normal((len(rows.runs), 2))[rows.run] * random).sum(axis=1)
+    expected = MixedLM(1e3 * apart, fixed, rows.run, exog_re=random).fit(reml=True, method=["powell"])
+    found = noise_of(apart, rows, base)
+    assert found.sigma == pytest.approx(1e-3 * np.sqrt(expected.scale), rel=0.1)
+
+
+def test_outliers_do_not_move_it() -> None:
+    rows, base = measured()
+    values = drawn(rows, 7)
+    clean = noise_of(values, rows, base)
+    values[np.random.default_rng(2).choice(rows.size, 12, replace=False)] += 40.0 * SIGMA
+    assert noise_of(values, rows, base).sigma == pytest.approx(clean.sigma, rel=0.15)
+
+
+def test_a_run_with_more_noise_is_told_from_the_others() -> None:
+    rows, base = measured()
+    values = drawn(rows, 8)
+    noisy = base.runs[3].rows.at
+    values[noisy] += 3.0 * SIGMA * np.random.default_rng(9).standard_normal(noisy.size)
+    runs, _, _ = noise_of_runs(rows, base, values, None)
+    of_lasers = [one.noise.white for one, run in zip(runs, base.runs, strict=True) if run.instrument == "laser"]
+    scales = np.array(of_lasers) / np.median(of_lasers)
+    assert scales.argmax() == 3
+    assert scales[3] > 1.6  # of sqrt(10), as far as its readings tell
+    assert np.delete(scales, 3) == pytest.approx(1.0, abs=0.35)
+
+
+def test_without_repeats_the_course_of_each_run_tells() -> None:
+    rows, base = measured(Design(lines=2, repeats=1, targets=41, samples=180, feeds=(1000.0,)))
+    smooth = 30.0 * SIGMA * np.sin(rows.positions.sum(axis=0) / 300.0)
+    found = noise_of(smooth + drawn(rows, 1), rows, base)
+    assert found.origin == COURSES
+    assert found.white == pytest.approx(SIGMA, rel=0.35)  # slow noise the course has taken away, any is allowed
+
+
+def test_noise_that_is_given_is_taken() -> None:
+    rows, base = measured()
+    runs, noise, _ = noise_of_runs(rows, base, drawn(rows, 0), 0.7)
+    assert {(one.white, one.correlated, one.origin) for one in noise} == {(0.7e-3, 0.0, STATED)}
+    assert {one.sigma for one in runs} == {0.7e-3}
+
+
+def test_too_few_readings_tell_none() -> None:
+    rows, _ = measured()
+    first = np.isin(np.arange(rows.size), np.arange(3))
+    few = rows.only(first)
+    case = prepared(Case(seed=1, design=DESIGN, noise="none", given="exact"))
+    (found,) = noise_of_runs(few, base_of(case.model, few), np.array([1e-3, -1e-3, 1e-3]), None)[1]
+    assert (found.origin, found.freedom) == (UNKNOWN, 1.0)
+    assert found.sigma == pytest.approx(1e-3)
+
+
+@given(st.sampled_from([1e-5, 5e-5, 1e-4, 2e-4, 1e-3]), st.lists(st.integers(-300, 300), min_size=40, max_size=60))
+def test_the_step_of_a_display_is_seen(step: float, numbers: list[int]) -> None:
+    """Readings that fill the steps; a coarser step of which all were multiples would be as right."""
+    readings = step * np.array([*numbers, 0, 1, 2, 3])
+    assert display_step(readings) == pytest.approx(step)
+
+
+def test_a_display_finer_than_any_is_none() -> None:
+    assert display_step(np.random.default_rng(0).normal(size=50)) == 0.0
+    assert display_step(np.zeros(50)) == 0.0
+
+
+@pytest.mark.parametrize("repeats", [1, 4])
+def test_repeats_of_a_coarse_display_are_no_proof(repeats: int) -> None:
+    """Repeats equal to the last digit: the mean of a target is off by the rounding of one reading, however many."""
+    rows, base = measured(Design(lines=2, repeats=repeats, targets=21, ball_bar=False))
+    smooth = np.sin(rows.positions.sum(axis=0) / 37.0) * 5e-3
+    step = 1e-3
+    rounded = step * np.round((smooth + 1e-5 * np.random.default_rng(1).standard_normal(rows.size)) / step)
+    shown = Rows(**{name: getattr(rows, name) for name in rows.__slots__} | {"reading": rounded})
+    found = noise_of(rounded, shown, base)
+    assert found.sigma >= 0.99 * step / np.sqrt(12.0)

@@ -1,0 +1,189 @@
+"""The scan's statistic against explicit generalised least squares, and its evidence under noise alone."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+import statsmodels.api as sm
+from scipy.linalg import block_diag
+from scipy.stats import f, kstest
+
+from tests.diagnosis.prepared import SIGMA, SLOW, SMALL, WHITE, Field, dense_covariance, field, noise_of
+from tests.hidden_effects.design import Design
+from trueaxis.diagnosis import scan
+from trueaxis.diagnosis.freedom import Freedom
+from trueaxis.diagnosis.scan import Scanned, prepared, residual_of, scanned
+from trueaxis.diagnosis.signatures import Signature, signature_of
+from trueaxis.effects.kind import Effect
+from trueaxis.estimation.noise import Noise
+
+FloatArray = npt.NDArray[np.float64]
+FOUR_LINES = Design(lines=4, repeats=2, targets=15, samples=48)
+
+
+def scan_of(where: Field, effect: Effect, values: FloatArray, grid: int | None = None) -> Scanned:
+    """values: (n,), mm; grid: of its points this one alone."""
+    signature = signature_of(where.readings, effect)
+    if grid is not None:
+        signature = signature_of(where.readings, effect, (signature.points[grid],))
+    return scanned_in(where, signature, where.base.rest(where.whitening(values)))
+
+
+def scanned_in(where: Field, signature: Signature, white: FloatArray) -> Scanned:
+    """white: (n,), whitened."""
+    known = prepared(signature, where.whitening, where.base)
+    return scanned(signature, known, residual_of(where.whitening, where.base, white, where.freedom))
+
+
+@pytest.mark.parametrize(
+    ("effect", "grid"),
+    [
+        (Effect("backlash", "EXX"), None),
+        (Effect("drift", "EYY"), None),
+        (Effect("cyclic", "EZZ"), 40),
+        (Effect("servo_lag", "EXX"), None),
+        (Effect("cross_axis", "ECX", "Y"), None),
+        (Effect("laser_step", runs=("X1-1",)), 5),
+    ],
+    ids=lambda given: given.label if isinstance(given, Effect) else "",
+)
+@pytest.mark.parametrize(("of", "settles"), [(WHITE, 0.0), (SLOW, 2.0 * SIGMA)], ids=["white", "slow and settling"])
+def test_statistic_is_the_difference_of_two_sums_of_squares(
+    effect: Effect, grid: int | None, of: Noise, settles: float
+) -> None:
+    """Two fits by statsmodels, covariance and unknowns of all runs written out: with the candidate and without."""
+    where = field(FOUR_LINES, of, settles=settles)
+    values = noise_of(where, 1)
+    found = scan_of(where, effect, values, grid)
+    signature = signature_of(where.readings, effect, (found.point,))
+    whole = signature.over_all()
+    covariance = block_diag(*map(dense_covariance, where.whitening.runs))
+    # of the base what the projection has taken for its span: the rank is tested elsewhere
+    turned = np.linalg.lstsq(where.whitening(where.columns), where.base.basis.dense(), rcond=1e-12)[0]
+    base = np.hstack([where.columns @ turned, where.without_own()])
+    base = base[:, np.linalg.norm(base, axis=0) > 0.0]
+    base = base / np.linalg.norm(base, axis=0)
+    without = sm.GLS(values, base, sigma=covariance).fit()
+    with_it = sm.GLS(values, np.hstack([base, whole / np.linalg.norm(whole, axis=0)]), sigma=covariance).fit()
+    assert found.statistic == pytest.approx(without.ssr - with_it.ssr, rel=1e-5, abs=1e-6)
+    amplitudes = with_it.params[-found.freedom :] / np.linalg.norm(whole, axis=0)
+    assert found.amplitudes == pytest.approx(amplitudes, rel=1e-4)
+    if found.freedom == 1:
+        assert found.evidence == pytest.approx(-np.log10(f.sf(found.statistic, 1, 1e6)), abs=0.5)
+
+
+def test_a_root_is_found_for_one_sign_alone() -> None:
+    """The square of an angle cannot make a laser read long."""
+    where = field(FOUR_LINES)
+    effect = Effect("laser_cosine", runs=("X1-1", "X1-2"))
+    column = signature_of(where.readings, effect).over_all()[:, 0]
+    assert scan_of(where, effect, 35e-6 * column).statistic > 100.0
+    assert scan_of(where, effect, -35e-6 * column).statistic == 0.0
+
+
+def test_what_the_base_holds_explains_nothing() -> None:
+    """One line per axis: the angle of its beam is a scale of the axis."""
+    where = field(replace(FOUR_LINES, lines=1, ball_bar=False))
+    found = scan_of(where, Effect("laser_cosine", runs=("X1-1", "X1-2")), noise_of(where, 3))
+    assert found.statistic == pytest.approx(0.0, abs=1e-9)
+    assert found.evidence == 0.0
+
+
+@cache
+def under_noise(count: int) -> dict[Effect, FloatArray]:
+    """Raw statistics, p values after the effective tries, and tries of all candidates: (3, count)."""
+    where = field(SMALL, WHITE)
+    source = np.random.default_rng(11)
+    size = where.readings.rows.size
+    residuals = where.base.rest(source.standard_normal((size, count)))
+    effects = where.ground(np.zeros(size)).effects
+    found = {}
+    for effect in effects:
+        signature = signature_of(where.readings, effect)
+        one = [scanned_in(where, signature, residuals[:, k]) for k in range(count)]
+        found[effect] = np.array([[each.statistic, each.p_value, each.tries] for each in one]).T
+    return found
+
+
+CANDIDATES = [
+    Effect("backlash", "EXX"),
+    Effect("backlash_slope", "EYY"),
+    Effect("drift", "EZZ"),
+    Effect("servo_lag", "EXX"),
+    Effect("backlash", "EZX"),
+    Effect("thermal_offset", "EYX"),
+]
+
+
+@pytest.mark.parametrize("effect", CANDIDATES, ids=lambda effect: effect.label)
+def test_p_values_of_linear_candidates_are_uniform_under_noise(effect: Effect) -> None:
+    where = field(SMALL, WHITE)
+    source = np.random.default_rng(17)
+    size = where.readings.rows.size
+    signature = signature_of(where.readings, effect)
+    p = [scanned_in(where, signature, where.base.rest(source.standard_normal(size))).p_value for _ in range(400)]
+    assert kstest(p, "uniform").pvalue > 1e-3
+
+
+@pytest.mark.parametrize(
+    ("effect", "least"),
+    [
+        (Effect("cyclic", "EXX"), 0.1),  # of a grid that is coarse beside its pitches, the angles say too much
+        (Effect("cyclic", "EYZ"), 0.1),
+        (Effect("warm_up", "EYY"), 0.75),
+        (Effect("reversal_spike", "EXX"), 0.75),
+        (Effect("laser_step", runs=("X1-1",)), 0.4),
+    ],
+    ids=lambda given: given.label if isinstance(given, Effect) else "",
+)
+def test_p_values_of_searched_candidates_are_about_what_they_should_be(effect: Effect, least: float) -> None:
+    """Against simulated maxima over the grid: how often p is below a tenth, as a multiple of a tenth."""
+    draws, level = 800, 0.1
+    where = field(SMALL, WHITE)
+    source = np.random.default_rng(23)
+    size = where.readings.rows.size
+    signature = signature_of(where.readings, effect)
+    found = [scanned_in(where, signature, where.base.rest(source.standard_normal(size))) for _ in range(draws)]
+    often = float(np.mean([one.p_value < level for one in found])) / level
+    assert least < often < 1.1 + 3.0 * np.sqrt((1.0 - level) / (level * draws))
+
+
+def test_in_noise_alone_the_threshold_is_hardly_ever_reached() -> None:
+    """Bonferroni over candidates and tries: the least p of all candidates is uniform or larger."""
+    found = under_noise(40)
+    least = np.min([values[1] for values in found.values()], axis=0) * len(found)
+    assert np.mean(least < 0.05) < 0.05 + 3 * np.sqrt(0.05 * 0.95 / least.size)
+    assert np.mean(least < 1.0) > 0.1  # and not beyond all reach
+
+
+def test_freedom_is_that_of_the_instruments_that_sense_it() -> None:
+    """Variances of a laser told by few repeats and of a ball bar told by many: the ratio, by simulation."""
+    draws = 200_000
+    source = np.random.default_rng(6)
+    sigma = np.array([1.0, 1.0, 2.0, 2.0])
+    freedom = Freedom(np.array([8.0, 8.0, 50.0, 50.0]), sigma)
+    column = np.array([[1.0], [1.0], [4.0], [2.0]])
+    found = freedom.of(np.arange(4), column)
+    share = np.array([2.0, 5.0]) / 7.0  # of the whitened squares
+    variance = share[0] * source.chisquare(8.0, draws) / 8.0 + share[1] * source.chisquare(50.0, draws) / 50.0
+    assert found == pytest.approx(2.0 / np.var(variance), rel=0.05)
+    assert freedom.of(np.arange(2), column[:2]) == pytest.approx(8.0)
+    assert freedom.of(np.array([0, 2]), np.array([[1.0], [0.0]])) == pytest.approx(8.0)
+
+
+@pytest.mark.parametrize(
+    "effect", [Effect("cyclic", "ECX"), Effect("reversal_spike", "EXX")], ids=lambda one: one.label
+)
+@pytest.mark.parametrize("entries", [1, 2000])
+def test_a_grid_in_pieces_is_the_grid(effect: Effect, entries: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Memory is bounded, point by point if need be; nothing else changes."""
+    where = field(FOUR_LINES, SLOW, settles=2.0 * SIGMA)
+    signature = signature_of(where.readings, effect)
+    whole = prepared(signature, where.whitening, where.base)
+    monkeypatch.setattr(scan, "ENTRIES", entries)
+    pieces = prepared(signature, where.whitening, where.base)
+    assert pieces.whole == pytest.approx(whole.whole, rel=1e-12)
+    assert pieces.gram == pytest.approx(whole.gram, rel=1e-9, abs=1e-12 * whole.whole.max())
+    assert pieces.length == pytest.approx(whole.length, rel=1e-6)

@@ -1,0 +1,118 @@
+"""Values that are no longer true: which component, where, by how much; and none where all are true."""
+
+import numpy as np
+import pytest
+
+from tests.diagnosis.prepared import SIGMA, SMALL, FloatArray, Prepared, prepared
+from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
+from trueaxis.diagnosis.freedom import freedom_of
+from trueaxis.diagnosis.null import null_of
+from trueaxis.diagnosis.result import Stale
+from trueaxis.diagnosis.signatures import parameter_signature, readings_of
+from trueaxis.diagnosis.stale import clearest, stale_values
+from trueaxis.effects.kind import Effect
+
+STRAIGHT = Design(lines=1, repeats=2, targets=21, straightness=True, ball_bar=False)
+
+
+def given() -> Prepared:
+    return prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
+
+
+def noise(seed: int) -> FloatArray:
+    return SIGMA * np.random.default_rng(seed).standard_normal(given().rows.size)
+
+
+def curve(component: str, change: FloatArray) -> FloatArray:
+    """(n,), mm: what a change of a component error, at every reading's position, does to the readings."""
+    readings = readings_of(given().model, given().rows)
+    return np.asarray(readings.sensitivity[readings.model.components.index(component)] * change)
+
+
+def found(values: FloatArray, causes: tuple[FloatArray, ...] = ()) -> tuple[tuple[Stale, ...], float]:
+    null = null_of(given().model, given().rows, values, 1e3 * SIGMA)
+    assert null.rows.size == given().rows.size
+    changes = stale_values(null, causes, (), freedom_of(null.rows, null.whitening.sigma, null.noise))
+    return changes.stale, changes.p_value
+
+
+def bump(middle: float, half: float) -> FloatArray:
+    off = np.minimum(np.abs(given().rows.positions[1] - middle) / half, 1.0)
+    return np.asarray(0.5 * (1.0 + np.cos(np.pi * off)))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_true_values_are_not_stale(seed: int) -> None:
+    stale, p_value = found(noise(seed))
+    assert stale == ()
+    assert p_value > 1e-4
+
+
+@pytest.mark.parametrize("size", [3e-3, -6e-3])
+def test_a_worn_spot_is_found_with_place_and_size(size: float) -> None:
+    stale, p_value = found(noise(1) + curve("EYY", size * bump(420.0, 180.0)))
+    assert p_value < 1e-6
+    assert stale[0].component == "EYY"
+    assert stale[0].p_value < 1e-6
+    assert stale[0].value == pytest.approx(size, abs=max(4.0 * stale[0].u, 0.4 * abs(size)))
+    assert stale[0].first is not None
+    assert stale[0].last is not None
+    assert 0.0 <= stale[0].first < 420.0 < stale[0].last <= 700.0
+
+
+def test_a_location_error_has_no_place() -> None:
+    readings = readings_of(given().model, given().rows)
+    names = readings.model.location_errors
+    lever = readings.sensitivity[len(readings.model.components) + names.index("eps_xy")]
+    stale, _ = found(noise(2) + 3e-5 * lever)
+    changed = {one.component: one for one in stale}
+    # squareness and slopes of straightness are told together alone
+    assert set(changed) & {"eps_xy", "EXY", "EYX", "ECX", "ECY"}
+    if "eps_xy" in changed:
+        assert changed["eps_xy"].first is None
+        assert changed["eps_xy"].last is None
+
+
+def test_what_a_cause_explains_is_not_stale() -> None:
+    """Play of an axis looks like wear where it is not known."""
+    readings = readings_of(given().model, given().rows)
+    play, _ = parameter_signature(readings, Effect("backlash", "EYY"), np.array([8e-3]))
+    bent = curve("EYY", 5e-3 * bump(350.0, 300.0))
+    stale, _ = found(noise(3) + play + bent, (play,))
+    assert [one.component for one in stale] == ["EYY"]
+    assert found(noise(3) + play, (play,))[0] == ()
+
+
+def test_the_change_told_is_the_largest_that_is_certain() -> None:
+    value = np.array([0.1, -0.7, 0.6, 8.0])
+    assert clearest(value, np.array([0.01, 0.1, 0.1, 21.0])) == 1
+    assert clearest(value, np.array([0.01, 0.1, 0.1, 0.1])) == 3
+
+
+def test_where_no_place_is_certain_it_is_the_one_known_best() -> None:
+    """The test of the whole curve may be sure where no single place is."""
+    assert clearest(np.array([8.0, 0.3, 0.0]), np.array([21.0, 0.2, 0.1])) == 1
+    assert clearest(np.zeros(2), np.zeros(2)) == 0
+
+
+def test_one_component_that_changed_is_one_entry() -> None:
+    """A bend across its axis can be had from many components together: the likeliest alone is told."""
+    stale, _ = found(noise(4) + curve("EXY", 8e-3 * bump(420.0, 300.0)))
+    assert [one.component for one in stale] == ["EXY"]
+    assert abs(stale[0].value) > 2.0 * stale[0].u
+
+
+def test_a_change_whose_slope_is_not_told_is_that_from_a_straight_line() -> None:
+    """Straightness lines have slopes of their own: their curve tells of its bend alone."""
+    case = prepared(Case(seed=2, design=STRAIGHT, noise="none", given="exact"))
+    readings = readings_of(case.model, case.rows)
+    at = case.rows.positions[1]
+    wave = 1.5e-3 * np.cos(2.0 * np.pi * at / np.ptp(at)) + 0.03 * at / np.ptp(at)
+    values = readings.sensitivity[readings.model.components.index("EXY")] * wave
+    values = values + SIGMA * np.random.default_rng(6).standard_normal(case.rows.size)
+    null = null_of(case.model, case.rows, values, 1e3 * SIGMA)
+    freedom = freedom_of(null.rows, null.whitening.sigma, null.noise)
+    (one,) = stale_values(null, (), (), freedom).stale
+    assert (one.component, one.bent) == ("EXY", True)
+    assert abs(one.value) > 2.0 * one.u

@@ -1,0 +1,110 @@
+"""A set-up that contradicts itself is refused by every command that reads it, with what would be right."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from trueaxis.cli.main import main
+
+ROOT = Path(__file__).parents[2]
+MACHINE = str(ROOT / "machines" / "dmu60p.toml")
+ERRORS = str(ROOT / "machines" / "dmu60p_errors.json")
+KERNELS = ["--kernels", str(ROOT / "generated")]
+BAR = """schema = 1
+machine = "dmu60p"
+[[run]]
+id = "bar"
+instrument = "ballbar"
+length = {length}
+target = {{ on = "tool", point = [0.0, 0.0, 0.0] }}
+reference = {{ on = "workpiece", point = [270.0, {y}, 200.0] }}
+"""
+LASER = """schema = 1
+machine = "dmu60p"
+[[run]]
+id = "line"
+instrument = "laser"
+direction = [1.0, 0.0, 0.0]
+target = { on = "tool", point = [0.0, 0.0, 0.0] }
+"""
+
+
+def bar(folder: Path, *, y: float = -350.0, length: float = 200.0) -> Path:
+    """A circle of 200 mm about (270, 350) of the axes; the workpiece rides on Y."""
+    turn = np.linspace(0.0, 2.0 * np.pi, 40)
+    at = zip(270.0 + 200.0 * np.cos(turn), 350.0 + 200.0 * np.sin(turn), strict=True)
+    rows = [f"bar,{k},{a!r},{b!r},200,0.001" for k, (a, b) in enumerate((float(a), float(b)) for a, b in at)]
+    return written(folder, BAR.format(y=y, length=length), rows)
+
+
+def line(folder: Path, size: float) -> Path:
+    return written(folder, LASER, [f"line,{k},{20 * k},0,0,{size * k!r}" for k in range(20)])
+
+
+def written(folder: Path, setup: str, rows: list[str]) -> Path:
+    folder.mkdir()
+    (folder / "setup.toml").write_text(setup)
+    (folder / "readings.csv").write_text("\n".join(["run,seq,X,Y,Z,reading", *rows]) + "\n")
+    return folder
+
+
+def commands(data: Path, out: Path) -> dict[str, list[str]]:
+    errors = out / "zero.json"
+    errors.write_text(json.dumps({"schema": 1, "machine": "dmu60p"}))
+    return {
+        "plan": ["plan", MACHINE, "--data", str(data), "--report", str(out / "plan.json")],
+        "simulate": ["simulate", MACHINE, "--errors", ERRORS, "--data", str(data), "--out", str(out / "s")],
+        "identify": ["identify", MACHINE, "--data", str(data), "--out", str(out / "e.json"), "--method", "global"],
+        "diagnose": ["diagnose", MACHINE, "--errors", str(errors), "--data", str(data), "--out", str(out / "d")],
+    }
+
+
+@pytest.mark.parametrize("command", ["plan", "simulate", "identify", "diagnose"])
+def test_a_ball_on_the_wrong_side_is_refused(tmp_path: Path, command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """The workpiece sees the ball at -Y: a centre hundreds of millimetres off gave coefficients of 1e43."""
+    out = tmp_path / "out"
+    out.mkdir()
+    words = commands(bar(tmp_path / "data", y=350.0), out)[command]
+    assert main([*words, *KERNELS]) == 2
+    told = capsys.readouterr().err
+    assert "the balls are 728.011 mm apart at the first position, not 200 mm" in told
+    assert "would have to be at [270.0, -350.0, 200.0]" in told
+    assert [path.name for path in out.iterdir()] == ["zero.json"]
+
+
+def test_another_length_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "out"
+    out.mkdir()
+    assert main([*commands(bar(tmp_path / "data", length=150.0), out)["identify"], *KERNELS]) == 2
+    assert "is the length 199.999 mm?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["plan", "identify"])
+def test_readings_in_micrometres_are_refused(tmp_path: Path, command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "out"
+    out.mkdir()
+    assert main([*commands(line(tmp_path / "data", 0.4), out)[command], *KERNELS]) == 2
+    told = capsys.readouterr().err
+    assert "is the reading in mm?" in told
+    assert "run line, seq 2, 3, 4, 5, 6 and 13 more: up to 7.6 mm" in told
+
+
+def test_good_set_ups_and_errors_of_a_tenth_of_a_millimetre_are_taken(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    out.mkdir()
+    for number, data in enumerate((bar(tmp_path / "bar"), bar(tmp_path / "off", y=-348.0), line(tmp_path / "l", 5e-3))):
+        assert main([*commands(data, out)["plan"], *KERNELS]) in (0, 1), number
+
+
+def test_missing_dimensions_are_one_fault(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every run of a machine with rotary axes contradicts dimensions of zero: one cause, not one for each run."""
+    machine = str(ROOT / "machines" / "dmu60p_5axis.toml")
+    data = str(ROOT / "tests" / "planning" / "five_axis_runs")
+    assert main(["plan", machine, "--data", data, "--report", str(tmp_path / "p.json"), *KERNELS]) == 2
+    first, second = capsys.readouterr().err.strip().split("\n")
+    assert "dimensions not given: q_Cx, q_Cy" in first
+    assert "bar-xy, bar-xz, bar-yz" in first
+    assert "--known" in first
+    assert "run bar-xy: the balls are" in second

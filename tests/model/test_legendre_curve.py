@@ -1,0 +1,77 @@
+"""Legendre curves: values against NumPy's series, home, ends, other forms of the same curve, the file."""
+
+import json
+
+import numpy as np
+import pytest
+from numpy.polynomial import Legendre
+
+from trueaxis.io.faults import Faults
+from trueaxis.model.bases import travel_basis
+from trueaxis.model.curve_json import curve_object, read_curve
+from trueaxis.model.curves import LegendreCurve, evaluate_components, polynomial_of
+
+TRAVELS = [(-300.0, 500.0), (0.0, 700.0), (-900.0, -150.0), (20.0, 40.0)]
+COEFFICIENTS = (3e-3, -1e-3, 5e-4, 0.0, 2e-4)
+
+
+@pytest.fixture(params=TRAVELS, ids=str)
+def curve(request: pytest.FixtureRequest) -> LegendreCurve:
+    return LegendreCurve(travel_basis(request.param, len(COEFFICIENTS)), COEFFICIENTS)
+
+
+def home_of(curve: LegendreCurve) -> float:
+    return min(max(0.0, curve.basis.low), curve.basis.high)
+
+
+def test_it_is_the_series_of_numpy_less_its_value_at_home(curve: LegendreCurve) -> None:
+    series = Legendre([0.0, *COEFFICIENTS], domain=[curve.basis.low, curve.basis.high])
+    at = np.linspace(curve.basis.low, curve.basis.high, 101)
+    np.testing.assert_allclose(curve(at), series(at) - series(home_of(curve)), atol=1e-16)
+    assert curve(np.array([home_of(curve)]))[0] == 0.0
+
+
+def test_beyond_the_travel_the_ends_hold(curve: LegendreCurve) -> None:
+    low, high = curve.basis.low, curve.basis.high
+    assert curve(np.array([low - 50.0, high + 50.0])).tolist() == curve(np.array([low, high])).tolist()
+
+
+def test_it_is_a_polynomial_within_the_travel(curve: LegendreCurve) -> None:
+    at = np.linspace(curve.basis.low, curve.basis.high, 101)
+    np.testing.assert_allclose(polynomial_of(curve)(at), curve(at), atol=1e-14)
+
+
+def test_components_of_an_axis_are_evaluated_together(curve: LegendreCurve) -> None:
+    other = LegendreCurve(curve.basis, tuple(2.0 * c for c in COEFFICIENTS))
+    positions = np.linspace(curve.basis.low - 1.0, curve.basis.high + 1.0, 7)[np.newaxis]
+    found = evaluate_components({"EXX": curve, "EYX": other}, ("EXX", "EYX", "EZX"), (0, 0, 0), positions)
+    np.testing.assert_allclose(found, [curve(positions[0]), 2.0 * curve(positions[0]), 0.0 * positions[0]], atol=1e-16)
+
+
+def test_the_file_gives_it_back(curve: LegendreCurve) -> None:
+    whole = LegendreCurve(curve.basis, COEFFICIENTS, (1e-4, float("nan"), 0.0, 1e-5, 1e-6), (curve.basis.low, 30.0))
+    tree = json.loads(json.dumps(curve_object(whole)))
+    assert set(tree) == {"basis", "range", "coefficients", "u", "measured"}
+    faults = Faults("e.json")
+    again = read_curve(tree, ("motion_errors", "EXX"), faults)
+    assert isinstance(again, LegendreCurve)
+    assert again.basis == curve.basis
+    assert curve_object(again) == curve_object(whole)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "told"),
+    [
+        ("range", [1.0], "is no range"),
+        ("range", [5.0, 5.0], "is no range"),
+        ("range", "all", "is not a list"),
+        ("coefficients", [0.0] * 100, "are 100"),
+        ("u", [1.0], "has 1 entries"),
+        ("knots", [1.0], "is not a key"),
+    ],
+)
+def test_what_is_wrong_is_named(key: str, value: object, told: str) -> None:
+    tree = {"basis": "legendre", "range": [0.0, 10.0], "coefficients": [1e-3, 2e-3], key: value}
+    faults = Faults("e.json")
+    assert read_curve(tree, ("motion_errors", "EXX"), faults) is None
+    assert any(told in str(fault) for fault in faults.found), faults.found

@@ -1,0 +1,91 @@
+"""Candidate runs: within the travels, what they are said to be, on machines of the repository and on random ones."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.planning.data import model
+from tests.planning.promise import NAMES
+from tests.worlds.estimates import world
+from trueaxis.estimation.set_up import is_straightness, relative_motion
+from trueaxis.measurement.reading_geometry import home_positions, ideal_bar, ideal_displacement
+from trueaxis.model.model import MachineModel
+from trueaxis.planning.candidates import Candidate, Kit, candidates
+from trueaxis.planning.measuring_time import RUN_MINUTES, SET_UP_MINUTES, minutes, run_minutes, set_up_of
+
+ALL = Kit(instruments=("laser", "ballbar", "probe"))
+
+
+def check(machine: MachineModel, found: list[Candidate]) -> None:
+    limits = np.array([machine.travel[axis] for axis in machine.axes])
+    for one in found:
+        positions = one.positions
+        assert (positions >= limits[:, :1]).all(), one.what
+        assert (positions <= limits[:, 1:]).all(), one.what
+        half = positions.shape[1] // 2
+        np.testing.assert_array_equal(positions[:, :half], positions[:, :half:-1])
+        if one.run.instrument == "ballbar":
+            assert one.run.length is not None
+            bar = np.linalg.norm(ideal_bar(machine, one.run, positions), axis=0)
+            assert np.abs(bar - one.run.length).max() < 5e-3, one.what
+        else:
+            assert list(one.run.home.values()) == positions[:, 0].tolist()
+            assert np.linalg.norm(one.run.direction or ()) == pytest.approx(1.0, abs=1e-8)
+        if "straightness" in one.what:
+            assert is_straightness(machine, one.run, positions)
+        if "displacement" in one.what:
+            moved = relative_motion(machine, one.run, positions)
+            along = np.array(one.run.direction) @ moved
+            assert np.abs(np.linalg.norm(moved, axis=0) - np.abs(along)).max() < 1e-2
+        if "sphere" in one.what:
+            home = home_positions(one.run, machine.axes)
+            assert home is not None
+            assert np.abs(ideal_displacement(machine, one.run, positions, home)).max() < 5e-3
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_all_are_within_the_travels_and_as_they_say(name: str) -> None:
+    found = candidates(model(name), ALL)
+    check(model(name), found)
+    kinds = {one.run.instrument for one in found}
+    assert kinds == {"laser", "ballbar", "probe"}
+    assert len({one.what for one in found}) == len(found)
+    for axis in model(name).axes:
+        moved = [one for one in found if np.ptp(one.positions[model(name).axes.index(axis)]) > 0.0]
+        assert moved, axis
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [4])
+def test_on_random_machines(seed: int, tmp_path: Path) -> None:
+    machine = world(seed, tmp_path).model
+    check(machine, candidates(machine, ALL))
+
+
+def test_arcs_are_ways_without_jumps() -> None:
+    for one in candidates(model(), Kit(instruments=("ballbar",))):
+        assert one.run.length is not None
+        step = np.linalg.norm(np.diff(one.positions, axis=1), axis=0)
+        assert step.max() < 2.1 * np.sin(np.pi / 36) * one.run.length, one.what
+
+
+def test_instruments_tools_and_lengths_are_those_at_hand() -> None:
+    kit = Kit(instruments=("ballbar",), tools=((0.0, 0.0, 0.0), (0.0, 0.0, -80.0)), lengths=(100.0,), session="two")
+    found = candidates(model(), kit)
+    assert {one.run.length for one in found} == {100.0}
+    assert {one.run.target.point for one in found} == set(kit.tools)
+    assert {one.run.session for one in found} == {"two"}
+    assert len(candidates(model(), Kit(instruments=("laser",)))) == 3 * 5 * 3 + 3 * 2 * 2 + 4
+
+
+def test_a_set_up_takes_its_time_once() -> None:
+    found = candidates(model(), Kit(instruments=("ballbar",), lengths=(150.0,)))
+    keys = [set_up_of(one.run, one.positions) for one in found]
+    same = [(one.run, one.positions) for one, key in zip(found, keys, strict=True) if key == keys[0]]
+    assert len(same) == 3  # three planes about one ball
+    single = sum(run_minutes(run, positions.shape[1]) for run, positions in same)
+    assert minutes(same) == pytest.approx(single + SET_UP_MINUTES["ballbar"])
+    assert run_minutes(same[0][0], 0) == RUN_MINUTES
+    lasers = candidates(model(), Kit(instruments=("laser",)))
+    assert len({set_up_of(one.run, one.positions) for one in lasers}) == len(lasers)  # other optics, or another line

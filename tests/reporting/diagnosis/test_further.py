@@ -1,0 +1,67 @@
+"""Records of the computation as sentences: what to measure next, and what a single reading of a line has to say."""
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from tests.reporting.diagnosis import builders
+from trueaxis.diagnosis.result import Check, NextRun, SecondOrder, Separating, StructureClass
+from trueaxis.reporting.diagnosis.further import Proposal, absences, proposals, separating_run, warnings
+from trueaxis.reporting.diagnosis.quantity import ascii_only
+
+LOCAL = Check(StructureClass.LINE_LOCAL, "Y", 1e-9, fired=True, rms=1e-3)
+NOTHING_TO_MEASURE = Check(StructureClass.LACK_OF_FIT, "laser", 1e-7, fired=True, rms=1e-3)
+
+
+def told(*runs: NextRun) -> list[Proposal]:
+    return [*proposals(replace(builders.diagnosis("explained"), next_runs=runs))]
+
+
+def test_each_run_is_proposed_once_and_nothing_where_there_is_nothing_to_measure() -> None:
+    line, noise = told(
+        NextRun(check=LOCAL), NextRun(check=LOCAL), NextRun(check=NOTHING_TO_MEASURE), NextRun(instrument="laser")
+    )
+    assert line.run.startswith("the line of Y again")
+    assert line.purpose == "see whether the structure returns (lines of Y, locally)"
+    assert noise.run == "every run of the laser three times"
+
+
+def test_what_a_run_separates_and_from_which_size_on() -> None:
+    pairs = ((builders.BACKLASH, (builders.LAG,)), (builders.CYCLIC, (builders.CROSS,)))
+    (one,) = told(NextRun(run="a laser diagonal", times=3, pairs=pairs, told=replace(builders.APART, without=math.inf)))
+    assert one.run == "a laser diagonal, 3 times"
+    assert one.purpose == "separate backlash EXX from servo_lag EXX; also cyclic EYY from cross_axis EXX with Y"
+    assert ascii_only(one.gain) == "smallest backlash EXX that is told apart: 0.40 um with it, no size without it"
+
+
+@pytest.mark.parametrize(
+    ("separating", "sentence"),
+    [
+        (
+            replace(builders.SEPARATING, left=(builders.CYCLIC,), needed=7),
+            f"{builders.CIRCLES_AGAIN}, separates it from servo_lag EXX: smallest backlash EXX that is told apart: "
+            "0.40 um with it, 9.0 um without it; for the size found it has to be taken about 7 times; "
+            "cyclic EYY cannot be excluded by it",
+        ),
+        (
+            Separating(left=(builders.LAG,), broken_by="another feed"),
+            "none of the runs considered separates it from servo_lag EXX; what does: another feed",
+        ),
+    ],
+)
+def test_what_tells_a_cause_from_its_rivals(separating: Separating, sentence: str) -> None:
+    assert ascii_only(separating_run(separating)) == sentence
+
+
+def test_a_noise_that_no_repeats_tell_is_warned_of() -> None:
+    diagnosis = builders.diagnosis("explained")
+    unsure = replace(diagnosis.noise[0], origin="courses")
+    (said,) = [text for text in warnings(replace(diagnosis, noise=(unsure,))) if text.startswith("noise of the laser")]
+    assert said == "noise of the laser: nothing is repeated, from what the null model leaves; repeat runs to know it"
+
+
+def test_terms_of_second_order_of_values_that_are_all_zero_are_no_news() -> None:
+    diagnosis = builders.diagnosis("explained")
+    without = replace(diagnosis, second_order=SecondOrder(0.0, seen=False))
+    assert len(absences(diagnosis)) == len(absences(without)) + 1

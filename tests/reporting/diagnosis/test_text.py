@@ -1,0 +1,96 @@
+import math
+from dataclasses import replace
+from typing import get_args
+
+import pytest
+
+from tests.reporting.diagnosis import builders
+from trueaxis.diagnosis.result import Check, Gain, Stage, StructureClass, Verdict
+from trueaxis.effects.kind import Effect
+from trueaxis.reporting.diagnosis.text import summary_text
+
+
+@pytest.mark.parametrize("verdict", get_args(Verdict))
+def test_the_verdict_is_the_first_word(verdict: Verdict) -> None:
+    text = summary_text(builders.diagnosis(verdict))
+    assert text.startswith(f"{verdict}: ")
+    assert text.endswith("\n")
+    assert text.isascii()
+    assert text.count("left out as outliers: 1 reading\n") == 1
+
+
+def test_a_cause_on_the_console() -> None:
+    lines = summary_text(builders.diagnosis("ambiguous")).splitlines()
+    for line in (
+        "  where: positioning error of the X axis (EXX)",
+        "  term: width/2*direction",
+        "  width = 6.10 um +/- 0.20 um (k = 2)",
+        "  evidence: p 1e-12, 2.10 um RMS, held-out RMS lower by 84 %",
+        "  cannot be told from: Servo lag in EXX",
+        "  what would tell: circles in XY at another feed, both directions, separates it from servo_lag EXX: smallest "
+        "backlash EXX that is told apart: 0.40 um with it, 9.0 um without it",
+        "next: circles in XY at another feed, both directions, to separate backlash EXX from servo_lag EXX: smallest "
+        "backlash EXX that is told apart: 0.40 um with it, 9.0 um without it",
+        "RMS: given 4.10, refitted 3.20, extended 0.310 um; noise floor 0.300 um",
+        "held-out residuals have 1.03 times the scatter predicted of them: as it should be",
+    ):
+        assert line in lines
+
+
+def test_an_own_kind_is_told_by_its_formula() -> None:
+    diagnosis = builders.diagnosis("explained")
+    own = replace(diagnosis.causes[0], effect=Effect("table_sag", "EZY"), remainder=True)
+    text = summary_text(replace(diagnosis, causes=(own,)))
+    assert f"term: {own.formula}\n" in text
+    assert "a remainder is left that this cause does not explain" in text
+
+
+def test_structure_without_a_cause_is_described() -> None:
+    text = summary_text(builders.diagnosis("unexplained_structure"))
+    assert (
+        "looks like: lines of X, between directions: differs by the direction of approach (3.00 um RMS, p 1e-9)" in text
+    )
+    assert "cause" not in text.replace("no cause is named", "").replace("no known cause explains", "")
+
+
+def test_of_many_classes_the_largest_are_named_and_the_others_counted() -> None:
+    """One structure makes many fire; that all together is too much is the least telling of them."""
+    diagnosis = builders.diagnosis("unexplained_structure")
+    checks = [Check(StructureClass.LINE_LOCAL, f"X{k}", 1e-9, fired=True, rms=k * 1e-3) for k in range(1, 8)]
+    checks.append(Check(StructureClass.LACK_OF_FIT, "laser", 1e-9, fired=True, rms=1.0))
+    lines = [line for line in summary_text(replace(diagnosis, checks=tuple(checks))).splitlines() if "looks" in line]
+    assert [line.split(": ")[1] for line in lines[:5]] == [f"lines of X{k}, locally" for k in (7, 6, 5, 4, 3)]
+    assert lines[5:] == ["looks like: 3 more classes, smaller or the same seen otherwise (report.html)"]
+
+
+def test_stale_values_are_said_with_place_size_and_uncertainty() -> None:
+    lines = summary_text(builders.diagnosis("recalibrate")).splitlines()
+    assert lines[1:3] == [
+        "stale: EYY from 300 to 400 mm by 0.700 um, u 0.10 um (p of the whole 1e-9)",
+        "stale: EC0X by -5.20 urad, u 0.40 urad (p of the whole 2e-7)",
+    ]
+    beside = summary_text(replace(builders.diagnosis("explained"), stale=builders.STALE))
+    assert "stale: EYY from 300 to 400 mm" in beside
+
+
+@pytest.mark.parametrize(
+    ("standardised", "judged"),
+    [
+        (0.6, "less than predicted: the noise is taken for larger than it is"),
+        (1.4, "more than noise and the uncertainty of the values account for"),
+    ],
+)
+def test_a_scatter_that_is_not_as_predicted_is_said(standardised: float, judged: str) -> None:
+    diagnosis = builders.diagnosis("explained")
+    text = summary_text(replace(diagnosis, gain=replace(diagnosis.gain, standardised=standardised)))
+    assert f"held-out residuals have {standardised:.2f} times the scatter predicted of them: {judged}\n" in text
+
+
+def test_held_out_readings_that_tell_nothing_are_said_to() -> None:
+    """All of them taken up by what is unknown of their instruments."""
+    diagnosis = builders.diagnosis("explained")
+    nothing = Stage(math.nan, math.nan, math.nan)
+    text = summary_text(replace(diagnosis, gain=Gain(diagnosis.gain.rms, nothing, "3 passes", 3e-4)))
+    assert "held-out RMS (3 passes): none, the zeros of their instruments take up all of these readings\n" in text
+    assert "nan" not in text
+    assert "scatter" not in text
