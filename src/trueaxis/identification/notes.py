@@ -86,8 +86,8 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             factor = found.factors[kind]
             limit = size * (SAID if factor > 1.0 else 1.0 / SAID)
             notes.append(
-                f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g}, and make "
-                f"{limit:.3g} {_times(found.likelier[kind])} less likely: more than a factor of {SAID:g} apart; the "
+                f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g}; "
+                f"{limit:.3g} is {_times(found.likelier[kind])} less likely: more than a factor of {SAID:g} apart; the "
                 "estimate takes the size that the readings show"
             )
     if found.readings.outliers.any():
@@ -107,8 +107,8 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
 
 
 def _times(log_ratio: float) -> str:
-    """`40 times`, `more than a million times`."""
-    return f"{np.exp(log_ratio):.2g} times" if log_ratio < np.log(1e4) else "more than 10 000 times"
+    """`40 times`, `more than 10 000 times`."""
+    return f"{np.exp(log_ratio):.0f} times" if log_ratio < np.log(1e4) else "more than 10 000 times"
 
 
 def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:
