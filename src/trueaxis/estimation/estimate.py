@@ -14,11 +14,11 @@ from trueaxis.estimation.evidence import averaged, best_sizes, posterior_at
 from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.least_norm import least_norm
+from trueaxis.estimation.misread import Misread, mean_square, misread_runs
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
-from trueaxis.estimation.signs import mean_square, reversed_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import (
     State,
@@ -164,7 +164,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    flipped = _reversed(setting, state, sizes, x, posterior)
+    misread = _misread(setting, state, sizes, x, posterior)
     factors_u = sizes.factors_u(posterior, x)
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
@@ -191,15 +191,15 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         readings=ReadingsLeft(
             residual=left,
             outliers=outliers,
-            reversed=flipped,
+            misread=misread,
             freedom=float((~outliers).sum()) - posterior.told,
         ),
         iteration=Iteration(rounds=rounds, steps=steps, last_step=last, last_change=change, converged=converged),
     )
 
 
-def _reversed(setting: _Setting, state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> dict[int, float]:
-    """As `reversed_runs`; where residuals are larger than a noise that is stated, by one that is estimated."""
+def _misread(setting: _Setting, state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> dict[int, Misread]:
+    """As `misread_runs`; where residuals are larger than a noise that is stated, by one that is estimated."""
     layout, kept, noise = state.layout, state.kept, setting.options.noise
 
     def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
@@ -209,7 +209,7 @@ def _reversed(setting: _Setting, state: State, sizes: Sizes, x: FloatArray, post
         noise = {}
         x, state = refit(setting.runs)
         posterior = posterior_at(sizes, linearised(state), x)
-    return reversed_runs(state, sizes, x, posterior, refit)
+    return misread_runs(state, sizes, x, posterior, refit)
 
 
 def _determined(sizes: Sizes, posterior: Posterior) -> tuple[Posterior, FloatArray]:

@@ -22,8 +22,8 @@ from trueaxis.identification.fit_quality import (
     known_noise,
     quality,
     run_residuals,
-    with_reversed,
 )
+from trueaxis.identification.misreadings import with_misread
 from trueaxis.identification.report import Identification
 from trueaxis.identification.weighting import NoiseModel, weighting
 from trueaxis.identification.words import enumerated
@@ -72,8 +72,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Ide
     residuals = _residuals(model, observed, found, noise)
     if not found.iteration.converged:
         raise NotConvergedError(run_residuals(residuals, observed.runs), found.iteration.rounds + found.iteration.steps)
-    against = [observed.runs[index].id for index in found.readings.reversed]
-    judged = with_reversed(quality(residuals, observed.runs), against)
+    judged = with_misread(quality(residuals, observed.runs), observed, found)
     together = combinations(found)
     tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if prior else None
     found = found.levelled() if options.squareness == "convention" else found

@@ -1,7 +1,7 @@
 """How a fit ended: whether it stands still, and whether its residuals are of the size of the noise that is known."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -134,15 +134,6 @@ def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
             reason = f"the residuals are larger than errors of the sizes of [prior] would be ({prior * 1e3:.3g} um)"
             return FitQuality(Fit("misfit", None, tuple(one.run for one in each[:MOST_RUNS])), each, reason)
     return FitQuality(Fit("converged"), each)
-
-
-def with_reversed(judged: FitQuality, runs: Sequence[str]) -> FitQuality:
-    """A misfit where runs, by id, surest first, read as if their sign were reversed: the values follow them, too."""
-    if not runs:
-        return judged
-    named = f"run {runs[0]} reads" if len(runs) == 1 else f"runs {', '.join(runs)}: one of them at least reads"
-    reason = f"{named} as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)"
-    return replace(judged, fit=Fit("misfit", judged.fit.chi2, tuple(runs)), reason=reason)
 
 
 def _copies(residuals: Residuals, runs: Sequence[Run]) -> str:

@@ -9,6 +9,7 @@ from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.set_up import is_straightness
+from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
 from trueaxis.identification.words import enumerated
 from trueaxis.model.errors import ErrorValues
@@ -101,7 +102,7 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
             f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )
-    return (*notes, *_zeros_far_off(observed, found))
+    return (*notes, *misread_notes(observed, found), *_zeros_far_off(observed, found))
 
 
 def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:

@@ -56,7 +56,7 @@ def test_noise_that_is_stated_too_small_names_no_other_run(
     """By it every ratio of likelihoods is wrong by 1 / share^2 in its logarithm, and all runs seem reversed."""
     noise = dict.fromkeys(range(len(readings.runs)), 3e-4 * share)
     found = estimate(model_with(), turned(readings, *wrong), KNOWN, EstimationOptions(noise=noise))
-    assert tuple(readings.runs[index].id for index in found.readings.reversed) == named
+    assert tuple(readings.runs[index].id for index in found.readings.misread) == named
 
 
 def turned(data: Observations, *runs: str) -> Observations:
