@@ -62,7 +62,8 @@ of it cannot be corrected without turning far: the axis then keeps to its progra
 lines.
 
 exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
-at whose end their words stop (see the report); 2 the input is wrong and nothing was written.
+at whose end their words stop (see the report), or nothing was written: refused for its uncertainty or by
+--max-correction; 2 the input is wrong and nothing was written.
 """
 
 

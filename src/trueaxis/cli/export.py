@@ -43,7 +43,8 @@ def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser(
         "export", help="error values as compensation tables of a control", description=DESCRIPTION,
-        epilog="exit code: 0 done; 1 refused for its uncertainty or by --max-correction, nothing is written; 2 the input is wrong",
+        epilog="exit code: 0 done; 1 refused for its uncertainty or by --max-correction, nothing is written; "
+        "2 the input is wrong",
     )  # fmt: skip
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")

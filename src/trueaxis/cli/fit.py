@@ -49,7 +49,8 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "fit",
         help="identified curves to optimal polynomials, with their statistics",
         description=DESCRIPTION,
-        epilog="exit code: 0 done; 1 a table has no significant polynomial; 2 the input is wrong",
+        epilog="exit code: 0 done; 1 a table has no significant polynomial, or refused for its uncertainty; "
+        "2 the input is wrong",
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="error values with curves")

@@ -158,8 +158,10 @@ def run(args: argparse.Namespace) -> int:
     if unbelievable.found:
         for fault in unbelievable.found:
             print(f"trueaxis: not written: {fault}", file=sys.stderr)
-        worst = identified.report.quality.runs
-        print(f"trueaxis: residuals of the worst runs: {runs_text(worst)}", file=sys.stderr)
+        worst = identified.report.quality
+        misfit = worst.fit.state == "misfit"
+        text = fit_text(worst) if misfit else f"residuals of the worst runs: {runs_text(worst.runs)}"
+        print(f"trueaxis: {text}", file=sys.stderr)
         return 1
     identified = replace(identified, report=_with_setup(_with_unread(identified.report, data), data.setup, args.data))
     file = args.covariance or args.out.with_suffix(".npz")

@@ -82,7 +82,7 @@ class Visited:
         return np.stack([self._lowest, self._highest], axis=1)
 
     def samples(self, nodes: Sequence[Sequence[float]]) -> FloatArray:
-        """(n_axes, k), mm or deg: corners of the visited cells, points within, and in their middle every node of an axis.
+        """(n_axes, k), mm or deg: corners of the visited cells, points within, and every node in their middle.
 
         nodes: of each axis, rising: positions at which curves may have what they have nowhere else.
         """

@@ -42,6 +42,7 @@ MOST_STEPS = 20
 STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
 EXACT = 1e-6  # the same without a prior: readings without noise then give the errors back
 LEAST_STEP = 1e-12  # of the size of an unknown: rounding
+LEAST_SQUARE = 1.0 / 9.0  # of residuals over their stated noise: below, it is three times too large or more
 SEED = 20  # of the draws from which the noise is taken
 
 
@@ -199,13 +200,13 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
 
 
 def _misread(setting: _Setting, state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> dict[int, Misread]:
-    """As `misread_runs`; where residuals are larger than a noise that is stated, by one that is estimated."""
+    """As `misread_runs`; where residuals are far from a noise that is stated, by one that is estimated."""
     layout, kept, noise = state.layout, state.kept, setting.options.noise
 
     def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
         return _rounds(started(layout, tuple(runs), setting.given, noise, kept), sizes, MOST_ROUNDS)[:2]
 
-    if noise and mean_square(state) > 1.0:
+    if noise and not LEAST_SQUARE < mean_square(state) <= 1.0:
         noise = {}
         x, state = refit(setting.runs)
         posterior = posterior_at(sizes, linearised(state), x)

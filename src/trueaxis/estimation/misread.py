@@ -93,7 +93,8 @@ def log_ratios(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) 
     """Of each run, by its place, and each fault: logarithm of how much likelier it is undone, by the noise and sizes of
     the state.
 
-    With p what the others expect of the whitened readings y of a run, S the covariance of y - p, and z the readings
+    Sizes that were estimated with a fault may be far too small for the readings without it: what is worse by them counts
+    as by a normal distribution of unknown width. With p what the others expect of the whitened readings y of a run, S the covariance of y - p, and z the readings
     with the fault undone, the logarithm is [(y - p)' S^-1 (y - p) - (z - p)' S^-1 (z - p)] / 2, and that of the factor
     for every reading. S^-1 is what is left of 1 when the run's own unknowns and those that runs share are taken out,
     and S^-1 (y - p) is the residual of the estimate of all runs.
@@ -110,7 +111,10 @@ def log_ratios(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) 
         for column, how in enumerate(each, 1):
             change = readings[:, column] - readings[:, 0]  # (z - p) = (y - p) + change
             by_shape = float(squares[column, column] - 2.0 * squares[0, column] + squares[0, 0])
-            found[place, how] = -float(change @ residual) - 0.5 * by_shape + _of_factor(state, place, how)
+            worse = 2.0 * float(change @ residual) + by_shape
+            usual = max(float(residual @ residual), float(residual.size))
+            odds = -0.5 * worse if worse < 0.0 else -0.5 * residual.size * float(np.log1p(worse / usual))
+            found[place, how] = odds + _of_factor(state, place, how)
     return found
 
 
