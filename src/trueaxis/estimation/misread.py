@@ -93,11 +93,11 @@ def log_ratios(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) 
     """Of each run, by its place, and each fault: logarithm of how much likelier it is undone, by the noise and sizes of
     the state.
 
-    Sizes that were estimated with a fault may be far too small for the readings without it: what is worse by them counts
-    as by a normal distribution of unknown width. With p what the others expect of the whitened readings y of a run, S the covariance of y - p, and z the readings
-    with the fault undone, the logarithm is [(y - p)' S^-1 (y - p) - (z - p)' S^-1 (z - p)] / 2, and that of the factor
-    for every reading. S^-1 is what is left of 1 when the run's own unknowns and those that runs share are taken out,
-    and S^-1 (y - p) is the residual of the estimate of all runs.
+    Sizes that were estimated with a fault may be far too small for readings without it: what is worse by them counts as
+    by a normal distribution of unknown width. With p what the others expect of the whitened readings y of a run, S the
+    covariance of y - p, and z the readings with the fault undone, the logarithm is [(y - p)' S^-1 (y - p) -
+    (z - p)' S^-1 (z - p)] / 2, and that of the factor for every reading. S^-1 is what is left of 1 when the run's own
+    unknowns and those that runs share are taken out, and S^-1 (y - p) is the residual of the estimate of all runs.
     """
     found: dict[tuple[int, How], float] = {}
     for place, one in enumerate(state.runs):

@@ -28,9 +28,8 @@ class UncertaintyExtent:
     unknown: positions at which an uncertainty is not known; open: those of them that rest on what nothing determines;
     largest_open: by how much that moves the tool at the size of the prior, mm; components: those that are open there,
     and location errors.
-    u_rms, correction_rms: root mean squares over the positions of the length of the uncertainty, what is open at the
-    size of the prior in it, and of the deviation from home, which a compensation takes away, mm; u_rms None where no
-    uncertainty is known.
+    u_rms, correction_rms: root mean squares of the length of the uncertainty and of the deviation from home, which a
+    compensation takes away, over the positions where the first is known, mm; both 0 where it is nowhere.
     shift: by how much what nothing determines may displace this tool point against the origin of the tool frame, the
     same everywhere, at the size of the prior, mm.
     """
@@ -42,7 +41,7 @@ class UncertaintyExtent:
     open: int
     largest_open: float
     components: tuple[str, ...]
-    u_rms: float | None = None
+    u_rms: float = 0.0
     correction_rms: float = 0.0
     shift: float = 0.0
     largest_at: tuple[float, ...] = ()
@@ -55,7 +54,7 @@ class UncertaintyExtent:
     @property
     def worth_nothing(self) -> bool:
         """Whether a compensation would change the tool point by less than it is uncertain by."""
-        return self.u_rms is not None and self.u_rms > self.correction_rms
+        return self.u_rms > self.correction_rms
 
     def refused(self, max_u: float | None, accepted: bool) -> bool:
         """Whether nothing may be written: an uncertainty is above max_u, mm; without one, where the values are worth
@@ -74,8 +73,7 @@ def uncertainty_extent(
     known = np.where(np.isnan(uncertainty.u), 0.0, uncertainty.u)
     rests = (uncertainty.open > 0.0).any(axis=0)
     moved = model.deviation(positions, tool) - model.deviation(home_of(model), tool)
-    squares = (np.maximum(known, uncertainty.open) ** 2).sum(axis=0)
-    told = rests | ~np.isnan(uncertainty.u).any(axis=0)
+    told = ~np.isnan(uncertainty.u).any(axis=0)
     return UncertaintyExtent(
         points=positions.shape[1],
         largest_u=float(known.max(initial=0.0)),
@@ -86,11 +84,16 @@ def uncertainty_extent(
         open=int(rests.sum()),
         largest_open=float(uncertainty.open.max(initial=0.0)),
         components=open_names(model, covariance, positions[:, rests][:, :MOST_NAMED], tool),
-        u_rms=float(np.sqrt(squares[told].mean())) if told.any() else None,
-        correction_rms=float(np.sqrt((moved**2).sum(axis=0).mean())) if moved.size else 0.0,
+        u_rms=_length_rms(known[:, told]),
+        correction_rms=_length_rms(moved[:, told]),
         shift=float(at_home.open.max()),
         largest_at=tuple(positions[:, int(known.max(axis=0, initial=0.0).argmax())].tolist()) if known.size else (),
     )
+
+
+def _length_rms(vectors: FloatArray) -> float:
+    """Of vectors (3, n); 0 of none."""
+    return float(np.sqrt((vectors**2).sum(axis=0).mean())) if vectors.size else 0.0
 
 
 def travel_positions(model: MachineModel, covariance: Covariance) -> FloatArray:

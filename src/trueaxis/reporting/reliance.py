@@ -162,7 +162,7 @@ def uncertain_sentence(extent: UncertaintyExtent, max_u: float | None) -> str:
         return above_sentence(extent.counted, max_u)
     return (
         f"the corrections are {_um(extent.correction_rms)}, and the standard uncertainty of the tool point is "
-        f"{_um(extent.u_rms or 0.0)} (root mean squares, from home): as likely as not it is no better than doing "
+        f"{_um(extent.u_rms)} (root mean squares, from home): as likely as not it is no better than doing "
         "nothing; measure more, or accept it with --accept-u or a limit with --max-u"
     )
 
