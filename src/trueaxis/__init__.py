@@ -8,9 +8,9 @@
     there = ta.predict(model, errors, {"X": [0, 100, 200], "Y": 50.0})
     there.deviation, there.u                                        # (3, 3), mm
 
-Files may be `str` or `Path`, tables are NumPy arrays in and out. What is wrong with a file is an `InputError` with every
-fault, what is wrong with an argument a `ValueError` that names it. Nothing is imported before it is used; SymPy by
-`derive` alone.
+Files may be `str` or `Path`, tables are NumPy arrays in and out. What is wrong with a file is an `InputError` with
+every fault, what is wrong with an argument a `ValueError` that names it. Nothing is imported before it is used; SymPy
+by `derive` alone.
 """
 
 from importlib import import_module

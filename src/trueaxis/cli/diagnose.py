@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, cast
 
 from trueaxis.cli.arguments import noise
 from trueaxis.cli.beside import beside, cores
-from trueaxis.cli.measured import compensation_note, read_measured
+from trueaxis.cli.measured import read_measured
 from trueaxis.cli.paths import named, overwritten
 from trueaxis.cli.progress import progress
 from trueaxis.identification.fit_quality import NotConvergedError
+from trueaxis.identification.notes import compensation_note
 from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering, input_bytes, utf8_text

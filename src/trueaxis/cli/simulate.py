@@ -7,15 +7,12 @@ from typing import TYPE_CHECKING
 from trueaxis.cli.arguments import noise_or_none, whole
 from trueaxis.cli.paths import named, overwritten
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.load import load_data, load_model
+from trueaxis.jobs.load import load_data, load_model, save_data
 from trueaxis.jobs.simulate import simulate
 from trueaxis.machine import read_machine
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
-from trueaxis.measurement.active_compensation import moved_setup
-from trueaxis.measurement.readings import dump_readings
 from trueaxis.model.model import load_errors
 
 if TYPE_CHECKING:
@@ -67,12 +64,7 @@ def run(args: argparse.Namespace) -> int:
         raise InputError(found)
     simulated = simulate(model, values, plan, noise_um=args.noise_um, seed=args.seed, replace_all=args.replace)
     runs, readings = plan.data.setup.runs, plan.data.readings
-    write_files(
-        {
-            args.out / setup_file.FILE_NAME: moved_setup(args.data, args.out),
-            args.out / readings_files.FILE_NAME: dump_readings(simulated.data.readings),
-        }
-    )
+    save_data(args.out, simulated)
     kept = 0 if args.replace else int((~readings.planned).sum())
     told = f"; {kept} were there already and stay (--replace makes them anew)" if kept else ""
     print(f"{named(args.out)}: {len(runs)} runs, {len(readings.run) - kept} readings made{told}")

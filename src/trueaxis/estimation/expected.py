@@ -80,7 +80,7 @@ def expected(
         readings=ReadingsLeft(
             residual=np.zeros(readings),
             outliers=np.zeros(readings, dtype=bool),
-            reversed={},
+            misread={},
             freedom=readings - posterior.told,
         ),
         iteration=Iteration(rounds=0, steps=0, last_step=0.0, last_change=0.0, converged=True),

@@ -8,9 +8,9 @@ import polars as pl
 
 from trueaxis.io.files import write_files
 from trueaxis.machine import Machine, read_machine
-from trueaxis.measurement.active_compensation import active_values
+from trueaxis.measurement import readings, setup
+from trueaxis.measurement.active_compensation import active_values, moved_setup
 from trueaxis.measurement.data import MeasuredData, read_data
-from trueaxis.measurement.readings import readings_frame
 from trueaxis.model import model as models
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.covariance_file import linked
@@ -42,7 +42,7 @@ class DataFolder:
 
     def to_polars(self) -> pl.DataFrame:
         """The readings as in readings.csv: a row each; what is not measured yet has no reading."""
-        return readings_frame(self.data.readings)
+        return readings.readings_frame(self.data.readings)
 
 
 def load_machine(path: AnyPath) -> Machine:
@@ -63,24 +63,30 @@ def load_errors(path: AnyPath, machine: Machine | MachineModel, covariance: AnyP
 
     Raises InputError with every fault; values that were edited since they were identified have no covariance.
     """
-    spec = machine.machine if isinstance(machine, MachineModel) else machine
+    spec = _spec_of(machine)
     values = models.load_errors(Path(path), spec)
     file = None if covariance is None else Path(covariance)
     return Errors(values, load_uncertainty(Path(path), values, spec, file))
 
 
-def save_errors(path: AnyPath, errors: Errors, machine: Machine | MachineModel) -> tuple[Path, Path]:
+def save_errors(path: AnyPath, errors: Errors, machine: Machine | MachineModel) -> tuple[Path, ...]:
     """Write error values and, beside them with the ending .npz, their covariance: both whole or not at all.
 
     Returns both paths. Raises InputError where they cannot be written.
     """
-    spec = machine.machine if isinstance(machine, MachineModel) else machine
-    out = Path(path)
-    file = out.with_suffix(".npz")
-    values, covariance = linked(errors.values, errors.covariance, out, file)
-    text = dump_errors(values, components=spec.components, parameters=spec.parameters, effects=spec.effects)
-    write_files({file: covariance, out: text})
-    return out, file
+    files = errors_files(Path(path), errors, _spec_of(machine))
+    write_files(files)
+    return tuple(files)
+
+
+def errors_files(
+    out: Path, errors: Errors, machine: Machine, covariance: Path | None = None
+) -> dict[Path, str | bytes]:
+    """Content of the file of the covariance (default: beside `out`, ending .npz) and of that of the values."""
+    file = covariance or out.with_suffix(".npz")
+    values, content = linked(errors.values, errors.covariance, out, file)
+    text = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
+    return {file: content, out: text}
 
 
 def load_data(folder: AnyPath, machine: Machine | MachineModel) -> DataFolder:
@@ -88,6 +94,28 @@ def load_data(folder: AnyPath, machine: Machine | MachineModel) -> DataFolder:
 
     Raises InputError with every fault of all files.
     """
-    spec = machine.machine if isinstance(machine, MachineModel) else machine
+    spec = _spec_of(machine)
     data = read_data(Path(folder), spec)
     return DataFolder(folder=Path(folder), data=data, active=active_values(Path(folder), data.setup, spec))
+
+
+def save_data(folder: AnyPath, data: DataFolder) -> tuple[Path, ...]:
+    """Write measured data into another folder: readings.csv and a copy of setup.toml, both whole or not at all.
+
+    Raises InputError where they cannot be written.
+    """
+    files = data_files(Path(folder), data)
+    write_files(files)
+    return tuple(files)
+
+
+def data_files(out: Path, data: DataFolder) -> dict[Path, str | bytes]:
+    """Content of the files of a data folder."""
+    return {
+        out / setup.FILE_NAME: moved_setup(data.folder, out),
+        out / readings.FILE_NAME: readings.dump_readings(data.data.readings),
+    }
+
+
+def _spec_of(machine: Machine | MachineModel) -> Machine:
+    return machine.machine if isinstance(machine, MachineModel) else machine

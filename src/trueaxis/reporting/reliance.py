@@ -139,8 +139,8 @@ def program_sentences(reliance: Reliance) -> list[str]:
 def refusal_sentences(reliance: Reliance, max_u: float | None) -> list[str]:
     """Why a program was not written; max_u: the limit that was asked for, mm."""
     found = []
-    if reliance.too_uncertain and max_u is not None:
-        found.append(above_sentence(reliance.uncertainty.counted, max_u))
+    if reliance.too_uncertain:
+        found.append(uncertain_sentence(reliance.uncertainty, max_u))
     turned = reliance.allowed_turn is not None and reliance.largest_turn > reliance.allowed_turn
     if turned and reliance.allowed_turn is not None:
         found.append(
@@ -154,6 +154,17 @@ def refusal_sentences(reliance: Reliance, max_u: float | None) -> list[str]:
             "spec, if the machine is that far off"
         )
     return found
+
+
+def uncertain_sentence(extent: UncertaintyExtent, max_u: float | None) -> str:
+    """Why a result is refused for its uncertainty; max_u: the limit that was asked for, mm, None: none was."""
+    if max_u is not None:
+        return above_sentence(extent.counted, max_u)
+    return (
+        f"the corrections are {_um(extent.correction_rms)}, and the standard uncertainty of the tool point is "
+        f"{_um(extent.u_rms)} (root mean squares, from home): as likely as not it is no better than doing "
+        "nothing; measure more, or accept it with --accept-u or a limit with --max-u"
+    )
 
 
 def above_sentence(u: float, limit: float) -> str:
