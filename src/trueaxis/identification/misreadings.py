@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from trueaxis.estimation.evidence import LIKELIER
 from trueaxis.estimation.misread import How, Misread
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
@@ -23,7 +24,6 @@ LEAST_MACHINE = 1.0 / 30.0
 # mm: less than any instrument scatters in a shop, where air and temperature alone make some ten nanometres in a metre.
 LEAST_NOISE = 2e-5
 MACHINE = ("translation", "rotation", "location rad", "location mm")  # classes of sizes
-TOLD = 1.0  # standard deviation of the logarithm of a size below which the readings tell of it
 
 
 def with_misread(judged: FitQuality, observed: Observations, found: Estimate) -> FitQuality:
@@ -57,7 +57,7 @@ def _of_runs(sure: Mapping[str, Misread]) -> str:
 
 def _of_all(found: Estimate) -> str:
     """Why all readings together are too small to be in mm; empty where they are not."""
-    kinds = [name for name in dict.fromkeys(found.layout.kinds) if found.factors_u.get(name, np.inf) < TOLD]
+    kinds = [name for name in dict.fromkeys(found.layout.kinds) if found.likelier.get(name, 0.0) > LIKELIER]
     of_machine = [found.factors[name] for name in kinds if name in MACHINE]
     if not of_machine:
         return ""

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.estimation.evidence import SAID
-from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds
+from trueaxis.estimation.evidence import LIKELIER, SAID
+from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds, states_line
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
@@ -23,8 +23,6 @@ SLOW = 3.0  # slow over white noise: instruments drift by about as much as they 
 MOST_OUTLIERS = 20  # named
 MOST_ZEROS = 5  # named
 FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
-# Logarithm of a ratio of likelihoods, from where on a size is said to be off: half the square of 1.96, as 95 % ask
-LIKELIER = 1.92
 SILENT = "setup.toml does not say whether a compensation of the control was active; none is assumed"
 
 
@@ -133,7 +131,23 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
             f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )
-    return (*notes, *misread_notes(observed, found), *_zeros_far_off(observed, found))
+    return (*notes, *_alignment(observed, found), *misread_notes(observed, found), *_zeros_far_off(observed, found))
+
+
+def _alignment(observed: Observations, found: Estimate) -> Iterator[str]:
+    """How well lines of straightness are taken to be aligned: what is known of directions from home rests on it."""
+    lines = [
+        run.id
+        for index, run in enumerate(observed.runs)
+        if index in found.own and found.layout.straightness[index] and not states_line(run)
+    ]
+    if lines and not found.ideal:
+        size = CLASSES["straightness slope"].size * found.factors["straightness slope"]
+        yield (
+            f"{enumerated(lines)}: lines of straightness are taken as aligned to {size * 1e6:.2g} urad, which the "
+            "readings make likely; squareness and directions from home rest on that. Lines that were turned until both "
+            "ends read alike tell nothing of them: state line_u_urad = 1000 of their [device] in setup.toml"
+        )
 
 
 def _times(log_ratio: float) -> str:
