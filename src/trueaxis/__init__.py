@@ -17,9 +17,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from trueaxis.identification.fit_quality import NotConvergedError
     from trueaxis.io.faults import Fault, InputError
     from trueaxis.jobs.derive import Derivation, SolvedSystem, derive
-    from trueaxis.jobs.identify import Identified, identify
+    from trueaxis.jobs.identify import Identified, UnbelievableError, identify
     from trueaxis.jobs.load import (
         DataFolder,
         Errors,
@@ -47,9 +48,11 @@ __all__ = [
     "InputError",
     "Machine",
     "MachineModel",
+    "NotConvergedError",
     "Placement",
     "Prediction",
     "SolvedSystem",
+    "UnbelievableError",
     "derive",
     "identify",
     "load_data",
@@ -62,9 +65,10 @@ __all__ = [
     "simulate",
 ]
 _MODULES = {
+    "identification.fit_quality": ("NotConvergedError",),
     "io.faults": ("Fault", "InputError"),
     "jobs.derive": ("Derivation", "SolvedSystem", "derive"),
-    "jobs.identify": ("Identified", "identify"),
+    "jobs.identify": ("Identified", "UnbelievableError", "identify"),
     "jobs.load": (
         "DataFolder", "Errors", "load_data", "load_errors", "load_machine", "load_model", "save_data", "save_errors",
     ),
