@@ -97,7 +97,7 @@ def test_what_no_reading_determined_is_refused_by_max_u(
 def test_values_that_are_more_uncertain_than_large_are_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    uncertain = {"EXX": {"basis": "polynomial", "powers": [1], "coefficients": [1e-6], "u": [2e-6]}}
+    uncertain = {"EXX": {"basis": "polynomial", "powers": [1], "coefficients": [1e-6], "u": [1e-5]}}
     errors = values(tmp_path, motion_errors=uncertain)
     assert export("siemens-enc", tmp_path / "out", machine=GANTRY, errors=errors) == 1
     assert "no better than doing nothing" in capsys.readouterr().out

@@ -149,7 +149,7 @@ def test_a_run_that_does_not_fit_is_a_misfit(tmp_path: Path, method: str, capsys
 
 
 def test_a_noise_that_is_stated_far_too_small_is_a_misfit(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Values follow such a noise: whatever a model may lack is no excuse. A remedy is named, of one too large, too."""
+    """Values follow such a noise: whatever a model may lack is no excuse. The remedy is named."""
     data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.5"), tmp_path / "e.json"
     assert identify(data, out, "--method", "global", "--noise-um", "0.5") == 0
     assert "leave it out" not in capsys.readouterr().out

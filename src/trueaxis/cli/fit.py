@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trueaxis.cli.arguments import file_to_write, share, size, whole
-from trueaxis.cli.misfit import check_fit, misfit_option, uncertain_option
+from trueaxis.cli.misfit import check_fit, misfit_option
 from trueaxis.cli.paths import named, overwritten
 from trueaxis.error_name import ErrorName
 from trueaxis.io.faults import Fault, InputError
@@ -25,7 +25,7 @@ from trueaxis.model.kernels import load_kernels
 from trueaxis.model.model import MachineModel, load_errors
 from trueaxis.model.uncertainty import covariance_file, curve_u, load_uncertainty
 from trueaxis.reporting.fitted_curves import curve_sentences
-from trueaxis.reporting.reliance import extent_sentences, uncertain_sentence
+from trueaxis.reporting.reliance import above_sentence, extent_sentences, worth_nothing_sentences
 
 if TYPE_CHECKING:
     from trueaxis.identification.polynomial import OptimalFit
@@ -49,7 +49,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "fit",
         help="identified curves to optimal polynomials, with their statistics",
         description=DESCRIPTION,
-        epilog="exit code: 0 done; 1 a table has no significant polynomial, or refused for its uncertainty; "
+        epilog="exit code: 0 done; 1 a table has no significant polynomial, or refused by --max-u; "
         "2 the input is wrong",
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
@@ -62,7 +62,6 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
     parser.add_argument("--alpha", type=share, default=0.05, help="significance level of the tests (%(default)s)")
     misfit_option(parser)
-    uncertain_option(parser, "the values")
     parser.add_argument(
         "--statistics", action="store_true", help="show the statistics of each equation, before and after, as a table"
     )
@@ -123,7 +122,7 @@ def run(args: argparse.Namespace) -> int:
     doubtful = () if extent is None else extent.components
     if args.picture is not None:
         contents[args.picture] = _picture(errors, covariance, {**fits, **of_estimate}, doubtful, resting)
-    refused = extent is not None and extent.refused(args.max_u, args.accept_u)
+    refused = extent is not None and extent.refused(args.max_u, accepted=True)
     if not refused:
         write_files(contents)
     for name, fit in (*fits.items(), *of_estimate.items()):
@@ -131,11 +130,13 @@ def run(args: argparse.Namespace) -> int:
         print(f"{name}: {fit.verdict}")
         if args.statistics:
             print(f"{statistics_table(fit, unit, factor)}\n")
-    stated = [NO_KERNELS] if extent is None else extent_sentences(extent, "over the travel")
+    stated = [NO_KERNELS]
+    if extent is not None:
+        stated = extent_sentences(extent, "over the travel") + worth_nothing_sentences(extent)
     for note in (*notes, *stated):
         print(f"note: {note}")
     if refused and extent is not None:
-        print(f"{named(args.out)}: not written: {uncertain_sentence(extent, args.max_u)}")
+        print(f"{named(args.out)}: not written: {above_sentence(extent.counted, args.max_u)}")
         return 1
     print(f"written: {', '.join(map(named, contents))}")
     return 0 if all(fit.after.powers for fit in fits.values()) else 1

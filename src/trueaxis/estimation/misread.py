@@ -52,7 +52,7 @@ class Misread:
     @property
     def sure(self) -> bool:
         """Whether it decides how a fit ended."""
-        return self.log_odds > SURE
+        return bool(self.log_odds > SURE)
 
 
 def misread_runs(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior, refit: Refit) -> dict[int, Misread]:

@@ -5,8 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from trueaxis.estimation.evidence import LIKELIER
-from trueaxis.estimation.misread import How, Misread
+from trueaxis.estimation.misread import SURE, How, Misread
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.identification.fit_quality import FitQuality
@@ -23,7 +22,6 @@ READS: Mapping[How, str] = {
 LEAST_MACHINE = 1.0 / 30.0
 # mm: less than any instrument scatters in a shop, where air and temperature alone make some ten nanometres in a metre.
 LEAST_NOISE = 2e-5
-MACHINE = ("translation", "rotation", "location rad", "location mm")  # classes of sizes
 
 
 def with_misread(judged: FitQuality, observed: Observations, found: Estimate) -> FitQuality:
@@ -57,11 +55,10 @@ def _of_runs(sure: Mapping[str, Misread]) -> str:
 
 def _of_all(found: Estimate) -> str:
     """Why all readings together are too small to be in mm; empty where they are not."""
-    kinds = [name for name in dict.fromkeys(found.layout.kinds) if found.likelier.get(name, 0.0) > LIKELIER]
-    of_machine = [found.factors[name] for name in kinds if name in MACHINE]
-    if not of_machine:
+    off = {name: found.factors[name] for name, odds in found.likelier.items() if odds > 0.0}
+    if sum(found.likelier[name] for name in off) <= SURE or max(off.values()) > 1.0:
         return ""
-    size = float(np.exp(np.mean(np.log(of_machine))))
+    size = float(np.exp(np.mean(np.log(list(off.values())))))
     # not the noise that is estimated, which is no less than a stated resolution
     left = float(np.sqrt(np.mean(found.readings.residual[~found.readings.outliers] ** 2)))
     if size > LEAST_MACHINE or left > LEAST_NOISE:

@@ -160,11 +160,17 @@ def uncertain_sentence(extent: UncertaintyExtent, max_u: float | None) -> str:
     """Why a result is refused for its uncertainty; max_u: the limit that was asked for, mm, None: none was."""
     if max_u is not None:
         return above_sentence(extent.counted, max_u)
-    return (
+    return f"{'; '.join(worth_nothing_sentences(extent))}; measure more, or take --accept-u, or a limit with --max-u"
+
+
+def worth_nothing_sentences(extent: UncertaintyExtent) -> list[str]:
+    """Where values are more uncertain than what they correct."""
+    if not extent.worth_nothing:
+        return []
+    return [
         f"the corrections are {_um(extent.correction_rms)}, and the standard uncertainty of the tool point is "
-        f"{_um(extent.u_rms)} (root mean squares, from home): as likely as not it is no better than doing "
-        "nothing; measure more, or accept it with --accept-u or a limit with --max-u"
-    )
+        f"{_um(extent.u_rms)} (root mean squares where it is known, from home): no better than doing nothing"
+    ]
 
 
 def above_sentence(u: float, limit: float) -> str:
