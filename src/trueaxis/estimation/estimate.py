@@ -22,11 +22,9 @@ from trueaxis.estimation.runs import MeasuredRun, measured_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import (
     State,
-    at_share,
     linearised,
     moved,
     started,
-    stays_within,
     with_noise,
     without_outliers,
 )
@@ -169,7 +167,6 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
     told = likelier(sizes, found, x) if setting.options.prior else {}
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
-        state = at_share(state, posterior) if stays_within(state, posterior) else state
     left, outliers = np.zeros(setting.observed.reading.size), np.zeros(setting.observed.reading.size, dtype=bool)
     for one, rest in zip(state.runs, state.residual, strict=True):
         left[one.rows.at], outliers[one.rows.at] = rest, ~one.good

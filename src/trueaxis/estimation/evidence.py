@@ -241,7 +241,8 @@ def likelier(sizes: Sizes, reduced: Reduced, x: FloatArray) -> dict[str, float]:
 
 
 def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
-    """The posterior averaged over the sizes that the readings leave possible: their uncertainty is in it.
+    """The posterior at the best sizes, x, with the covariance about its mean over all sizes that the readings leave
+    possible: their uncertainty is in it.
 
     Every size has two values in it, NODE standard deviations up and down of what the readings tell of it beside those
     before it, in combinations of which each has its opposite. The root of the covariance is that of its two parts.
@@ -256,15 +257,9 @@ def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:
         for sign in (1, -1)
     ]
     each = [_of_shared(one) for one in points]
-    mean = np.mean([one.mean for one in each], axis=0)
-    spread, of_prior = parted_root(each, mean, sizes.layout.of_machine)
-    own = list(best.own)
-    for number, batch in enumerate(batches):
-        means = np.mean([one.own[number] * one.parted[number].v for one in points], axis=0)
-        for place, of_run in zip(batch.places, means, strict=True):
-            own[place] = OwnPosterior(of_run, best.own[place].by_others, best.own[place].alone)
+    spread, of_prior = parted_root(each, best.mean, sizes.layout.of_machine)
     scale = np.sqrt(np.mean([one.scale**2 for one in each], axis=0))
-    return replace(best, mean=mean, spread=spread, scale=scale, own=tuple(own), of_prior=of_prior)
+    return replace(best, spread=spread, scale=scale, of_prior=of_prior)
 
 
 def _combinations(sizes: Sizes) -> FloatArray:

@@ -25,7 +25,7 @@ def prior_root(posterior: Posterior, of_machine: int) -> FloatArray:
 def parted_root(each: Sequence[Posterior], mean: FloatArray, of_machine: int) -> tuple[FloatArray, int]:
     """(n, 2 n): a root of the covariance of a mixture of equal shares; how many of its last columns are the prior's.
 
-    The means of the members differ because their sizes do: this counts with the prior. mean: (n,), of all.
+    The means of the members differ from that of all, mean (n,), because their sizes do: this counts with the prior.
     """
     share = 1.0 / np.sqrt(len(each))
     between = [share * (one.mean - mean)[:, np.newaxis] for one in each]
