@@ -1,6 +1,7 @@
 """Axes that get no word: they stay where the words before have put them."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,22 @@ from trueaxis.compensation.moves import Move
 Held = NDArray[np.bool_]
 
 
+@dataclass(frozen=True, slots=True)
+class Places:
+    """What is known of where axes stand, each (n_axes, n_points): held, axes that got no word although compensation
+    would move them; elsewhere, axes that may stand anywhere; unnamed, linear axes that the program has not moved yet.
+    """
+
+    held: Held
+    elsewhere: Held
+    unnamed: Held
+
+    @property
+    def uncounted(self) -> Held:
+        """Axes of which the program does not say where they are to be."""
+        return self.held & self.unnamed
+
+
 def held_axes(moves: Sequence[Move], count: int) -> Held:
     """Which axes are held in which moves, (count, n_moves)."""
     return _flags([move.held for move in moves], count)
@@ -19,6 +36,11 @@ def held_axes(moves: Sequence[Move], count: int) -> Held:
 def axes_elsewhere(moves: Sequence[Move], count: int) -> Held:
     """Which axes may stand anywhere in which moves, (count, n_moves)."""
     return _flags([move.elsewhere for move in moves], count)
+
+
+def axes_unnamed(moves: Sequence[Move], count: int) -> Held:
+    """Which axes nothing in the program has moved by the end of each move, (count, n_moves)."""
+    return _flags([move.unnamed for move in moves], count)
 
 
 def _flags(of_moves: Sequence[tuple[bool, ...]], count: int) -> Held:

@@ -13,7 +13,7 @@ from trueaxis.compensation.arc_blocks import ArcBlocks, arc_blocks
 from trueaxis.compensation.arcs import MOST_CHORDS, Arc, chord_counts
 from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensation.fault_log import FaultLog
-from trueaxis.compensation.held import Held, axes_elsewhere, held_axes, standing
+from trueaxis.compensation.held import Held, Places, axes_elsewhere, axes_unnamed, held_axes, standing
 from trueaxis.compensation.lattice import Stretch, rotary_on_words, shifts, stretches
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Setup, Start, Zero
@@ -192,7 +192,7 @@ class Compensator:
         waiting = held & self._corrected
         self._note_held(moves, waiting)
         held, waiting = held[:, path.owner], waiting[:, path.owner]
-        elsewhere = axes_elsewhere(moves, len(axes))[:, path.owner]
+        places = Places(waiting, *(of(moves, len(axes))[:, path.owner] for of in (axes_elsewhere, axes_unnamed)))
         shift = shifts(moves, len(axes))[:, path.owner]
         kinds = list(stretches(absolute, inch, shift, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
@@ -213,9 +213,7 @@ class Compensator:
             steps[:, done.point], axes, settings,
         )  # fmt: skip
         done = replace(done, positions=blocks.positions)
-        self._tally.add(
-            len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting, elsewhere
-        )
+        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing, places)
         shares = shares_of_time(done, path.owner[done.point], path, len(moves))
         return self._texts(moves, start, path, done, blocks, shares, (steps, shift))
 
