@@ -1,9 +1,10 @@
 # mypy: ignore-errors
 """Runs in LinuxCNC's own Python: prints what its interpreter makes of one program.
 
-canonical.py PROGRAM VAR PACKAGES TOOLS: one line a motion, `rapid|feed LINE X Y Z A B C` or
+canonical.py PROGRAM VAR PACKAGES TOOLS [START]: one line a motion, `rapid|feed LINE X Y Z A B C` or
 `arc LINE PLANE TURNS CX CY X Y Z A B C` (mm, deg, machine coordinates of the point from which lengths count; CX, CY the
 centre in the first two axes of the plane), `tool LINE T`, `length LINE Z`, and at the end `end RESULT LINE TEXT`.
+START is a block that puts the axes where they are to stand at first; it is the first motion.
 """
 
 import ctypes
@@ -11,6 +12,7 @@ import json
 import sys
 
 PROGRAM, VAR, PACKAGES = sys.argv[1:4]
+START = sys.argv[5] if len(sys.argv) > 5 else ""
 TOOLS = json.loads(sys.argv[4])  # number and length (mm) in the order of the table, the spindle first
 sys.path.insert(0, PACKAGES)
 import gcode  # noqa: E402
@@ -109,5 +111,5 @@ class Canon:
 
 
 canon = Canon()
-result, line = gcode.parse(PROGRAM, canon, "G21 G90 G94 G17 G40 G49 G80", "")
+result, line = gcode.parse(PROGRAM, canon, "G21 G90 G94 G17 G40 G49 G80", START)
 print("end", result, line, gcode.strerror(result) if result > gcode.MIN_ERROR else "")

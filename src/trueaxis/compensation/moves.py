@@ -90,6 +90,10 @@ class Move(NamedTuple):
     inverse_time: float = 0.0
     round: Round | None = None
 
+    def as_line(self) -> "Move":
+        """The same, but straight."""
+        return self._replace(arc=None, kind=Kind.LINE)
+
 
 class Zero(NamedTuple):
     """A block that gives axes new values where they stand (G92): `source` if its words hold where they stand now.

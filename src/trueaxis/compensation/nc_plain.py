@@ -16,6 +16,18 @@ PLAIN = re.compile(
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
 
 
+def goes_on_plainly(state: NcState, motion: int | None) -> bool:
+    """Whether a block of axis words alone, under this motion, is a straight move from where all axes are known."""
+    return (
+        motion in (0, 1)
+        and state.commanded.linear_complete
+        and None not in state.position
+        and state.cycle is None
+        and state.feed_mode != "time"
+        and not state.ended
+    )
+
+
 def plain_move(number: int, line: str, match: re.Match[str], state: NcState, undotted_mm: bool) -> Move | None:
     """The move of a plain block; None, and nothing changed, if it needs a closer look.
 
@@ -25,13 +37,8 @@ def plain_move(number: int, line: str, match: re.Match[str], state: NcState, und
     motion = state.motion if code is None else int(code)
     if (
         motion is None
-        or motion > 1
         or (code is None and state.in_force != motion)
-        or not state.commanded.linear_complete
-        or None in state.position
-        or state.cycle is not None
-        or state.feed_mode == "time"
-        or state.ended
+        or not goes_on_plainly(state, motion)
         or (x is None and y is None and z is None)
     ):
         return None

@@ -1,21 +1,17 @@
 """Programmed positions outside the travel of their axes."""
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.machine import ErrorModel, FloatArray
-from trueaxis.compensation.moves import Move
+from trueaxis.compensation.move_table import MoveTable
 from trueaxis.compensation.path import Path
 from trueaxis.compensation.point_control import PointControlled
 
 _ROUNDING = 1e-9  # mm, deg: what doubles lose
 
 
-def note_outside(
-    moves: Sequence[Move], path: Path, model: ErrorModel, tool_point: FloatArray, faults: FaultLog
-) -> None:
+def note_outside(moves: MoveTable, path: Path, model: ErrorModel, tool_point: FloatArray, faults: FaultLog) -> None:
     """Faults of programmed positions, those along arcs too, that are outside the travel; once a block.
 
     tool_point: (3, 1), which says where the axes are under tool centre point control.
