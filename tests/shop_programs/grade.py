@@ -100,17 +100,15 @@ def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grad
         program.write_bytes(ended(text.encode("latin-1")))
     try:
         report = compensate_file(program, out, machine(), settings, language="nc", via_linuxcnc=via_linuxcnc)
-    except InputError as error:
-        if via:
-            return Grade(name, kind, "refused", "; ".join(fault.problem for fault in error.faults[:3]))
+    except InputError:
         settings, start = replace(settings, start=dict.fromkeys("XYZ", 0.0)), "with --start"
         try:
-            report = compensate_file(program, out, machine(), settings, language="nc")
+            report = compensate_file(program, out, machine(), settings, language="nc", via_linuxcnc=via_linuxcnc)
         except InputError as error:
             return Grade(name, kind, "refused", "; ".join(fault.problem for fault in error.faults[:3]))
-    if not report.good and not via and not start:
+    if not report.good and not start:
         settings, start = replace(settings, start=dict.fromkeys("XYZ", 0.0)), "with --start"
-        report = compensate_file(program, out, machine(), settings, language="nc")
+        report = compensate_file(program, out, machine(), settings, language="nc", via_linuxcnc=via_linuxcnc)
     if not report.good:
         return Grade(name, kind, "refused", "exit code 1: an error above the tolerance is left, and reported")
     written = run(out, package, LENGTHS, OFFSETS)

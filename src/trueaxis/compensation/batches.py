@@ -4,6 +4,8 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
+import numpy as np
+
 from trueaxis.compensation.arcs import MOST_CHORDS, Arc, chord_counts
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.machine import LINEAR
@@ -66,4 +68,4 @@ def _parts(items: Iterable[Item | PlainRun], most: int) -> Iterator[Item | Plain
 def _chords(move: Move, arc: Arc, axes: tuple[str, ...], settings: Settings) -> int:
     at = dict(zip(axes, move.end, strict=True))
     radius = math.dist([at.get(axis, 0.0) for axis in LINEAR], arc.centre)  # with its rise; a bound
-    return int(chord_counts(radius, arc.sweep, settings.chord_tolerance))
+    return int(chord_counts(np.array(radius), np.array(arc.sweep), settings.chord_tolerance))

@@ -12,6 +12,7 @@ from trueaxis.compensation.dialects import NAMES, RECOGNISED, dialect_of, head_o
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.klartext_numbers import numbered
 from trueaxis.compensation.klartext_reader import KlartextReader
+from trueaxis.compensation.linuxcnc_blocks import PASSED
 from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.mark import MARK, comment_of, marked
 from trueaxis.compensation.moves import Notes
@@ -21,7 +22,7 @@ from trueaxis.compensation.reliance import Judge
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import home_of
-from trueaxis.compensation.via_linuxcnc import PASSED, unrolled
+from trueaxis.compensation.via_linuxcnc import unrolled
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import OutputFiles
 

@@ -21,7 +21,7 @@ class MoveTable(Sequence[Move]):
         self._parts: list[list[Move] | PlainRun] = []
         for single, group in groupby(items, lambda item: isinstance(item, Move)):
             of_kind = list(group)
-            self._parts += [of_kind] if single else of_kind  # type: ignore[list-item]  # all of them are
+            self._parts += [of_kind] if single else of_kind  # type: ignore[arg-type,list-item]  # all of them are
         self._counts = [len(part) if isinstance(part, list) else part.count for part in self._parts]
         self._firsts = np.concatenate([[0], np.cumsum(self._counts)]).astype(np.int64)
 
