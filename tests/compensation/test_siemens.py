@@ -179,7 +179,16 @@ def test_length_without_d_is_noted(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["G0 X1 Y2\nG2 X5 R3\n", "%\nO1234 (A)\nG54 G0 X=5 is no word\n".replace("X=5", "X5"), ""]
+    "text",
+    [
+        "G54.1 P3\nT0101\nG0 X5.\n",
+        "G5.1 X1 Y1 I2 J2\n",
+        "(G43.4 H1)\n; G54.1 P3\nG8\n",
+        "G5 I1 J1 P2 Q3 X5 Y5\n",
+        "G0 X1 Y2\nG2 X5 R3\n",
+        "%\nO1234 (A)\nG54 G0 X=5 is no word\n".replace("X=5", "X5"),
+        "",
+    ],
 )
 def test_what_several_controls_read_is_not_recognised(text: str) -> None:
     assert dialect_of(text) is None
