@@ -87,7 +87,7 @@ class _Lines:
             if len(line) >= LONGEST_LINE:
                 self.count = number
                 self._faults.add(
-                    number, f"a line of {LONGEST_LINE} bytes or more: not a program, or one without line ends"
+                    number, f"a line of more than {LONGEST_LINE} bytes: not a program, or one without line ends"
                 )
                 return True
         return False
