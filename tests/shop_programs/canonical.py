@@ -111,5 +111,5 @@ class Canon:
 
 
 canon = Canon()
-result, line = gcode.parse(PROGRAM, canon, "G21 G90 G94 G17 G40 G49 G80", START)
+result, line = gcode.parse(PROGRAM, canon, f"G21 {START}", "G90 G94 G17 G40 G49 G80")
 print("end", result, line, gcode.strerror(result) if result > gcode.MIN_ERROR else "")

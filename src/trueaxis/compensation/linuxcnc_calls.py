@@ -107,7 +107,8 @@ def main(program, var, packages, tools, start, skips):
 
     # the table of tools is memory shared by way of a file in HOME, which rs274 has made; without it the module crashes
     ctypes.CDLL("libtooldata.so.0", ctypes.RTLD_GLOBAL)._Z14tool_mmap_userv()
-    result, line = gcode.parse(program, Canon(var, json.loads(tools), skips == "skip"), "G21", start)
+    # the start leaves no motion in force, as LinuxCNC has none when a program begins
+    result, line = gcode.parse(program, Canon(var, json.loads(tools), skips == "skip"), f"G21 {start}", "G80")
     failed = result > gcode.MIN_ERROR
     print(json.dumps(["end", line, result if failed else 0, gcode.strerror(result) if failed else ""]))
 
