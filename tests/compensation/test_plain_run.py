@@ -46,7 +46,7 @@ def outcome(bench: Bench, text: str, fewest: int, options: dict[str, object]) ->
     machine = XyzMachine(of.curves, of.squareness, travel=LIMITS)
     with patch.object(plain_run, "FEWEST", fewest):
         try:
-            written = bench.run(text, machine, **options)
+            written = bench.run(text, machine, **options)  # type: ignore[arg-type]
         except InputError as error:
             return tuple(error.faults)
     return written, *figures(bench.report)

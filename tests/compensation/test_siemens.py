@@ -223,3 +223,10 @@ def test_random_programs_are_right_or_refused(blocks: list[str]) -> None:
             return
     if written:
         assert largest_error(source, written)[1] < ALONG
+
+
+@pytest.mark.parametrize("block", ["G{}", "G1 X=AC({})", "T{}", "N{} G1 X1", "G1 X1 F{}", "M{}"])
+def test_a_number_of_no_machine_is_a_fault(tmp_path: Path, block: str) -> None:
+    """It was read as infinite, and ended the program with a traceback."""
+    with pytest.raises(InputError, match="no machine's"):
+        compensated(tmp_path, HEAD + block.format("9" * 400) + "\nM30\n")

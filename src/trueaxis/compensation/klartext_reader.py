@@ -14,7 +14,14 @@ from trueaxis.compensation.dialects import BYTE_ORDER_MARK
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.klartext_arcs import arc_of, as_arc, polar_end, pole_of
 from trueaxis.compensation.klartext_cycles import Other, other_block
-from trueaxis.compensation.klartext_lexer import MACHINE_COORDINATES, KlartextBlock, codes_alone, head_of, lex_klartext
+from trueaxis.compensation.klartext_lexer import (
+    MACHINE_COORDINATES,
+    KlartextBlock,
+    codes_alone,
+    head_of,
+    lex_klartext,
+    too_long,
+)
 from trueaxis.compensation.klartext_tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
 from trueaxis.compensation.mark import COMPENSATED_ALREADY, is_marked
 from trueaxis.compensation.moves import STOP, Item, Kind, Move, Notes, Split, Start
@@ -69,8 +76,11 @@ class KlartextReader:
         if number == 1:
             text = text.removeprefix(BYTE_ORDER_MARK)
         body = text.rstrip("\r\n")
-        if state.ended:
-            if lex_klartext(body).coordinates:
+        problem = too_long(body)
+        if problem:
+            self._faults.add(number, problem)
+        if state.ended or problem:
+            if not problem and lex_klartext(body).coordinates:
                 self._notes.add(number, AFTER_END)
             return [text]
         _, optional, rest = head_of(body)

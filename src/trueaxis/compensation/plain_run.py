@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.machine import LINEAR, FloatArray
 from trueaxis.compensation.moves import Kind, Move
-from trueaxis.compensation.nc_lexer import NUMBER
+from trueaxis.compensation.nc_lexer import LARGEST, NUMBER
 from trueaxis.compensation.nc_plain import goes_on_plainly
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.settings import MM_PER_INCH
@@ -22,7 +22,6 @@ from trueaxis.compensation.settings import MM_PER_INCH
 FEWEST = 12  # blocks: below, arrays cost more than they save
 _NUMBER_WITH_DOT = r"[-+]?+(?:\d++\.\d*+|\.\d++)"
 _SPACES = bytes.maketrans(b"XYZ", b"   ")
-_LARGEST = 1e9  # of a word, as in the lexer
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -125,7 +124,7 @@ class RunReader:
         state = self._state
         source = text.encode("latin-1")
         values = np.fromstring(source.translate(_SPACES), sep=" ") * (MM_PER_INCH if state.inch else 1.0)
-        if not (np.abs(values) <= _LARGEST).all():
+        if not (np.abs(values) <= LARGEST).all():
             return None
         signs = np.frombuffer(source, dtype=np.uint8)
         letters = np.flatnonzero((signs >= ord("X")) & (signs <= ord("Z")))

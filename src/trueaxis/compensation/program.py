@@ -158,7 +158,8 @@ class Compensator:
             path, placing = self._tracker.place(path, moves, follows, following)
         path, placing = subdivide(path, self._along, placing)
         model = placing.at(np.arange(path.size), np.ones(path.size))
-        absolute, inch, lines = (column[path.owner] for column in (moves.absolute, moves.inch, moves.lines))
+        absolute, inch = moves.absolute[path.owner], moves.inch[path.owner]
+        lines = moves.lines[path.owner]
         held = moves.held
         waiting = held & self._corrected
         self._note_held(moves, waiting)
@@ -212,7 +213,7 @@ class Compensator:
 
     def _note_held(self, moves: MoveTable, held: Held) -> None:
         """Note axes that get no word; held: (n_axes, n_moves)."""
-        for index in np.flatnonzero(held.any(axis=0)):
+        for index in np.flatnonzero(held.any(axis=0)).tolist():
             names = " ".join(axis for axis, stays in zip(self._model.axes, held[:, index], strict=True) if stays)
             self._notes.add(moves[index].line, f"{names} {HELD}")
 
@@ -236,7 +237,7 @@ class Compensator:
         ends = moves.ends
         way = np.abs(np.diff(np.concatenate([start[:, None], ends], axis=1), axis=1))
         alone = (way[linear] == 0.0).all(axis=0) & (way[rotary] > 0.0).any(axis=0)
-        for index in np.flatnonzero(alone):
+        for index in np.flatnonzero(alone).tolist():
             if moves[index].kind == Kind.LINE:
                 self._notes.add(moves[index].line, TURNS_ALONE)
 

@@ -16,6 +16,7 @@ import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from trueaxis.compensation.linuxcnc_blocks import AXES, HEAD, SAME, Motion, blocks_of
 from trueaxis.compensation.offsets import NUMBERED, Offsets, half_width, middle
@@ -134,7 +135,7 @@ def _run(command: Sequence[str], folder: Path, env: Mapping[str, str]) -> str:
 
 
 def _motions(rounds: Sequence[str], name: str) -> list[Motion]:
-    found: list[list[list[object]]] = []
+    found: list[list[list[Any]]] = []
     for text in rounds:
         lines = [json.loads(line) for line in text.splitlines() if line.startswith("[")]
         if not lines or lines[-1][0] != "end":
