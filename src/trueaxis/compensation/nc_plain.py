@@ -9,7 +9,7 @@ from trueaxis.compensation.settings import MM_PER_INCH
 
 # the groups are lead, G, X, Y, Z, tail, F, line end
 PLAIN = re.compile(
-    rf"((?:N\d{1, 9}+)?[ \t]*+(?:G0?([01]))?[ \t]*+)"
+    rf"((?:N\d{{1,9}}+)?[ \t]*+(?:G0?([01]))?[ \t]*+)"
     rf"(?:X({NUMBER}))?(?:[ \t]*+Y({NUMBER}))?(?:[ \t]*+Z({NUMBER}))?"
     rf"([ \t]*+(?:F[ \t]*+(\d++\.?+\d*+|\.\d++))?[ \t]*+)(\r*+\n?+)"
 )
