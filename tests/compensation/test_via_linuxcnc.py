@@ -23,6 +23,7 @@ PACKAGE = Path(os.environ.get("TRUEAXIS_LINUXCNC", "/"))
 INSTALLED = (PACKAGE / "usr/bin/rs274").is_file()
 AT_ZERO = Offsets({"G54": dict.fromkeys("XYZ", (0.0, 0.0))}, {}, "G54")
 END = ["end", 9, 0, ""]
+TOOL = ToolTable({1: Tool(length=20.0)})
 
 
 def motion(
@@ -114,6 +115,21 @@ def test_increments_from_the_start_stay_increments(fake: FakePackage) -> None:
     second[2][5] = [40.0, 5.5, 28.0, 0.0, 0.0, 0.0]
     with pytest.raises(InputError, match="where the motion of line 3 goes depends on where the axes stand"):
         fake.unroll(first, second)
+
+
+@pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
+def test_a_tool_change_after_a_change_of_offsets_moves_no_axis(tmp_path: Path) -> None:
+    """The module goes on from the same words in the new frame: Z was moved by the difference of the offsets."""
+    at = {name: {a: (v, v) for a, v in zip("XYZ", OFFSETS[k], strict=True)} for k, name in enumerate(("G54", "G55"))}
+    program = tmp_path / "in.ngc"
+    program.write_text("G21 G90 G0 X1 Y1 Z5\nG55\nT1 M6\nG0 X10\nM2\n")
+    with pytest.raises(InputError, match="line 3: a tool change after a change of offsets"):
+        unrolled(program, PACKAGE, Offsets(at), TOOL, "in")
+    program.write_text("G21 G90\nG55\nT1 M6\nG0 X10\nG91 Y2\nG90 Z5\nM2\n")
+    blocks = unrolled(program, PACKAGE, Offsets(at), TOOL, "in").splitlines()
+    assert [line for line in blocks if line.startswith("N")] == [
+        "N4 G0 X320.0000000", "N5 G0 Y2.0000000", "N6 G0 Z100.0000000",
+    ]  # fmt: skip
 
 
 @pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 AXES = "XYZABC"
+_LARGEST_NUMBER = 99999  # of a block, in LinuxCNC
 SAME = 1e-7  # mm, deg: what doubles lose on the way through inches
 _CALL = re.compile(r"\s*\d+\s+N\S+\s+(\w+)\((.*)\)\s*$")
 _MOTION = frozenset({"STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"})
@@ -130,11 +131,16 @@ def _counts_from_start(motion: Motion) -> bool:
     return bool(moved) and motion.kind != "arc"
 
 
+def _number(motion: Motion) -> str:
+    """The line of the source as a block number; motions of a cycle have none (-1)."""
+    return f"N{motion.line} " if 0 < motion.line <= _LARGEST_NUMBER else ""
+
+
 def _increments(motion: Motion, feed: str) -> str:
     if any(end is not None and math.isnan(way) for end, way in zip(motion.end, motion.way, strict=True)):
         raise ValueError(f"line {motion.line} moves axes by increments and to positions, from an unknown start")
     ways = [f"{axis}{way:.7f}" for axis, way in zip(AXES, motion.way, strict=True) if abs(way) > SAME]
-    return f"N{motion.line} {'G0' if motion.kind == 'rapid' else 'G1'} {' '.join(ways)}{feed}"
+    return f"{_number(motion)}{'G0' if motion.kind == 'rapid' else 'G1'} {' '.join(ways)}{feed}"
 
 
 def _block(motion: Motion, at: Sequence[float | None], feed: str) -> str:
@@ -156,5 +162,5 @@ def _block(motion: Motion, at: Sequence[float | None], feed: str) -> str:
         if abs(motion.turns) > 1:
             words.append(f"P{abs(motion.turns)}")
     if not words:  # a motion to where the axes are: nothing moves
-        return f"N{motion.line}"
-    return f"N{motion.line} {code} {' '.join(words)}{feed}"
+        return _number(motion).rstrip()
+    return f"{_number(motion)}{code} {' '.join(words)}{feed}"

@@ -154,6 +154,8 @@ def _motions(rounds: Sequence[str], name: str) -> list[Motion]:
         zip(found[0][1:], found[1][1:], strict=True), zip(*found, strict=True), strict=False
     ):
         kind, line, plane, turns, centre, end = one
+        if kind == "stands":  # what the next motion starts from
+            continue
         same = tuple(a if abs(a - b) < SAME else None for a, b in zip(end, other[5], strict=True))
         ways = zip(end, before[5], other[5], before_other[5], strict=True)
         way = tuple(a - c if abs((a - c) - (b - d)) < SAME else math.nan for a, c, b, d in ways)
