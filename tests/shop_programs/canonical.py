@@ -30,6 +30,7 @@ class Canon:
     def __init__(self):
         self.parameter_file, self.line, self.plane = VAR, 0, 1
         self.g5x = self.g92 = self.tool = (0.0,) * 9
+        self.last = None
 
     def __getattr__(self, name):
         if name.startswith("__"):
@@ -58,6 +59,8 @@ class Canon:
 
     def change_tool(self, pocket):
         print("tool", self.line, pocket)
+        if self.last is not None:  # the module goes on from the words of the last motion, whatever the frame since
+            print("stands", self.line, *self.machine(self.last))
 
     def user_defined_function(self, number, *_):
         print("user", self.line, 100 + number)
@@ -70,9 +73,11 @@ class Canon:
         return [f"{value * (MM if row < 3 else 1.0):.9f}" for row, value in enumerate(total[:6])]
 
     def straight_traverse(self, *values):
+        self.last = values
         print("rapid", self.line, *self.machine(values))
 
     def straight_feed(self, *values):
+        self.last = values
         print("feed", self.line, *self.machine(values))
 
     def straight_probe(self, *_):
@@ -86,7 +91,8 @@ class Canon:
         end, centre = [0.0] * 3, [0.0] * 9
         end[rows[0]], end[rows[1]], end[rows[2]] = first, second, along
         centre[rows[0]], centre[rows[1]] = c1, c2
-        at = self.machine([*end, *rest])
+        self.last = [*end, *rest]
+        at = self.machine(self.last)
         middle = self.machine(centre)
         print("arc", self.line, self.plane, turns, middle[rows[0]], middle[rows[1]], *at)
 

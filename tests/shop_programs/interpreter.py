@@ -117,6 +117,7 @@ def _make_tools(folder: Path, package: Path, tools: Mapping[int, float], env: Ma
 
 def _motions(lines: list[str], tools: Mapping[int, float]) -> Ran:
     at = np.zeros(6)
+    stands, still = np.zeros(6), np.zeros(6, dtype=bool)
     ends, feed, number, tool = [], [], [], []
     features: set[str] = set()
     by_length = {length: of_tool for of_tool, length in tools.items()}
@@ -125,6 +126,8 @@ def _motions(lines: list[str], tools: Mapping[int, float]) -> Ran:
         kind, *words = text.split()
         if kind in ("rapid", "feed", "arc"):
             points = _arc(at, words) if kind == "arc" else np.array(words[1:], dtype=float)[None]
+            still &= np.abs(points - stands).max(axis=0) < 1e-9
+            points[:, still] = at[still]
             at = points[-1]
             moves += 1
             if moves == 0:
@@ -133,6 +136,9 @@ def _motions(lines: list[str], tools: Mapping[int, float]) -> Ran:
             feed.append([kind != "rapid"] * len(points))
             number.append([int(words[0])] * len(points))
             tool.append([spindle] * len(points))
+        elif kind == "stands":
+            stands = np.array(words[1:], dtype=float)
+            still = stands != at  # axes that the module has elsewhere, until a motion moves them
         elif kind == "tool":
             spindle, changed = int(words[1]), True
         elif kind == "length":
