@@ -87,8 +87,8 @@ class PlainRun:
 def _pattern(gap: str, eol: str, undotted: bool) -> re.Pattern[str]:
     """Of as many blocks as there are with this gap between words and this line end."""
     number, between = NUMBER if undotted else _NUMBER_WITH_DOT, " ++" if gap else ""
-    y, z = (f"(?:{between}{letter}{number})?+" for letter in "YZ")
-    return re.compile(rf"(?:(?:X{number}{y}{z}|Y{number}{z}|Z{number}){eol})++")
+    y, z = (f"(?:{between}{letter}{number})?" for letter in "YZ")
+    return re.compile(rf"(?:(?:X{number}{y}{z}|Y{number}{z}|Z{number}){eol})+")
 
 
 class RunReader:
