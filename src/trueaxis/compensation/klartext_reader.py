@@ -76,8 +76,7 @@ class KlartextReader:
         if number == 1:
             text = text.removeprefix(BYTE_ORDER_MARK)
         body = text.rstrip("\r\n")
-        problem = too_long(body)
-        if problem:
+        if problem := too_long(body):
             self._faults.add(number, problem)
         if state.ended or problem:
             if not problem and lex_klartext(body).coordinates:
