@@ -3,36 +3,29 @@
 Positions of the axes in machine coordinates: word + settable frame + programmable frame + length of the tool (Z).
 """
 
-import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
+from tests.compensation.control_motions import Motions
 
-FloatArray = NDArray[np.float64]
 N = r"([-+]?(?:\d+\.?\d*|\.\d+))"
 WORD = re.compile(rf"\b(CR|[XYZIJKGMTDF])\s*=?\s*(?:(AC|IC)\(\s*{N}\s*\)|{N})")
 
 
 @dataclass
-class SiemensControl:
-    """at: where the axes stand. runs: points (n, 3) of each run of feed motions, arcs cut finely; rapids: ends."""
+class SiemensControl(Motions):
+    """frames: settable, by G code, mm; lengths: of tools, mm."""
 
-    at: list[float]
-    frames: Mapping[int, Sequence[float]]
+    frames: Mapping[int, Sequence[float]] = field(default_factory=dict)
     lengths: Mapping[int, float] = field(default_factory=dict)
-    finely: float = 1e-5  # mm between arcs and their chords
 
     def __post_init__(self) -> None:
         self.settable: Sequence[float] = self.frames[54]
         self.program, self.length, self.unit = [0.0] * 3, 0.0, 1.0
         self.selected = self.spindle = 0
         self.motion, self.absolute = 0, True
-        self.runs: list[list[list[float]]] = []
-        self.rapids: list[list[float]] = []
-        self.feeding = self.ended = False
+        self.ended = False
 
     def run(self, program: str) -> "SiemensControl":
         for line in program.splitlines():
@@ -41,9 +34,6 @@ class SiemensControl:
             if text and not text.startswith("%") and not self.ended:
                 self.block(text)
         return self
-
-    def paths(self) -> list[FloatArray]:
-        return [np.array(run).T for run in self.runs]
 
     def block(self, text: str) -> None:
         if match := re.match(r"(A?)TRANS\b(.*)", text):
@@ -108,42 +98,10 @@ class SiemensControl:
             return
         turn = 1 if self.motion == 3 else -1
         if "CR" in words:
-            radius = words["CR"][1]
-            x, y = end[0] - self.at[0], end[1] - self.at[1]
-            chord = math.hypot(x, y)
-            rise = math.sqrt(max(radius**2 - chord**2 / 4, 0.0)) * (1 if radius > 0 else -1) * turn
-            centre = [self.at[0] + x / 2 - y / chord * rise, self.at[1] + y / 2 + x / chord * rise]
+            centre = self.by_radius(end, words["CR"][1], turn)
         else:
             centre = []
             for row, letter in enumerate("IJ"):
                 way, value = words.get(letter, ("", 0.0))
                 centre.append(value + self.origin(row, machine) if way == "AC" else self.at[row] + value)
         self.arc(centre, end, turn)
-
-    def arc(self, centre: Sequence[float], end: list[float], turn: int) -> None:
-        begin = math.atan2(self.at[1] - centre[1], self.at[0] - centre[0])
-        finish = math.atan2(end[1] - centre[1], end[0] - centre[0])
-        sweep = turn * ((turn * (finish - begin)) % (2 * math.pi))
-        if abs(sweep) < 1e-9 or math.dist(self.at[:2], end[:2]) < 1e-9:
-            sweep = turn * 2 * math.pi
-        first, last = math.dist(self.at[:2], centre), math.dist(end[:2], centre)
-        count = max(2, math.ceil(abs(sweep) / math.sqrt(8 * self.finely / max(first, 0.01))))
-        points = []
-        for k in range(1, count + 1):
-            share = k / count
-            radius, turned = first + share * (last - first), begin + share * sweep
-            points.append([
-                centre[0] + radius * math.cos(turned), centre[1] + radius * math.sin(turned),
-                self.at[2] + share * (end[2] - self.at[2]),
-            ])  # fmt: skip
-        self.move([*points[:-1], end], rapid=False)
-
-    def move(self, points: list[list[float]], rapid: bool) -> None:
-        if rapid:
-            self.rapids.append(points[-1])
-        else:
-            if not self.feeding:
-                self.runs.append([self.at.copy()])
-            self.runs[-1] += points
-        self.feeding = not rapid
-        self.at = points[-1].copy()

@@ -193,7 +193,18 @@ def test_programs_with_cycles_go_where_the_control_goes(blocks: list[Any], wrong
 
 @pytest.mark.parametrize("code", CODES)
 def test_a_cycle_feeds_as_a_line_does_where_an_axis_may_stand_anywhere(bench: Bench, code: str) -> None:
-    """Written out by hand it was refused, as a cycle it was taken."""
-    with pytest.raises(InputError, match="the position of Y is not known here") as caught:
-        bench.run(f"G21 G90 G17 M3\nG0 Z20.\n{code} X10. Z-6. R2. F100\nG80\n", paper_sized(), integers="mm")
-    assert len(caught.value.faults) == 1
+    """Y is taken to stand at home and gets no word; that it may stand elsewhere is too much, as of a line."""
+    head = "G21 G90 G17 M3\nG0 Z20.\n"
+    changes = []
+    for blocks in (f"{code} X10. Z-6. R2. F100\nG80\n", "G0 X10. Z2.\nG1 Z-6. F100\n"):
+        text = bench.run(head + blocks, paper_sized(), integers="mm")
+        assert b"Y" not in text
+        assert not bench.report.good
+        found = bench.report.unnamed_feeds
+        assert found is not None
+        assert (found.places, found.near) == ({"Y": 0.0}, None)
+        assert found.anywhere is not None
+        changes.append(found.anywhere.largest)
+    assert changes[0] == pytest.approx(changes[1], rel=0.05)
+    bench.run(f"{head}{code} X10. Z-6. R2. F100\nG80\n", paper_sized(), integers="mm", start={"Y": 0.0})
+    assert bench.report.good

@@ -247,3 +247,13 @@ def test_mutated_programs_are_right_or_refused(mutations: list[tuple[float, int,
         # a feed motion that starts where axes had no word is right at its end alone, and the report says so
         if report is not None and report.good and not any("gets no word" in note for note in report.notes):
             assert largest_error(text, out.read_text("latin-1"))[1] < ALONG
+
+
+@pytest.mark.parametrize(
+    "block", ["{} L X+1", "7 L X+{}", "7 L M{}", "7 TOOL CALL {} Z", "7 CYCL DEF 7.1 X+{}", "7 CR X+5 R+{}"]
+)
+def test_a_number_of_no_machine_is_a_fault(tmp_path: Path, block: str) -> None:
+    source = tmp_path / "in.h"
+    source.write_text(f"0 BEGIN PGM A MM\n{block.format('9' * 5000)}\n9 END PGM A MM\n")
+    with pytest.raises(InputError, match="no machine's number"):
+        compensate_file(source, tmp_path / "out.h", MACHINE, Settings(dialect="heidenhain"))

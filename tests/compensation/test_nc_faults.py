@@ -80,9 +80,9 @@ def test_one_line_without_end(bench: Bench) -> None:
     ("program", "line", "words"),
     [
         ("X1. Y1. Z1.\n", 1, "no motion"),
-        ("G1 X1. Y1. F9\n", 1, "position of Z is not known"),
-        ("G0 X1. Y1.\nG1 X2. F9\n", 2, "position of Z is not known"),
-        ("G0 X1. Y1.\nG2 X2. R3. F9\n", 2, "position of Z is not known"),
+        ("G0 X1. Y1.\nG91 G28 Z0.\nG90 G1 X2. F9\n", 3, "position of Z is not known"),
+        ("G0 X1. Y1.\nG18 G2 X2. R3. F9\n", 2, "position of Z is not known"),
+        ("G0 X1. Y1.\nG2 X2. Z3. R3. F9\n", 2, "position of Z is not known"),
         ("G0 X1. Y1.\nG91 Z1.\n", 2, "position of Z is not known"),
         ("G91 G0 X1. Y1. Z1.\n", 1, "position of X Y Z is not known"),
         ("G2 X1. Y0. Z0. I5.\n", 1, "is not known"),

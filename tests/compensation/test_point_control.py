@@ -60,7 +60,9 @@ def tips(program: str, rotary: str, machine: FiveAxes) -> list[tuple[bool, Float
     return found
 
 
-def run(folder: Path, text: str, machine: FiveAxes, dialect: str, **more: object) -> tuple[CompensationReport, str]:
+def run(
+    folder: Path, text: str, machine: "FiveAxes | Narrow", dialect: str, **more: object
+) -> tuple[CompensationReport, str]:
     source, out = folder / ("in.h" if "BEGIN" in text else "in.nc"), folder / "out.nc"
     source.write_text(text)
     given = {"dialect": dialect, "tools": TOOLS, "integers": "mm"} | more
@@ -167,6 +169,54 @@ def test_faults(tmp_path: Path, dialect: str, line: str, words: str) -> None:
             tmp_path, "G90\nT1 M6\nG0 X0. Y0. Z0. A0. C0.\n" + line + "\nM30\n", FiveAxes(TEXTS["table-table"]), dialect
         )
     assert any(words in fault.problem for fault in caught.value.faults), [f.problem for f in caught.value.faults]
+
+
+class Narrow:
+    """A machine with other travel."""
+
+    def __init__(self, model: object, travel: dict[str, tuple[float, float]]) -> None:
+        self._model, self.travel, self.model = model, travel, self
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(self._model, name)
+
+
+@pytest.mark.parametrize(("name", "rotary"), [("table-table", "AC"), ("head-head", "BC"), ("head and table", "BC")])
+def test_travel_is_that_of_the_axes_all_along_the_block(tmp_path: Path, name: str, rotary: str) -> None:
+    """Axes go on arcs while rotary axes turn: both ends may lie within the travel, and the way between them not."""
+    machine, random = FiveAxes(TEXTS[name]), np.random.default_rng(5)
+    beyond = 0
+    for _ in range(2):
+        start, end = (
+            np.concatenate([random.uniform(-40.0, 40.0, 3), random.uniform(-30.0, 30.0, 1), [side]])
+            for side in (-50.0, 50.0)
+        )
+        way = np.array([axes_at(machine, start + k / 20 * (end - start)) for k in range(21)])
+        sides = np.concatenate([way[:, :3], -way[:, :3]], axis=1)  # how far each axis goes up, and down
+        side = int(np.argmax(sides.max(axis=0) - np.maximum(sides[0], sides[-1])))
+        highest, at_ends, row = sides[:, side].max(), max(sides[0, side], sides[-1, side]), side % 3
+        stands, tip = axes_at(machine, start), start - [0.0, 0.0, LENGTH, 0.0, 0.0]
+        letters = AXES + rotary
+        first, begin, last = (
+            " ".join(f"{axis}{value:.6f}" for axis, value in zip(letters, of, strict=False))
+            for of in (stands, tip[:3], end - [0.0, 0.0, LENGTH, 0.0, 0.0])
+        )
+        source = f"G21 G90\nT1 M6\nG0 {first}\nG43.4 H1\nG0 {begin}\nG1 {last} F500\nG49\nM30\n"
+        beyond += highest > at_ends + 0.5
+        for margin in (0.2, -0.01):
+            wide = dict.fromkeys(machine.model.axes, (-1e4, 1e4))
+            limit = float(highest + margin)
+            limits = (-1e4, limit) if side < 3 else (-limit, 1e4)
+            narrow = Narrow(machine.model, wide | {AXES[row]: limits})
+            if margin > 0.0:
+                assert run(tmp_path, source, narrow, "fanuc")[0].moves == 3
+            if margin > 0.0 or highest < at_ends + 0.5:
+                continue
+            with pytest.raises(InputError) as caught:
+                run(tmp_path, source, narrow, "fanuc")
+            (fault,) = caught.value.faults
+            assert (fault.place, fault.problem.split(" =")[0]) == ("line 6", AXES[row])
+    assert beyond
 
 
 def test_a_machine_without_rotary_axes(tmp_path: Path) -> None:

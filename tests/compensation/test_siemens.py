@@ -179,7 +179,16 @@ def test_length_without_d_is_noted(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["G0 X1 Y2\nG2 X5 R3\n", "%\nO1234 (A)\nG54 G0 X=5 is no word\n".replace("X=5", "X5"), ""]
+    "text",
+    [
+        "G54.1 P3\nT0101\nG0 X5.\n",
+        "G5.1 X1 Y1 I2 J2\n",
+        "(G43.4 H1)\n; G54.1 P3\nG8\n",
+        "G5 I1 J1 P2 Q3 X5 Y5\n",
+        "G0 X1 Y2\nG2 X5 R3\n",
+        "%\nO1234 (A)\nG54 G0 X=5 is no word\n".replace("X=5", "X5"),
+        "",
+    ],
 )
 def test_what_several_controls_read_is_not_recognised(text: str) -> None:
     assert dialect_of(text) is None
@@ -214,3 +223,10 @@ def test_random_programs_are_right_or_refused(blocks: list[str]) -> None:
             return
     if written:
         assert largest_error(source, written)[1] < ALONG
+
+
+@pytest.mark.parametrize("block", ["G{}", "G1 X=AC({})", "T{}", "N{} G1 X1", "G1 X1 F{}", "M{}"])
+def test_a_number_of_no_machine_is_a_fault(tmp_path: Path, block: str) -> None:
+    """It was read as infinite, and ended the program with a traceback."""
+    with pytest.raises(InputError, match="no machine's"):
+        compensated(tmp_path, HEAD + block.format("9" * 400) + "\nM30\n")

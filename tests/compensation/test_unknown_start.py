@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.compensation.analytic_machine import FloatArray, XyzMachine, paper_sized
-from tests.compensation.control import Bench
+from tests.compensation.control import Bench, execute
 from tests.compensation.five_axes import TEXTS, FiveAxes
 from tests.compensation.test_command import command
 from tests.compensation.test_uncommanded import words
@@ -86,6 +86,91 @@ def test_the_first_cut_from_an_unknown_place_is_not_cut_into_pieces(bench: Bench
     assert [line[:4] for line in text.splitlines()[1:3]] == [b"G0 X", b"G1 X"]
     assert text.splitlines()[2].count(b"X") == 1
     assert len(text.splitlines()) > 5
+
+
+FEEDS = ("G1 X250. Y60. F500", "G1 X250.\nY60.", "G2 X260. Y100. I30. F500", "G3 X200. Y160. R60.\nG1 X10. F300")
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.sampled_from(FEEDS), st.integers(-20, 400), st.booleans(), st.integers(0, 200))
+def test_feeds_before_z_are_right_in_x_and_y_where_z_stands(feed: str, stands: int, said: bool, change: int) -> None:
+    """Z is set by hand: the program never moves it, nor does what is written, and X and Y are right wherever it is."""
+    with tempfile.TemporaryDirectory() as folder:
+        bench, z = Bench(Path(folder)), {"Z": float(stands)}
+        head = f"G21 G90\n{'T1 M6' if change % 2 else '(no tool)'}\nG0 X200. Y100.\n"
+        text = bench.run(f"{head}{feed}\n", machine(), start=z if said else {}, assumed={} if said else z)
+        plain = bench.run(f"{head}G0 Z{stands}.\n{feed}\n", machine())
+    report = bench.report  # with Z commanded
+    assert not words(text, "Z")
+    with_z = [re.sub(rb" ?Z[-.\d]+", b"", line) for line in plain.splitlines() if not line.startswith(b"G0 Z")]
+    assert len(text.splitlines()) <= len(with_z)
+    assert text.splitlines()[-1].split()[-1] == with_z[-1].split()[-1]
+    assert report.unnamed_feeds is None
+
+
+@pytest.mark.parametrize("feed", FEEDS)
+def test_where_z_stands_must_be_said_if_it_matters(bench: Bench, feed: str) -> None:
+    program = f"G21 G90\nG0 X200. Y100.\n{feed}\n"
+    bench.run(program, machine())
+    found, after = bench.report.unnamed_feeds, bench.report.after
+    assert (bench.report.good, bench.report.over_places) == (False, True)
+    assert found is not None
+    assert found.anywhere is not None
+    assert after is not None
+    assert (found.places, found.near) == ({"Z": 0.0}, None)
+    assert after.largest < 0.001
+    assert "say by --start where they stand" in str(bench.report)
+    bench.run(program, machine(), start={"Z": 120.0})
+    stated = bench.report.unnamed_feeds
+    assert bench.report.good
+    assert stated is not None
+    assert stated.near is not None
+    assert stated.left is not None
+    assert (stated.places, stated.anywhere) == ({"Z": 120.0}, None)
+    assert 0.0 < stated.near.largest < found.anywhere.largest
+    # a straight machine: no angle changes what X and Y are off, wherever Z stands
+    straight = {name: curve for name, curve in machine().curves.items() if name[1] in "XYZ" and name[2] != "Z"}
+    bench.run(program, XyzMachine(straight, travel=LIMITS))
+    assert bench.report.good
+    assert "is left along it" in str(bench.report)
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.floats(0.0, 1.0), st.integers(0, 400), st.integers(0, 400))
+def test_what_a_cut_may_be_off_is_not_less_than_it_is(share: float, x: int, y: int) -> None:
+    low, high = LIMITS["Z"]
+    stands = low + share * (high - low)
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(Path(folder))
+        text = bench.run(f"G21 G90\nG0 X{x}. Y{y}.\nG1 X{400 - x}. F200\nY{400 - y}.\n", machine())
+        found, after = bench.report.unnamed_feeds, bench.report.along
+    assert found is not None
+    assert found.anywhere is not None
+    assert after is not None
+    last = execute(text)[:, -1]
+    wanted = np.array([400.0 - x, 400.0 - y, stands])
+    at = np.array([last[0], last[1], stands])[:, None]
+    off = machine().actual(at, ORIGIN) - machine().ideal(wanted[:, None], ORIGIN)
+    assert np.hypot(*off[:2, 0]) <= 1.02 * found.anywhere.largest + 0.00075
+
+
+def test_what_a_feed_motion_still_needs(bench: Bench) -> None:
+    for program, names in (
+        ("G91 G1 X5. F100\n", "X"),
+        ("G90 G2 X5. Y0. I2.5 F100\n", "X Y"),
+        ("G90 G0 X0. Y0.\nG91 G28 Z0.\nG90 G1 X5. F100\n", "Z"),
+        ("G90 G0 X0. Y0.\nG2 X5. Z3. I2.5 F100\n", "Z"),
+    ):
+        with pytest.raises(InputError, match=f"the position of {names} is not known here"):
+            bench.run(f"G21\n{program}", machine())
+
+
+def test_a_tool_change_before_the_first_motion_is_part_of_the_start(bench: Bench) -> None:
+    text = bench.run("G21\nT1 M6\nG91 G1 X50. F100\n", machine(), start={"X": 100.0, "Y": 50.0, "Z": 20.0})
+    assert bench.report.good
+    assert not words(text, "Z") + words(text, "Y")
+    with pytest.raises(InputError, match="the tool change before it may have moved them"):
+        bench.run("G21\nG90 G0 X0.\nT1 M6\nG91 G1 X50. F100\n", machine(), start={"Y": 50.0, "Z": 20.0})
 
 
 def test_rotary_axes_wait_too(bench: Bench) -> None:

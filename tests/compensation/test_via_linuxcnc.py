@@ -23,6 +23,7 @@ PACKAGE = Path(os.environ.get("TRUEAXIS_LINUXCNC", "/"))
 INSTALLED = (PACKAGE / "usr/bin/rs274").is_file()
 AT_ZERO = Offsets({"G54": dict.fromkeys("XYZ", (0.0, 0.0))}, {}, "G54")
 END = ["end", 9, 0, ""]
+TOOL = ToolTable({1: Tool(length=20.0)})
 
 
 def motion(
@@ -55,12 +56,12 @@ class FakePackage:
     def unroll(
         self, first: list[list[object]], second: list[list[object]] | None = None, tools: ToolTable | None = None
     ) -> list[str]:
-        start = motion("rapid", 0, [1.0, 2.0, 3.0])
+        starts = [motion("rapid", 0, at) for at in ([1.0, 2.0, 19.7], [1.5, 2.5, 31.3, 7.0, 8.0, 9.0])]
         second = second or json.loads(json.dumps(first))
         for one in second:
             if len(one) > 5:
                 one[5] = [*one[5][:3], 7.0, 8.0, 9.0]  # type: ignore[index]  # no rotary axis is commanded
-        self.rounds, self._round = [[start, *first], [start, *second]], 0
+        self.rounds, self._round = [[starts[0], *first], [starts[1], *second]], 0
         return unrolled(self.program, self.folder, Offsets(), tools, "in.ngc").splitlines()[4:]
 
 
@@ -93,6 +94,52 @@ def test_what_depends_on_the_start_gets_no_word(fake: FakePackage) -> None:
     first = [motion("rapid", 1, [10.0, 20.0, 19.7]), motion("rapid", 2, [10.0, 20.0, 5.0]), END]
     second = [motion("rapid", 1, [10.0, 20.0, 31.3]), motion("rapid", 2, [10.0, 20.0, 5.0]), END]
     assert fake.unroll(first, second) == ["N1 G0 X10.0000000 Y20.0000000", "N2 G0 Z5.0000000"]
+
+
+def test_increments_from_the_start_stay_increments(fake: FakePackage) -> None:
+    """They had no words at all: what was written left the motion out, with exit code 0."""
+    fake.calls = ["STRAIGHT_TRAVERSE(1)", "STRAIGHT_FEED(2)", "STRAIGHT_FEED(3)"]
+    ends = [[11.0, 2.0, 19.7], [11.0, 5.0, 17.7], [40.0, 5.0, 17.7]]
+    others = [[11.5, 2.5, 31.3], [11.5, 5.0, 29.3], [40.0, 5.0, 29.3]]
+    first, second = (
+        [motion("rapid" if n == 0 else "feed", n + 1, at) for n, at in enumerate(of)] + [END] for of in (ends, others)
+    )
+    second_z = [json.loads(json.dumps(one)) for one in second]
+    second[1][5] = [11.5, 5.5, 29.3, 0.0, 0.0, 0.0]
+    second[2][5] = [40.0, 5.5, 29.3, 0.0, 0.0, 0.0]
+    assert fake.unroll(first, second) == [
+        "G91", "N1 G0 X10.0000000", "N2 G1 Y3.0000000 Z-2.0000000", "G90", "N3 G1 X40.0000000",
+    ]  # fmt: skip
+    with pytest.raises(InputError, match="line 2 moves axes by increments and to positions"):
+        fake.unroll(first, second_z)
+    second[2][5] = [40.0, 5.5, 28.0, 0.0, 0.0, 0.0]
+    with pytest.raises(InputError, match="where the motion of line 3 goes depends on where the axes stand"):
+        fake.unroll(first, second)
+
+
+@pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
+def test_a_tool_change_after_a_change_of_offsets_moves_no_axis(tmp_path: Path) -> None:
+    """The module goes on from the same words in the new frame: Z was moved by the difference of the offsets."""
+    at = {name: {a: (v, v) for a, v in zip("XYZ", OFFSETS[k], strict=True)} for k, name in enumerate(("G54", "G55"))}
+    program = tmp_path / "in.ngc"
+    program.write_text("G21 G90 G0 X1 Y1 Z5\nG55\nT1 M6\nG0 X10\nM2\n")
+    with pytest.raises(InputError, match="line 3: a tool change after a change of offsets"):
+        unrolled(program, PACKAGE, Offsets(at), TOOL, "in")
+    program.write_text("G21 G90\nG55\nT1 M6\nG0 X10\nG91 Y2\nG90 Z5\nM2\n")
+    blocks = unrolled(program, PACKAGE, Offsets(at), TOOL, "in").splitlines()
+    assert [line for line in blocks if line.startswith("N")] == [
+        "N4 G0 X320.0000000", "N5 G0 Y2.0000000", "N6 G0 Z100.0000000",
+    ]  # fmt: skip
+
+
+@pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
+def test_increments_need_to_know_where_they_start(tmp_path: Path) -> None:
+    program = tmp_path / "in.ngc"
+    program.write_text("G21 G91 G1 X10 F100\nG90 G0 X5 Y5 Z5\nG1 X9\nM2\n")
+    graded = grade(program, PACKAGE, tmp_path, via=True)
+    assert (graded.outcome, graded.reason.split(" but")[0]) == ("accepted", "with --start")
+    assert graded.after < 0.0015
+    assert b"G91\nN1 G1 X10." in (tmp_path / "out.ngc").read_bytes()
 
 
 @pytest.mark.parametrize(

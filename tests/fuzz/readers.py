@@ -155,6 +155,7 @@ _SIMULATE = ("simulate", *_MODEL, "--data", "IN/data", "--out", "OUT/data", "--r
 _IDENTIFY = ("identify", "IN/machine.toml", "--kernels", "KERNELS", "--data", "IN/data", "--out", "OUT/e.json")
 _GLOBAL = (*_IDENTIFY, "--method", "global", "--prior", "none", "--noise-um", "1", "--degree", "3")
 _COMPENSATE = ("compensate", *_MODEL, "--report", "OUT/r.json", "--out", "OUT/p.nc")
+_FANUC = (*_COMPENSATE, "--dialect", "fanuc", "--tools", "IN/tools.toml")
 _FIT = ("fit", "IN/machine.toml", "--errors", "IN/errors.json", "--out", "OUT/e.json")
 _PLAN = ("plan", "IN/machine.toml", "--kernels", "KERNELS", "--data", "IN/data")
 _DIAGNOSE = ("diagnose", *_MODEL, "--data", "IN/data", "--out", "OUT/found")
@@ -181,6 +182,10 @@ READERS = (
     Reader("covariance", "errors.npz", _covariance, _WITH_U, 0.5, 1, mutate.archive),
     Reader("nc", "program.nc", None, (*_COMPENSATE, "IN/program.nc")),
     Reader("apt", "program.apt", None, (*_COMPENSATE, "IN/program.apt")),
+    Reader("siemens", "program.mpf", None, (*_COMPENSATE, "IN/program.mpf")),
+    Reader("klartext", "program.h", None, (*_COMPENSATE, "IN/program.h")),
+    Reader("fanuc", "fanuc.nc", None, (*_FANUC, "--offset", "G54.1P3=X0.5,Y0.5,Z0.5", "IN/fanuc.nc")),
+    Reader("tcp", "tcp.nc", None, (*_FANUC, "IN/tcp.nc")),
     Reader("offsets-var", "linuxcnc.var", _offsets, (*_COMPENSATE, "--offsets", "IN/linuxcnc.var", "IN/program.nc")),
     Reader("offsets-toml", "offsets.toml", _offsets, (*_COMPENSATE, "--offsets", "IN/offsets.toml", "IN/program.nc")),
     Reader("tools-tbl", "tool.tbl", _tools, (*_COMPENSATE, "--tools", "IN/tool.tbl", "IN/program.nc")),

@@ -10,6 +10,7 @@ from random import Random
 import numpy as np
 import polars as pl
 
+from tests.fuzz import nc_seeds
 from tests.fuzz.expressions import expression
 from tests.instrument_files.writers import rtl
 from tests.machines import ROOT, machine_of
@@ -78,6 +79,10 @@ def valid_files(spec: str, draw: Random) -> dict[str, bytes]:
         "errors.npz": _covariance(machine, draw),
         "program.nc": _nc(machine, draw).encode(),
         "program.apt": _apt(machine).encode(),
+        "program.mpf": nc_seeds.siemens(machine, draw).encode(),
+        "program.h": nc_seeds.klartext(machine, draw).encode(),
+        "fanuc.nc": nc_seeds.fanuc(machine, draw).encode(),
+        "tcp.nc": nc_seeds.point_control(machine, draw).encode(),
         "linuxcnc.var": _VAR.encode(),
         "offsets.toml": b'[offset.G54]\nX = 1.5\nY = [0.0, 2.0]\nZ = -3\n[offset."G54.1 P3"]\nX = 0.5\n',
         "tool.tbl": b"T1 P1 D6.0 Z+5.0 ;end mill\nT2 P2 X0.0 Z7.25\n",

@@ -1,9 +1,10 @@
 # mypy: ignore-errors
 """Runs in LinuxCNC's own Python: prints what its interpreter makes of one program.
 
-canonical.py PROGRAM VAR PACKAGES TOOLS: one line a motion, `rapid|feed LINE X Y Z A B C` or
+canonical.py PROGRAM VAR PACKAGES TOOLS [START]: one line a motion, `rapid|feed LINE X Y Z A B C` or
 `arc LINE PLANE TURNS CX CY X Y Z A B C` (mm, deg, machine coordinates of the point from which lengths count; CX, CY the
 centre in the first two axes of the plane), `tool LINE T`, `length LINE Z`, and at the end `end RESULT LINE TEXT`.
+START is a block that puts the axes where they are to stand at first; it is the first motion.
 """
 
 import ctypes
@@ -11,6 +12,7 @@ import json
 import sys
 
 PROGRAM, VAR, PACKAGES = sys.argv[1:4]
+START = sys.argv[5] if len(sys.argv) > 5 else ""
 TOOLS = json.loads(sys.argv[4])  # number and length (mm) in the order of the table, the spindle first
 sys.path.insert(0, PACKAGES)
 import gcode  # noqa: E402
@@ -28,6 +30,7 @@ class Canon:
     def __init__(self):
         self.parameter_file, self.line, self.plane = VAR, 0, 1
         self.g5x = self.g92 = self.tool = (0.0,) * 9
+        self.last = None
 
     def __getattr__(self, name):
         if name.startswith("__"):
@@ -56,6 +59,8 @@ class Canon:
 
     def change_tool(self, pocket):
         print("tool", self.line, pocket)
+        if self.last is not None:  # the module goes on from the words of the last motion, whatever the frame since
+            print("stands", self.line, *self.machine(self.last))
 
     def user_defined_function(self, number, *_):
         print("user", self.line, 100 + number)
@@ -68,9 +73,11 @@ class Canon:
         return [f"{value * (MM if row < 3 else 1.0):.9f}" for row, value in enumerate(total[:6])]
 
     def straight_traverse(self, *values):
+        self.last = values
         print("rapid", self.line, *self.machine(values))
 
     def straight_feed(self, *values):
+        self.last = values
         print("feed", self.line, *self.machine(values))
 
     def straight_probe(self, *_):
@@ -84,7 +91,8 @@ class Canon:
         end, centre = [0.0] * 3, [0.0] * 9
         end[rows[0]], end[rows[1]], end[rows[2]] = first, second, along
         centre[rows[0]], centre[rows[1]] = c1, c2
-        at = self.machine([*end, *rest])
+        self.last = [*end, *rest]
+        at = self.machine(self.last)
         middle = self.machine(centre)
         print("arc", self.line, self.plane, turns, middle[rows[0]], middle[rows[1]], *at)
 
@@ -109,5 +117,5 @@ class Canon:
 
 
 canon = Canon()
-result, line = gcode.parse(PROGRAM, canon, "G21 G90 G94 G17 G40 G49 G80", "")
+result, line = gcode.parse(PROGRAM, canon, f"G21 {START}", "G90 G94 G17 G40 G49 G80")
 print("end", result, line, gcode.strerror(result) if result > gcode.MIN_ERROR else "")

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +18,7 @@ PYTHON = "/usr/bin/python3"  # the one that the package's module is built for
 SECONDS = 60
 MOST_MOTIONS = 2_000_000
 _ROWS = {1: (0, 1, 2), 2: (1, 2, 0), 3: (2, 0, 1)}
+ELSEWHERE = 0.0371  # mm: so small that neither arcs nor the number of their samples change
 STEP = 0.02  # rad between the samples of an arc
 
 
@@ -26,7 +27,8 @@ class Ran:
     """problem: why LinuxCNC does not run the program; empty if it does. features: what it does beside plain motions.
 
     ends: (n, 6) ends of straight motions, mm and deg, arcs sampled; feed: (n,) whether by feed; line: (n,) of the
-    program; tool: (n,) number in the spindle, 0 before the first change; moves: number of motions, an arc one.
+    program; tool: (n,) number in the spindle, 0 before the first change; moves: number of motions, an arc one. free:
+    (n, 3) whether X, Y, Z is still where it stood before the program.
     """
 
     problem: str
@@ -36,6 +38,7 @@ class Ran:
     line: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
     tool: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
     moves: int = 0
+    free: NDArray[np.bool_] = field(default_factory=lambda: np.zeros((0, 3), dtype=bool))
 
 
 def packages_of(package: Path) -> tuple[Path, dict[str, str]]:
@@ -47,7 +50,22 @@ def packages_of(package: Path) -> tuple[Path, dict[str, str]]:
 def run(
     program: Path, package: Path, tools: Mapping[int, float], offsets: Sequence[Sequence[float]] = (),
 ) -> Ran:  # fmt: skip
-    """Run a program; tools: length of each by number, mm; offsets: X Y Z of G54 and on, mm."""
+    """Run a program; tools: length of each by number, mm; offsets: X Y Z of G54 and on, mm.
+
+    It is run with all axes at 0, and from another place: an axis that is elsewhere then was not commanded.
+    """
+    one = _run(program, package, tools, offsets, "G53 G0 X0 Y0 Z0")
+    free = np.zeros((len(one.ends), 3), dtype=bool)
+    if not one.problem and (np.abs(one.ends[:, :3]) < 1e-9).any():
+        other = _run(program, package, tools, offsets, f"G53 G0 X{ELSEWHERE} Y{ELSEWHERE} Z{ELSEWHERE}")
+        if other.ends.shape == one.ends.shape:
+            free = np.abs(other.ends[:, :3] - one.ends[:, :3]) > 1e-6
+    return replace(one, free=free)
+
+
+def _run(
+    program: Path, package: Path, tools: Mapping[int, float], offsets: Sequence[Sequence[float]], start: str
+) -> Ran:
     where, environment = packages_of(package)
     with tempfile.TemporaryDirectory() as folder:
         var = Path(folder) / "linuxcnc.var"
@@ -61,7 +79,7 @@ def run(
         _make_tools(Path(folder), package, tools, env)
         copy = Path(folder) / "program.ngc"
         copy.write_bytes(ended(program.read_bytes()))
-        command = [PYTHON, str(CHILD), str(copy), str(var), str(where), table]
+        command = [PYTHON, str(CHILD), str(copy), str(var), str(where), table, start]
         try:
             done = subprocess.run(
                 command, cwd=folder, env=env, capture_output=True, text=True, errors="replace",
@@ -99,20 +117,28 @@ def _make_tools(folder: Path, package: Path, tools: Mapping[int, float], env: Ma
 
 def _motions(lines: list[str], tools: Mapping[int, float]) -> Ran:
     at = np.zeros(6)
+    stands, still = np.zeros(6), np.zeros(6, dtype=bool)
     ends, feed, number, tool = [], [], [], []
     features: set[str] = set()
     by_length = {length: of_tool for of_tool, length in tools.items()}
-    spindle, changed, moves = 0, False, 0
+    spindle, changed, moves = 0, False, -1  # the first is the motion to the start
     for text in lines:
         kind, *words = text.split()
         if kind in ("rapid", "feed", "arc"):
             points = _arc(at, words) if kind == "arc" else np.array(words[1:], dtype=float)[None]
+            still &= np.abs(points - stands).max(axis=0) < 1e-9
+            points[:, still] = at[still]
             at = points[-1]
+            moves += 1
+            if moves == 0:
+                continue
             ends.append(points)
             feed.append([kind != "rapid"] * len(points))
             number.append([int(words[0])] * len(points))
             tool.append([spindle] * len(points))
-            moves += 1
+        elif kind == "stands":
+            stands = np.array(words[1:], dtype=float)
+            still = stands != at  # axes that the module has elsewhere, until a motion moves them
         elif kind == "tool":
             spindle, changed = int(words[1]), True
         elif kind == "length":

@@ -41,8 +41,9 @@ does not mean the same on every control, unless --pass-m names it, and a number 
 --integers says what it counts.
 An axis has no known position until the program gives it one; rapids before that are compensated for [start] of the
 spec, else home; --start states where the machine stands. An axis that the program has not commanded, in this frame,
-gets no word. What is written holds a mark in a comment, and a program with the mark is refused: compensated twice,
-every correction would double.
+gets no word: before that, feed motions are right in the axes that are commanded, and --start must say where the others
+stand if it matters. What is written holds a mark in a comment, and a program with the mark is refused: compensated
+twice, every correction would double.
 """
 
 _EPILOG = """\

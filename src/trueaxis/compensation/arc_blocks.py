@@ -1,6 +1,6 @@
 """Which of the points that a batch reaches are ends of blocks, where arcs stay arcs."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -33,7 +33,7 @@ class ArcBlocks(NamedTuple):
 
 
 def arc_blocks(
-    moves: Sequence[Move],
+    moves: Iterable[tuple[int, Move]],
     owner: NDArray[np.int64],
     written: FloatArray,
     wanted: FloatArray,
@@ -44,9 +44,9 @@ def arc_blocks(
 ) -> ArcBlocks:
     """Join points of arcs to arcs where they lie on some.
 
-    owner: (n,), move of each point, ascending. written, wanted: (n_axes, n), as the words name them and before
-    rounding, mm and deg. previous: (n_axes,), position named by the words before; None: it is not certain. steps:
-    (n_axes, n), of words.
+    moves: with their indices. owner: (n,), move of each point, ascending. written, wanted: (n_axes, n), as the words
+    name them and before rounding, mm and deg. previous: (n_axes,), position named by the words before; None: it is not
+    certain. steps: (n_axes, n), of words.
     """
     ends = np.ones(owner.size, dtype=bool)
     arcs: dict[int, Piece] = {}
@@ -55,7 +55,7 @@ def arc_blocks(
         return ArcBlocks(positions, ends, arcs)
     rows = [axes.index(axis) for axis in LINEAR]
     rotary = list(rotary_rows(axes))
-    for index, move in enumerate(moves):
+    for index, move in moves:
         if move.round is None or move.arc is None or any(move.held):
             continue
         first, last = np.searchsorted(owner, [index, index + 1])

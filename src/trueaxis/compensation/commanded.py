@@ -27,7 +27,8 @@ class CommandedAxes:
     one is known only as well as both offsets, which may be rough.
     linear_complete: whether all linear axes are ABSOLUTE. held: for G91 and G90 (index 0 and 1) whether each axis may
     get no word in a block that does not name it; empty where all may. elsewhere: whether each axis may stand anywhere;
-    empty where none may.
+    empty where none may. unnamed: whether each axis is a linear one that nothing in the program has moved yet; empty
+    where none is.
     """
 
     def __init__(self, axes: tuple[str, ...], stated: Sequence[bool] = ()) -> None:
@@ -37,6 +38,7 @@ class CommandedAxes:
         self._frame: Sequence[Hashable] = [None] * len(axes)  # that positions are given in now
         self._given: list[Hashable] = [None] * len(axes)  # that each axis was commanded in
         self._jogged: set[int] = set()  # since a stop
+        self._unnamed = set(self._linear)
         self._set(self._commanded)
 
     def _set(self, commanded: list[Commanded]) -> None:
@@ -46,6 +48,7 @@ class CommandedAxes:
             for known, given, now in zip(commanded, self._given, self._frame, strict=True)
         ]
         self.linear_complete = self.of(self._linear) == Commanded.ABSOLUTE
+        self.unnamed = tuple(row in self._unnamed for row in range(len(commanded))) if self._unnamed else ()
         self.elsewhere = _below(self._known, Commanded.STATED)
         self.held = (_below(self._known, Commanded.BY_INCREMENTS), _below(self._known, Commanded.ABSOLUTE))
 
@@ -55,19 +58,26 @@ class CommandedAxes:
         self._set(self._commanded)
 
     def displace(self, rows: Iterable[int] | None = None) -> None:
-        """Some axes (None: any) may have moved."""
+        """Some axes (None: any) may have moved.
+
+        Before the program's first motion that is part of where the user states that they stand.
+        """
+        if rows is None and len(self._unnamed) == len(self._linear):
+            return
         moved = set(range(len(self._commanded)) if rows is None else rows)
         self._set([min(k, Commanded.DISPLACED) if row in moved else k for row, k in enumerate(self._commanded)])
 
     def lose(self, rows: Iterable[int]) -> None:
         """Nothing says where these axes stand now."""
         lost = set(rows)
+        self._unnamed -= lost
         self._set([Commanded.UNKNOWN if row in lost else k for row, k in enumerate(self._commanded)])
 
     def name(self, rows: Iterable[int], known: Commanded) -> None:
         """The axes stand where the program says in the frame in force."""
         named = set(rows)
         self._jogged -= named
+        self._unnamed -= named
         for row in named:
             self._given[row] = self._frame[row]
         self._set([known if row in named else k for row, k in enumerate(self._commanded)])
@@ -94,6 +104,7 @@ class CommandedAxes:
                 self.name(named, Commanded.ABSOLUTE)
             else:
                 raised = set(named)
+                self._unnamed -= raised
                 self._set(
                     [max(k, Commanded.BY_INCREMENTS) if row in raised else k for row, k in enumerate(self._commanded)]
                 )

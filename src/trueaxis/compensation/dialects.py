@@ -12,10 +12,16 @@ _SIEMENS = re.compile(
     r"(?:[^;(\n]*\bCR[ \t]*=|A?TRANS[ \t]+[XYZ]|A?TRANS[ \t]*$|TRAORI\b|CYCLE8\d+[ \t]*\(|MSG[ \t]*\(|"
     r"[XYZ][ \t]*=[ \t]*[-+.\dAI])"
 )
+# Fanuc and the like, milling: control of the tool point, tilted planes, further offsets, looking ahead, macros
+_FANUC = re.compile(
+    r"(?im)^[^;(\n]*(?<![A-Z#\[])(?:G43\.[45]|G68\.2|G54\.1[ \t]*P\d|G0?5\.1[ \t]*Q[01]|G0?5[ \t]*P10000|"
+    r"G0?8[ \t]*P[01]|G6[56][ \t]*P\d|IF[ \t]*\[[^\n]*\][ \t]*(?:GOTO|THEN)|WHILE[ \t]*\[[^\n]*\][ \t]*DO)"
+)
+_TURRET = re.compile(r"(?i)T\d{4}")  # of a lathe, on which T alone changes the tool
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, as latin-1
 _BYTES = 65536
 RECOGNISED = "the program is read as one for {}; --dialect says otherwise"
-NAMES = {"siemens": "SINUMERIK (Siemens)", "heidenhain": "Heidenhain Klartext"}
+NAMES = {"fanuc": "Fanuc or the like", "siemens": "SINUMERIK (Siemens)", "heidenhain": "Heidenhain Klartext"}
 
 
 def is_klartext(text: str) -> bool:
@@ -38,4 +44,7 @@ def dialect_of(text: str) -> Dialect | None:
     """The control, by the first lines of a program; None where several may read it."""
     if is_klartext(text):
         return "heidenhain"
-    return "siemens" if _SIEMENS.search(re.sub(r"\([^()]*\)|\"[^\"]*\"", "()", text)) else None
+    words = re.sub(r"\([^()]*\)|\"[^\"]*\"", "()", text)
+    if _SIEMENS.search(words):
+        return "siemens"
+    return "fanuc" if _FANUC.search(words) and not _TURRET.search(words) else None

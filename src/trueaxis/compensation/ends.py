@@ -7,8 +7,10 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.mark import MARK
+from trueaxis.compensation.move_table import MoveTable
 from trueaxis.compensation.moves import Move, Notes
 from trueaxis.compensation.nc_reader import NcReader
+from trueaxis.compensation.plain_run import PlainRun
 from trueaxis.compensation.settings import Settings
 
 
@@ -21,10 +23,9 @@ def commanded_ends(program: Path, axes: tuple[str, ...]) -> NDArray[np.float64]:
     reader = NcReader(axes, Settings(), faults, Notes())
     with program.open(encoding="latin-1", newline="") as file:
         lines = ("\n" if MARK in line else line for line in file)
-        moves = [item for item in reader.items(lines) if isinstance(item, Move)]
-    for move in moves:
+        moves = MoveTable([item for item in reader.items(lines) if isinstance(item, Move | PlainRun)], len(axes))
+    for _, move in moves.singles():
         if move.arc is not None:
             faults.add(move.line, "is an arc", "chords, as compensate writes them")
     faults.raise_if_any()
-    ends = np.array([move.end for move in moves], dtype=np.float64).reshape(len(moves), len(axes))
-    return ends.T
+    return moves.ends if len(moves) else np.zeros((len(axes), 0))

@@ -1,7 +1,7 @@
 """A compensation from file to file."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
@@ -12,6 +12,7 @@ from trueaxis.compensation.dialects import NAMES, RECOGNISED, dialect_of, head_o
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.klartext_numbers import numbered
 from trueaxis.compensation.klartext_reader import KlartextReader
+from trueaxis.compensation.linuxcnc_blocks import PASSED
 from trueaxis.compensation.machine import ErrorModel
 from trueaxis.compensation.mark import MARK, comment_of, marked
 from trueaxis.compensation.moves import Notes
@@ -21,13 +22,15 @@ from trueaxis.compensation.reliance import Judge
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import home_of
-from trueaxis.compensation.via_linuxcnc import PASSED, unrolled
+from trueaxis.compensation.via_linuxcnc import unrolled
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import OutputFiles
 
 Language = Literal["nc", "apt"]
 
 LONGEST_LINE = 65536
+_AT_ONCE = 131072  # bytes read: some thousand blocks, which is what a batch takes
+_ONE_LINE = re.compile(r"[^\n]*+\n|[^\n]++")
 UNROLLED = (
     "LinuxCNC's interpreter has unrolled the program: what is written is in machine coordinates (G59.3 is set to 0): "
     "offsets and tool lengths that were given are in its words, and must be those of the control exactly; "
@@ -58,7 +61,7 @@ def language_of(program: Path) -> Language:
 
 
 class _Lines:
-    """Lines of a file as latin-1 text, so that every byte comes back as it was; counts them."""
+    """Lines of a file as latin-1 text, many at once, so that every byte comes back as it was; counts them."""
 
     def __init__(self, file: BinaryIO, faults: FaultLog, progress: Callable[[int], None] | None) -> None:
         self._file = file
@@ -67,16 +70,47 @@ class _Lines:
         self.count = 0
 
     def __iter__(self) -> Iterator[str]:
-        while line := self._file.readline(LONGEST_LINE + 1):
-            self.count += 1
-            if len(line) > LONGEST_LINE:
-                self._faults.add(
-                    self.count, f"a line of more than {LONGEST_LINE} bytes: not a program, or one without line ends"
-                )
+        while text := self._file.read(_AT_ONCE):
+            if not text.endswith(b"\n"):
+                text += self._file.readline(LONGEST_LINE + 1)
+            before = self.count
+            if max(map(len, text.split(b"\n"))) >= LONGEST_LINE and self._too_long(text):
                 return
-            if self._progress is not None and self.count % 65536 == 0:
+            self.count += text.count(b"\n") + (not text.endswith(b"\n"))
+            if self._progress is not None and self.count // 65536 > before // 65536:
                 self._progress(self.count)
-            yield line.decode("latin-1")
+            yield text.decode("latin-1")
+
+    def _too_long(self, text: bytes) -> bool:
+        """Whether a line is no line of a program; a fault then."""
+        for number, line in enumerate(text.split(b"\n"), self.count + 1):
+            if len(line) >= LONGEST_LINE:
+                self.count = number
+                self._faults.add(
+                    number, f"a line of more than {LONGEST_LINE} bytes: not a program, or one without line ends"
+                )
+                return True
+        return False
+
+
+def single_lines(texts: Iterable[str]) -> Iterator[str]:
+    """The lines of texts, one by one, with their ends."""
+    for text in texts:
+        yield from _ONE_LINE.findall(text)
+
+
+def _check_start(settings: Settings, model: ErrorModel) -> None:
+    """Faults of a start that the machine does not have."""
+    foreign = sorted(set(settings.start) - set(model.axes))
+    if foreign:
+        raise InputError([Fault("--start", "", f"this machine has no axis {' '.join(foreign)}")])
+    outside = [
+        f"{axis} = {at:g} is outside its travel, from {model.travel[axis][0]:g} to {model.travel[axis][1]:g}"
+        for axis, at in settings.start.items()
+        if not model.travel[axis][0] <= at <= model.travel[axis][1]
+    ]
+    if outside:
+        raise InputError([Fault("--start", "", problem, "a position that the axis reaches") for problem in outside])
 
 
 def compensate_file(
@@ -102,16 +136,7 @@ def compensate_file(
     """
     name = name or str(program)
     language = language or language_of(program)
-    foreign = sorted(set(settings.start) - set(model.axes))
-    if foreign:
-        raise InputError([Fault("--start", "", f"this machine has no axis {' '.join(foreign)}")])
-    outside = [
-        f"{axis} = {at:g} is outside its travel, from {model.travel[axis][0]:g} to {model.travel[axis][1]:g}"
-        for axis, at in settings.start.items()
-        if not model.travel[axis][0] <= at <= model.travel[axis][1]
-    ]
-    if outside:
-        raise InputError([Fault("--start", "", problem, "a position that the axis reaches") for problem in outside])
+    _check_start(settings, model)
     if language == "apt" and (settings.offsets.systems or settings.tools is not None):
         raise InputError([Fault("--offset, --tools", "", "go with NC programs: a CL file is in machine coordinates")])
     home = dict(zip(model.axes, home_of(model).tolist(), strict=True))
@@ -140,7 +165,8 @@ def compensate_file(
         ends_whole = True
         with program.open("rb") if text is None else BytesIO(text.encode("latin-1", "replace")) as source:
             lines = _Lines(source, faults, progress)
-            pieces = marked(compensator.texts(reader.items(lines)), mark)
+            items = reader.items(lines if isinstance(reader, NcReader) else single_lines(lines))
+            pieces = marked(compensator.texts(items), mark)
             for piece in numbered(pieces) if klartext else pieces:
                 if piece and not faults.count:
                     target.write(piece.encode("latin-1"))

@@ -18,6 +18,7 @@ _RADIUS = re.compile(r"R([-+](?:\d++\.?+\d*+|\.\d++))(?![\w.])", re.IGNORECASE)
 _SIDE = re.compile(r"R[0LR](?![\w.])", re.IGNORECASE)
 _FEED = re.compile(r"F[ \t]*+(?:(MAX|AUTO)|(\d++\.?+\d*+|\.\d++))(?![\w.])", re.IGNORECASE)
 _CODE = re.compile(r"M[ \t]*+(\d++)(?![\w.])", re.IGNORECASE)
+_LONG = re.compile(r"(?<![\d.])\d{10,}")
 _BLANK = re.compile(r"[ \t]++")
 MACHINE_COORDINATES = 91
 
@@ -61,6 +62,12 @@ def head_of(body: str) -> tuple[str, str, str]:
     return match[1], match[2], body[match.end() :]
 
 
+def too_long(body: str) -> str:
+    """What is wrong with a number of more digits than any machine's, block numbers too; empty if there is none."""
+    found = _LONG.search(body.partition(";")[0])
+    return f"{found[0][:20]}... is no machine's number" if found else ""
+
+
 def lex_klartext(body: str) -> KlartextBlock:
     """A block of a path function; verb is empty where it is something else."""
     head, optional, rest = head_of(body)
@@ -80,8 +87,6 @@ def lex_klartext(body: str) -> KlartextBlock:
             letter, value = found[2].upper(), float(found[3])
             if letter in coordinates:
                 problem = f"{letter} occurs twice in the block"
-            elif abs(value) > 1e9:
-                problem = f"{letter} has the value {found[3][:20]}..., which is no machine's"
             coordinates[letter] = Coordinate(value, bool(found[1]), decimals_of(found[3]) or 0)
         elif found := _DIRECTION.match(text, place):
             direction = 1 if found[1] == "+" else -1

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 
 from trueaxis.compensation.mark import MARK
 
-_NUMBER = re.compile(r"([ \t]*+)(\d++)(?=[ \t])")
+_NUMBER = re.compile(r"([ \t]*+)(\d{1,9}+)(?=[ \t])")
 _MARKED = re.compile(rf"[ \t]*;[ \t]*{MARK}")
 
 

@@ -14,14 +14,21 @@ from trueaxis.compensation.dialects import BYTE_ORDER_MARK
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.klartext_arcs import arc_of, as_arc, polar_end, pole_of
 from trueaxis.compensation.klartext_cycles import Other, other_block
-from trueaxis.compensation.klartext_lexer import MACHINE_COORDINATES, KlartextBlock, codes_alone, head_of, lex_klartext
+from trueaxis.compensation.klartext_lexer import (
+    MACHINE_COORDINATES,
+    KlartextBlock,
+    codes_alone,
+    head_of,
+    lex_klartext,
+    too_long,
+)
 from trueaxis.compensation.klartext_tools import NO_DEFINITION, ToolCall, definition_differs, tool_call
 from trueaxis.compensation.mark import COMPENSATED_ALREADY, is_marked
 from trueaxis.compensation.moves import STOP, Item, Kind, Move, Notes, Split, Start
 from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_meaning import Meaning
 from trueaxis.compensation.nc_point_control import switch
-from trueaxis.compensation.nc_start import starts_elsewhere, unknown_position
+from trueaxis.compensation.nc_start import missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.nc_tools import ToolReader
 from trueaxis.compensation.settings import Settings
@@ -69,8 +76,10 @@ class KlartextReader:
         if number == 1:
             text = text.removeprefix(BYTE_ORDER_MARK)
         body = text.rstrip("\r\n")
-        if state.ended:
-            if lex_klartext(body).coordinates:
+        if problem := too_long(body):
+            self._faults.add(number, problem)
+        if state.ended or problem:
+            if not problem and lex_klartext(body).coordinates:
                 self._notes.add(number, AFTER_END)
             return [text]
         _, optional, rest = head_of(body)
@@ -247,10 +256,8 @@ class KlartextReader:
             named |= {"X", "Y"}
         motion = 0 if block.rapid and not circular else 1
         state.motion = 2 if circular else motion
-        needed = start + end if circular else end
-        if None in needed and (motion or None in [end[state.row[axis]] for axis in named]):
-            missing = {row % len(end) for row, value in enumerate(needed) if value is None}
-            self._faults.add(number, *unknown_position(" ".join(self._axes[row] for row in sorted(missing))))
+        if missing := missing_axes(state, start, end, named):
+            self._faults.add(number, *unknown_position(" ".join(self._axes[row] for row in missing)))
             state.position = [0.0 if value is None else value for value in end]
             return None
         if not machine:
@@ -260,7 +267,8 @@ class KlartextReader:
         known_end = tuple(self._assumed[row] if value is None else value for row, value in enumerate(end))
         arc: Arc | None = None
         if circular:
-            arc = arc_of(block, self._pole, state, tuple(v for v in start if v is not None), known_end)
+            known_start = tuple(self._assumed[row] if value is None else value for row, value in enumerate(start))
+            arc = arc_of(block, self._pole, state, known_start, known_end)
         state.position, state.moved = end, True
         for axis in named & set(block.coordinates):
             state.numbers[state.row[axis]] = f"0.{'0' * block.coordinates[axis].decimals}"
@@ -288,5 +296,5 @@ class KlartextReader:
         return Move(
             number, kind, end, written, True, state.inch, lead, tail + comment, " ", eol, text if straight else "",
             again if rounded else lead, split, arc, not stops, state.feed, state.commanded.command(commands, True),
-            state.commanded.elsewhere, state.shift, elsewhere, whole, 0.0, rounded,
+            state.commanded.elsewhere, state.commanded.unnamed, state.shift, elsewhere, whole, 0.0, rounded,
         )  # fmt: skip

@@ -1,6 +1,6 @@
 """The positions that NC words can name."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensation.machine import LINEAR, FloatArray, rotary_rows
-from trueaxis.compensation.moves import Move
 from trueaxis.compensation.settings import MM_PER_INCH, Settings
 
 _SAME = 1e-6  # of a step: what doubles lose in positions of the lattice
@@ -59,14 +58,6 @@ def word_steps(axes: tuple[str, ...], settings: Settings, inch: bool) -> FloatAr
     """Step of each axis' words in mm or deg, (n_axes, 1)."""
     linear = settings.inch_resolution * MM_PER_INCH if inch else settings.resolution
     return np.array([[linear if axis in LINEAR else settings.rotary_resolution] for axis in axes])
-
-
-def shifts(moves: Sequence[Move], count: int) -> FloatArray:
-    """Position minus word of each axis in each move, (count, n_moves), mm and deg."""
-    if not any(move.shift for move in moves):
-        return np.zeros((count, len(moves)))
-    none = (0.0,) * count
-    return np.array([move.shift or none for move in moves]).T.reshape(count, len(moves))
 
 
 def stretches(

@@ -21,7 +21,7 @@ class Canon:
 
     def __init__(self, var, tools, skips):
         self.parameter_file, self.tools, self.skips = var, tools, skips
-        self.line, self.plane = 0, 1
+        self.line, self.plane, self.motions, self.last = 0, 1, 0, None
         self.shifts = {"work": (0.0,) * 9, "set": (0.0,) * 9, "tool": (0.0,) * 9}
 
     def __getattr__(self, name):
@@ -57,11 +57,25 @@ class Canon:
             self.say("other", "an axis U, V or W moves")
         return [value * (MM if row < 3 else 1.0) for row, value in enumerate(total[:6])]
 
+    def change_tool(self, *_):
+        """The module forgets what offsets have changed since the last motion: it goes on from the same words."""
+        if self.last is None or self.last[0] == self.shifts:
+            return
+        if self.motions > 1:
+            self.say("other", "a tool change after a change of offsets, without a motion between them,")
+        else:  # the start alone
+            self.say("stands", 0, 0, [], self.machine(self.last[1]))
+
+    def moved(self, kind, values):
+        self.motions += 1
+        self.last = (dict(self.shifts), values)
+        self.say(kind, 0, 0, [], self.machine(values))
+
     def straight_traverse(self, *values):
-        self.say("rapid", 0, 0, [], self.machine(values))
+        self.moved("rapid", values)
 
     def straight_feed(self, *values):
-        self.say("feed", 0, 0, [], self.machine(values))
+        self.moved("feed", values)
 
     def arc_feed(self, first, second, first_centre, second_centre, turns, along, *others):
         rows = PLANES[self.plane]
@@ -69,6 +83,8 @@ class Canon:
         end[rows[0]], end[rows[1]], end[rows[2]] = first, second, along
         centre[rows[0]], centre[rows[1]] = first_centre, second_centre
         middle = self.machine(centre)
+        self.motions += 1
+        self.last = (dict(self.shifts), [*end, *others])
         self.say("arc", self.plane, turns, [middle[rows[0]], middle[rows[1]]], self.machine([*end, *others]))
 
     def straight_probe(self, *_):
@@ -107,7 +123,8 @@ def main(program, var, packages, tools, start, skips):
 
     # the table of tools is memory shared by way of a file in HOME, which rs274 has made; without it the module crashes
     ctypes.CDLL("libtooldata.so.0", ctypes.RTLD_GLOBAL)._Z14tool_mmap_userv()
-    result, line = gcode.parse(program, Canon(var, json.loads(tools), skips == "skip"), "G21", start)
+    # the start leaves no motion in force, as LinuxCNC has none when a program begins
+    result, line = gcode.parse(program, Canon(var, json.loads(tools), skips == "skip"), f"G21 {start}", "G80")
     failed = result > gcode.MIN_ERROR
     print(json.dumps(["end", line, result if failed else 0, gcode.strerror(result) if failed else ""]))
 

@@ -58,7 +58,8 @@ class Move(NamedTuple):
     passable: whether the tool may run through the end without anything due there. feed: F in force, mm/min (deg/min);
     NaN where it is not known or counts by turns of the spindle.
     held: for each axis whether it gets no word here, see commanded; empty if all may. elsewhere: for each axis whether
-    it may stand anywhere, and `end` is where it is taken to stand; empty if none may. shift: position minus word of
+    it may stand anywhere, and `end` is where it is taken to stand; empty if none may. unnamed: for each axis whether it
+    is a linear one that the program has not moved so far; empty if none is. shift: position minus word of
     each axis, mm and deg; empty if 0. start_stated: whether it starts
     where the program has not commanded the axes to: only its end counts. whole: why it may not be cut; empty if it may.
     inverse_time: F where it is 1/min of the block (G93), else 0. round: how an arc is written where it may stay one.
@@ -82,11 +83,16 @@ class Move(NamedTuple):
     feed: float = math.nan
     held: tuple[bool, ...] = ()
     elsewhere: tuple[bool, ...] = ()
+    unnamed: tuple[bool, ...] = ()
     shift: tuple[float, ...] = ()
     start_stated: bool = False
     whole: str = ""
     inverse_time: float = 0.0
     round: Round | None = None
+
+    def as_line(self) -> "Move":
+        """The same, but straight."""
+        return self._replace(arc=None, kind=Kind.LINE)
 
 
 class Zero(NamedTuple):

@@ -22,7 +22,7 @@ from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_lexer import Block
 from trueaxis.compensation.nc_meaning import Meaning
 from trueaxis.compensation.nc_modes import ModeReader
-from trueaxis.compensation.nc_start import starts_elsewhere, unknown_position
+from trueaxis.compensation.nc_start import missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.nc_text import due_at_end
 from trueaxis.compensation.settings import Settings
@@ -235,13 +235,13 @@ class _Writer:
         for axis, value in ends.items():
             end[state.row[axis]] = value
         written = tuple(axis in ends for axis in state.axes)
-        missing = " ".join(axis for axis, value in zip(state.axes, end, strict=True) if value is None)
-        if kind != Kind.RAPID and missing:
-            if not self._wrong:
-                self.fault(*unknown_position(missing))
-            return False
         before = self._faults.count
         state.motion = int(kind)
+        if kind != Kind.RAPID and (missing := missing_axes(state, state.position, end, set(ends))):
+            state.motion = None
+            if not self._wrong:
+                self.fault(*unknown_position(" ".join(state.axes[row] for row in missing)))
+            return False
         elsewhere = starts_elsewhere(self._number, state, written, "", self._faults)
         state.motion = None
         state.position, state.in_force, state.moved = end, int(kind), True
@@ -265,6 +265,7 @@ class _Writer:
                 feed=state.feed_in_minutes,
                 held=held,
                 elsewhere=state.commanded.elsewhere,
+                unnamed=state.commanded.unnamed,
                 shift=state.shift,
                 start_stated=elsewhere,
             )

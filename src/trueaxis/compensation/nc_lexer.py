@@ -10,6 +10,7 @@ _TOKEN = re.compile(rf"([ \t]++)|([A-Za-z])[ \t]*+({NUMBER})|(\([^()]*+\)|;.*+)"
 _MACRO = re.compile(r"[#\[\]=<>&|]|(?i:\b(?:WHILE|GOTO|IF|CALL|SUB|ENDSUB|DEF|PROC|REPEAT|FOR|SET)\b)")
 
 
+LARGEST = 1e9  # of a word's number: what is more is no machine's
 # LinuxCNC runs such a comment as Python, which may do anything
 _PYTHON = re.compile(r"[(;][ \t]*+py[ \t]*+,", re.IGNORECASE)
 _FURTHER_BLOCK = re.compile(rf";[ \t;]*+(?:[A-Z][ \t]*+{NUMBER}[ \t;]*+)+", re.IGNORECASE)
@@ -49,13 +50,18 @@ def lex(body: str, begin: int = 0) -> Block:
             return Block(tuple(words), _complaint(body, place))
         if token[2]:
             value = float(token[3])
-            if abs(value) > 1e9:
-                return Block(tuple(words), f"{token[2]} has the value {token[3][:20]}..., which is no machine's")
+            if abs(value) > LARGEST:
+                return Block(tuple(words), beyond(token[2], token[3]))
             words.append(Word(token[2].upper(), value, place, token.end(), decimals_of(token[3])))
         elif token[4] and (problem := _active_comment(token[4], bool(words))):
             return Block(tuple(words), f"column {place + 1}: {problem}")
         place = token.end()
     return Block(tuple(words), "")
+
+
+def beyond(letter: str, number: str) -> str:
+    """What is wrong with a word above `LARGEST`."""
+    return f"{letter} has the value {number[:20]}..., which is no machine's"
 
 
 def decimals_of(number: str) -> int | None:

@@ -10,7 +10,7 @@ from trueaxis.compensation.nc_frames import FrameReader
 from trueaxis.compensation.nc_lexer import Block
 from trueaxis.compensation.nc_meaning import Meaning
 from trueaxis.compensation.nc_modes import ModeReader
-from trueaxis.compensation.nc_start import starts_elsewhere, unknown_position
+from trueaxis.compensation.nc_start import missing_axes, starts_elsewhere, unknown_position
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.nc_text import block_text
 from trueaxis.compensation.nc_tools import ToolReader
@@ -53,12 +53,11 @@ class MotionReader:
             return None
         state = self._state
         start, end = state.position, state.after(meaning.axes, meaning.ways)
-        needed = start + end if state.motion in (2, 3) else end
-        if None in needed and (state.motion or None in [end[state.row[axis]] for axis in meaning.axes]):
-            self._unknown(number, needed, end)
+        moved = {*meaning.axes, *(codes.PLANES[state.plane][:2] if state.motion in (2, 3) else ())}
+        if missing := missing_axes(state, start, end, moved):
+            self._unknown(number, missing, end)
             return None
         self._modes.note_unsaid(number)
-        moved = {*meaning.axes, *(codes.PLANES[state.plane][:2] if state.motion in (2, 3) else ())}
         commands = tuple(axis in moved for axis in self._axes)  # an arc puts both axes of its plane where it ends
         own_block = f"and give {meaning.uncertain_codes} a block of its own" if meaning.changes_tool else ""
         elsewhere = starts_elsewhere(number, state, commands, own_block or self._tools.remedy, self._faults)
@@ -67,7 +66,7 @@ class MotionReader:
         arc = None
         if state.motion in (2, 3):
             try:
-                known_start = tuple(value for value in start if value is not None)
+                known_start = tuple(self._assumed[row] if value is None else value for row, value in enumerate(start))
                 arc = arc_of_block(state, known_start, known_end, meaning, self._settings)
             except ArcError as problem:
                 self._faults.add(number, str(problem))
@@ -101,8 +100,8 @@ class MotionReader:
             text.lead, text.tail, state.gap, line[len(body) :], "" if arc or insert else line,
             again + (f"G53{state.gap}" if meaning.in_machine_coordinates else ""), text.split, arc,
             not meaning.miscellaneous and not meaning.exact_stop, state.feed_in_minutes,
-            state.commanded.command(commands, state.absolute), state.commanded.elsewhere, state.shift, elsewhere,
-            meaning.uncertain_codes, (meaning.feed or 0.0) if timed else 0.0, rounded,
+            state.commanded.command(commands, state.absolute), state.commanded.elsewhere, state.commanded.unnamed,
+            state.shift, elsewhere, meaning.uncertain_codes, (meaning.feed or 0.0) if timed else 0.0, rounded,
         )  # fmt: skip
 
     def _may_move(self, number: int, meaning: Meaning) -> bool:
@@ -152,8 +151,6 @@ class MotionReader:
         if meaning.axes and meaning.complaints and self._state.absolute:
             self._state.position = self._state.after(meaning.axes)
 
-    def _unknown(self, number: int, needed: list[float | None], end: list[float | None]) -> None:
-        missing = {row % len(end) for row, value in enumerate(needed) if value is None}
-        names = " ".join(self._axes[row] for row in sorted(missing))
-        self._faults.add(number, *unknown_position(names))
+    def _unknown(self, number: int, missing: list[int], end: list[float | None]) -> None:
+        self._faults.add(number, *unknown_position(" ".join(self._axes[row] for row in missing)))
         self._state.position = [0.0 if value is None else value for value in end]  # said once

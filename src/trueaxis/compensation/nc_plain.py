@@ -3,17 +3,29 @@
 import re
 
 from trueaxis.compensation.moves import Kind, Move
-from trueaxis.compensation.nc_lexer import NUMBER
+from trueaxis.compensation.nc_lexer import LARGEST, NUMBER
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.settings import MM_PER_INCH
 
 # the groups are lead, G, X, Y, Z, tail, F, line end
 PLAIN = re.compile(
-    rf"((?:N\d++)?[ \t]*+(?:G0?([01]))?[ \t]*+)"
+    rf"((?:N\d{{1,9}}+)?[ \t]*+(?:G0?([01]))?[ \t]*+)"
     rf"(?:X({NUMBER}))?(?:[ \t]*+Y({NUMBER}))?(?:[ \t]*+Z({NUMBER}))?"
     rf"([ \t]*+(?:F[ \t]*+(\d++\.?+\d*+|\.\d++))?[ \t]*+)(\r*+\n?+)"
 )
 _STRAIGHT = (Kind.RAPID, Kind.LINE)
+
+
+def goes_on_plainly(state: NcState, motion: int | None) -> bool:
+    """Whether a block of axis words alone, under this motion, is a straight move from where all axes are known."""
+    return (
+        motion in (0, 1)
+        and state.commanded.linear_complete
+        and None not in state.position
+        and state.cycle is None
+        and state.feed_mode != "time"
+        and not state.ended
+    )
 
 
 def plain_move(number: int, line: str, match: re.Match[str], state: NcState, undotted_mm: bool) -> Move | None:
@@ -25,14 +37,10 @@ def plain_move(number: int, line: str, match: re.Match[str], state: NcState, und
     motion = state.motion if code is None else int(code)
     if (
         motion is None
-        or motion > 1
         or (code is None and state.in_force != motion)
-        or not state.commanded.linear_complete
-        or None in state.position
-        or state.cycle is not None
-        or state.feed_mode == "time"
-        or state.ended
+        or not goes_on_plainly(state, motion)
         or (x is None and y is None and z is None)
+        or (feed is not None and float(feed) > LARGEST)
     ):
         return None
     position = state.position.copy()
@@ -44,7 +52,7 @@ def plain_move(number: int, line: str, match: re.Match[str], state: NcState, und
             continue
         row = rows.get(axis)
         distance = float(text) * scale
-        if row is None or abs(distance) > 1e9:
+        if row is None or abs(distance) > LARGEST:
             return None
         if "." not in text and distance and not undotted_mm:
             return None

@@ -26,6 +26,7 @@ from trueaxis.compensation.nc_point_control import switch
 from trueaxis.compensation.nc_reference import to_reference
 from trueaxis.compensation.nc_state import NcState
 from trueaxis.compensation.nc_tools import ToolReader
+from trueaxis.compensation.plain_run import PlainRun, RunReader
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.siemens_functions import take_functions
 from trueaxis.compensation.siemens_lexer import lex_siemens
@@ -56,19 +57,29 @@ class NcReader:
         )  # fmt: skip
         self._cycles = CycleReader(self._state, settings, (faults, notes), self._modes, self._frames)
 
-    def items(self, lines: Iterable[str]) -> Iterator[Item]:
-        """Items of a program, in order; lines carry their ends, bytes as latin-1 characters."""
+    def items(self, texts: Iterable[str]) -> Iterator[Item | PlainRun]:
+        """Items of a program, in order; texts: whole lines with their ends, many at once, bytes as latin-1."""
         if self._settings.start:
             yield Start(tuple(math.nan if value is None else value for value in self._state.position))
         yield from self._frames.changed()
         plain, state, undotted_mm = PLAIN.fullmatch, self._state, self._settings.undotted == "mm"
-        for number, line in enumerate(lines, 1):
-            match = plain(line)
-            move = plain_move(number, line, match, state, undotted_mm) if match else None
-            if move is not None:
-                yield move
-            else:
-                yield from self._any(number, line)
+        runs, number = RunReader(state, undotted_mm), 0
+        for text in texts:
+            place = 0
+            while place < len(text):
+                run = runs.read(number + 1, text, place)
+                if run is not None:
+                    yield run
+                    number, place = number + run.count, place + len(run.text)
+                    continue
+                end = text.find("\n", place) + 1 or len(text)
+                line, number, place = text[place:end], number + 1, end
+                match = plain(line)
+                move = plain_move(number, line, match, state, undotted_mm) if match else None
+                if move is not None:
+                    yield move
+                else:
+                    yield from self._any(number, line)
 
     def _any(self, number: int, line: str) -> list[Item]:
         """Any line: what it sets, and its moves if it has some."""

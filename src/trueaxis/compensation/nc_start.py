@@ -1,6 +1,7 @@
 """Whether a block starts where the program has commanded its axes to."""
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 
 from trueaxis.compensation.commanded import Commanded
 from trueaxis.compensation.fault_log import FaultLog
@@ -27,6 +28,24 @@ def starts_elsewhere(number: int, state: NcState, moved: Sequence[bool], otherwi
             "give the position by G90 G0 or G1 in the program first",
         )
     return known < (Commanded.STOPPED if state.absolute else Commanded.STATED)
+
+
+def missing_axes(
+    state: NcState, start: Sequence[float | None], end: Sequence[float | None], moved: AbstractSet[str]
+) -> list[int]:
+    """Axes without a position on which a motion depends; start, end: of all axes; moved: those that it moves.
+
+    A rapid depends on the axes that it moves, a feed motion on those too that the program has moved before. Linear axes
+    that it has not moved so far stand where they are taken to stand, and get no word. Under tool centre point control
+    every axis counts.
+    """
+    unnamed, found = state.commanded.unnamed, []
+    for row, axis in enumerate(state.axes):
+        needed = (start[row], end[row]) if state.motion in (2, 3) else (end[row],)
+        waits = bool(unnamed) and unnamed[row] and not state.point_control
+        if None in needed and (axis in moved or (state.motion and not waits)):
+            found.append(row)
+    return found
 
 
 def unknown_position(names: str) -> tuple[str, str]:

@@ -1,6 +1,5 @@
 """From moves to the points of the path: arcs cut into chords, every point with its block."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +7,7 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.arcs import chords
 from trueaxis.compensation.machine import LINEAR, FloatArray
-from trueaxis.compensation.moves import Kind, Move
+from trueaxis.compensation.move_table import MoveTable
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,16 +31,16 @@ class Path:
         return int(self.owner.size)
 
 
-def path_of(moves: Sequence[Move], start: FloatArray, axes: tuple[str, ...], chord_tolerance: float) -> Path:
+def path_of(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], chord_tolerance: float) -> Path:
     """Points of the moves; `start` (n_axes,) is the position before them, NaN where it is not known.
 
     Where a move starts is not known either where its axes stand only where the program has not commanded them to.
     """
-    ends = np.array([move.end for move in moves], dtype=np.float64).T
+    ends = moves.ends
     starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
-    rapid = np.array([move.kind == Kind.RAPID for move in moves])
-    stated = np.array([move.start_stated for move in moves])
-    arcs = np.array([index for index, move in enumerate(moves) if move.arc is not None], dtype=np.int64)
+    rapid, stated = moves.rapid, moves.start_stated
+    of_index = {index: move.arc for index, move in moves.singles() if move.arc is not None}
+    arcs = np.array(list(of_index), dtype=np.int64)
     if arcs.size == 0:
         starts[:, stated] = np.nan
         return Path(ends, starts, np.arange(len(moves)), rapid, np.zeros_like(rapid))
@@ -56,7 +55,7 @@ def path_of(moves: Sequence[Move], start: FloatArray, axes: tuple[str, ...], cho
     cut = chords(
         xyz(starts[:, arcs]),
         xyz(ends[:, arcs]),
-        [arc for index in arcs if (arc := moves[index].arc) is not None],
+        list(of_index.values()),
         chord_tolerance,
     )
     of_arc = arcs[cut.arc]
@@ -74,14 +73,3 @@ def path_of(moves: Sequence[Move], start: FloatArray, axes: tuple[str, ...], cho
     origins = np.concatenate([start[:, None], points[:, :-1]], axis=1)
     origins[:, stated[owner]] = np.nan  # such a move is no arc in G90: it has one point
     return Path(points, origins, owner, rapid[owner], np.zeros(owner.size, dtype=bool))
-
-
-def follows_at_once(batch: list[str | Move], following: Move | None) -> NDArray[np.bool_]:
-    """For each move of a batch whether another follows at once and the tool may run through the end between them."""
-    return np.array(
-        [
-            not isinstance(after, str) and after is not None and item.passable and after.passable
-            for item, after in zip(batch, [*batch[1:], following], strict=True)
-            if not isinstance(item, str)
-        ]
-    )

@@ -10,22 +10,24 @@ from numpy.typing import NDArray
 from trueaxis.compensation.acting import acting
 from trueaxis.compensation.along import Along, PointAlong, PoseAlong
 from trueaxis.compensation.arc_blocks import ArcBlocks, arc_blocks
-from trueaxis.compensation.arcs import MOST_CHORDS, Arc, chord_counts
+from trueaxis.compensation.batches import Batch, batches
 from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensation.fault_log import FaultLog
-from trueaxis.compensation.held import Held, axes_elsewhere, held_axes, standing
-from trueaxis.compensation.lattice import Stretch, rotary_on_words, shifts, stretches
+from trueaxis.compensation.held import Held, Places, standing
+from trueaxis.compensation.lattice import Stretch, rotary_on_words, stretches
 from trueaxis.compensation.machine import LINEAR, ErrorModel, FloatArray, linear_rows, rotary_rows
+from trueaxis.compensation.move_table import MoveTable, follows_at_once
 from trueaxis.compensation.moves import Item, Kind, Move, Notes, Setup, Start, Zero
 from trueaxis.compensation.orientation import ToolAxis
-from trueaxis.compensation.path import Path, follows_at_once, path_of
+from trueaxis.compensation.path import Path, path_of
 from trueaxis.compensation.placed import Everywhere, Placing
+from trueaxis.compensation.plain_run import PlainRun
 from trueaxis.compensation.point_control import PointControlled
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import solve
 from trueaxis.compensation.solve_pose import solve_pose
-from trueaxis.compensation.subdivide import PROBE_SPACING, subdivide
+from trueaxis.compensation.subdivide import subdivide
 from trueaxis.compensation.tally import Solved, Tally
 from trueaxis.compensation.tools import tool_point_of
 from trueaxis.compensation.tracker import Tracker
@@ -90,33 +92,12 @@ class Compensator:
             self._model, self._tool_point, self._turned, settings.tolerance, 1e-6 * settings.orientation_tolerance_urad
         )
 
-    def texts(self, items: Iterable[Item]) -> Iterator[str]:
+    def texts(self, items: Iterable[Item | PlainRun]) -> Iterator[str]:
         """The compensated program in pieces; none once a fault has been found, but all faults are."""
-        batch: list[str | Move] = []
-        load = 0
-        last: tuple[float, ...] | None = None
-        for item in items:
-            if load >= self._settings.batch_points:
-                yield self._batch(batch, item if isinstance(item, Move) else None)
-                batch, load = [], 0
-            if isinstance(item, Start | Zero | Setup):
-                yield self._batch(batch)
-                batch, load = [], 0
-                yield self._between(item)
-                continue
-            if not isinstance(item, str) and item.arc is not None:
-                chords = self._chords(item, item.arc)
-                if chords > MOST_CHORDS:
-                    self._faults.add(item.line, f"the arc takes {chords} chords", "say a larger --chord-tolerance")
-                    item = item._replace(arc=None, kind=Kind.LINE)  # noqa: PLW2901  # only to read on
-                load += chords
-            batch.append(item)
-            load += 1
-            if not isinstance(item, str):
-                if item.kind and last is not None:
-                    load += int(math.dist(last, item.end) / PROBE_SPACING)  # it may be cut as finely as it is probed
-                last = item.end
-        yield self._batch(batch)
+        for batch in batches(items, self._model.axes, self._settings, self._faults):
+            yield self._batch(batch)
+            if batch.between is not None:
+                yield self._between(batch.between)
 
     def _between(self, item: Start | Zero | Setup) -> str:
         """Take in what is said between moves; returns its text."""
@@ -144,33 +125,25 @@ class Compensator:
             self._tracker.stand(self._programmed, kept)
         return ""
 
-    def _chords(self, move: Move, arc: Arc) -> int:
-        at = dict(zip(self._model.axes, move.end, strict=True))
-        radius = math.dist([at.get(axis, 0.0) for axis in LINEAR], arc.centre)  # with its rise; a bound
-        count = chord_counts(np.array(radius), np.array(arc.sweep), self._settings.chord_tolerance)
-        return int(count)
-
-    def _batch(self, batch: list[str | Move], following: Move | None = None) -> str:
-        """The text of a batch; following: the move after it, if one follows at once."""
-        moves = [item for item in batch if not isinstance(item, str)]
-        if not moves:
-            return "".join(item for item in batch if isinstance(item, str))
+    def _batch(self, batch: Batch) -> str:
+        moves = MoveTable([item for item in batch.items if not isinstance(item, str)], len(self._model.axes))
+        if not len(moves):
+            return "".join(item for item in batch.items if isinstance(item, str))
         start, self._programmed = self._programmed, np.array(moves[-1].end)
         if self._faults.count:  # moves may be missing: where arcs would start is not known
-            moves = [move._replace(arc=None) for move in moves]
+            moves = moves.without_arcs()
         path = path_of(moves, start, self._model.axes, self._settings.chord_tolerance)
         note_outside(moves, path, self._model, self._tool_point, self._faults)
         if self._faults.count:
             return ""
-        texts = self._compensated(moves, start, path, follows_at_once(batch, following), following)
-        if len(texts) == len(batch):
-            return "".join(texts)
-        of_moves = iter(texts)
-        return "".join(item if isinstance(item, str) else next(of_moves) for item in batch)
+        after = batch.following.move(0) if isinstance(batch.following, PlainRun) else batch.following
+        follows = follows_at_once(batch.items, moves, after is not None and after.passable)
+        of_moves = iter(self._compensated(moves, start, path, follows, after))
+        return "".join(item if isinstance(item, str) else next(of_moves) for item in batch.items)
 
     def _compensated(
         self,
-        moves: list[Move],
+        moves: MoveTable,
         start: FloatArray,
         path: Path,
         follows: NDArray[np.bool_],
@@ -185,15 +158,14 @@ class Compensator:
             path, placing = self._tracker.place(path, moves, follows, following)
         path, placing = subdivide(path, self._along, placing)
         model = placing.at(np.arange(path.size), np.ones(path.size))
-        absolute = np.array([move.absolute for move in moves])[path.owner]
-        inch = np.array([move.inch for move in moves])[path.owner]
-        lines = np.array([move.line for move in moves])[path.owner]
-        held = held_axes(moves, len(axes))
+        absolute, inch = moves.absolute[path.owner], moves.inch[path.owner]
+        lines = moves.lines[path.owner]
+        held = moves.held
         waiting = held & self._corrected
         self._note_held(moves, waiting)
         held, waiting = held[:, path.owner], waiting[:, path.owner]
-        elsewhere = axes_elsewhere(moves, len(axes))[:, path.owner]
-        shift = shifts(moves, len(axes))[:, path.owner]
+        places = Places(waiting, moves.elsewhere[:, path.owner], moves.unnamed[:, path.owner])
+        shift = moves.shift[:, path.owner]
         kinds = list(stretches(absolute, inch, shift, axes, settings))
         steps = np.concatenate([np.repeat(kind.step, kind.last - kind.first, axis=1) for kind in kinds], axis=1)
         solved = self._solved(path, kinds, model, held)
@@ -209,19 +181,17 @@ class Compensator:
         done = joined(parts)
         before = self._written if self._settled and np.isfinite(start).all() else None
         blocks = arc_blocks(
-            moves if self._arcs_stay else (), path.owner[done.point], done.positions, solved.linear.commands, before,
-            steps[:, done.point], axes, settings,
+            moves.singles() if self._arcs_stay else (), path.owner[done.point], done.positions,
+            solved.linear.commands, before, steps[:, done.point], axes, settings,
         )  # fmt: skip
         done = replace(done, positions=blocks.positions)
-        self._tally.add(
-            len(moves), path, solved, done, lines, self._written, self._settled, placing, waiting, elsewhere
-        )
+        self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing, places)
         shares = shares_of_time(done, path.owner[done.point], path, len(moves))
         return self._texts(moves, start, path, done, blocks, shares, (steps, shift))
 
     def _texts(
         self,
-        moves: list[Move],
+        moves: MoveTable,
         start: FloatArray,
         path: Path,
         done: Executed,
@@ -229,30 +199,29 @@ class Compensator:
         shares: FloatArray,
         lattices: tuple[FloatArray, FloatArray],
     ) -> list[str]:
-        """The text of each move; lattices: steps of words, and position minus word, (n_axes, n_points)."""
+        """The text of each item; lattices: steps of words, and position minus word, (n_axes, n_points)."""
         at, shares, arcs = blocks.blocks(shares)
         owner, positions = path.owner[done.point[at]], done.positions[:, at]
         self._refuse_cuts(moves, owner)
         before = np.concatenate([self._written[:, None], positions[:, :-1]], axis=1)
         self._written, self._settled = positions[:, -1], True
-        ends = np.array([move.end for move in moves]).T
+        ends = moves.ends
         starts = np.concatenate([start[:, None], ends[:, :-1]], axis=1)
         programmed = (ends[:, owner], starts[:, owner])
         steps, shift = (of_points[:, done.point[at]] for of_points in lattices)
         return self._writer.texts(moves, owner, positions, before, (steps, shift), programmed, shares, arcs)
 
-    def _note_held(self, moves: list[Move], held: Held) -> None:
+    def _note_held(self, moves: MoveTable, held: Held) -> None:
         """Note axes that get no word; held: (n_axes, n_moves)."""
-        for index in np.flatnonzero(held.any(axis=0)):
+        for index in np.flatnonzero(held.any(axis=0)).tolist():
             names = " ".join(axis for axis, stays in zip(self._model.axes, held[:, index], strict=True) if stays)
             self._notes.add(moves[index].line, f"{names} {HELD}")
 
-    def _refuse_cuts(self, moves: list[Move], owner: NDArray[np.int64]) -> None:
+    def _refuse_cuts(self, moves: MoveTable, owner: NDArray[np.int64]) -> None:
         """Faults of blocks that become several and may not; owner: (n,), move of each block to be written."""
         pieces = np.bincount(owner, minlength=len(moves))
-        for index in np.flatnonzero(pieces > 1):
-            move = moves[index]
-            if move.whole:
+        for index, move in moves.singles():
+            if move.whole and pieces[index] > 1:
                 self._faults.add(
                     move.line,
                     f"the block becomes {pieces[index]} blocks, and whether {move.whole} acts before or after its "
@@ -260,15 +229,15 @@ class Compensator:
                     f"give {move.whole} a block of its own",
                 )
 
-    def _note_turns(self, moves: list[Move], start: FloatArray) -> None:
+    def _note_turns(self, moves: MoveTable, start: FloatArray) -> None:
         """Note feed blocks whose F may be read differently once they have words of linear axes."""
         linear, rotary = list(linear_rows(self._model.axes)), list(rotary_rows(self._model.axes))
         if not rotary:
             return
-        ends = np.array([move.end for move in moves]).T
+        ends = moves.ends
         way = np.abs(np.diff(np.concatenate([start[:, None], ends], axis=1), axis=1))
         alone = (way[linear] == 0.0).all(axis=0) & (way[rotary] > 0.0).any(axis=0)
-        for index in np.flatnonzero(alone):
+        for index in np.flatnonzero(alone).tolist():
             if moves[index].kind == Kind.LINE:
                 self._notes.add(moves[index].line, TURNS_ALONE)
 

@@ -4,6 +4,7 @@ import json
 from dataclasses import asdict, dataclass
 
 from trueaxis.compensation.acting import EffectNote
+from trueaxis.compensation.elsewhere import UnknownPlaces, UnnamedFeeds
 from trueaxis.compensation.reliance import Reliance
 from trueaxis.compensation.sensitivity import OffsetUse
 from trueaxis.compensation.settings import Settings
@@ -22,24 +23,6 @@ class Errors:
     solved: Summary | None
     after: Summary | None
     along: Summary | None
-
-
-@dataclass(frozen=True, slots=True)
-class UnknownPlaces:
-    """Rapids while axes may stand anywhere. assumed: where these are taken to stand until a program first commands
-    them, mm and deg. change: of the words of the other axes over the travel of these, mm.
-    """
-
-    assumed: dict[str, float]
-    change: Summary
-
-    def __str__(self) -> str:
-        named = " ".join(f"{axis}{value:.9g}" for axis, value in self.assumed.items())
-        return (
-            f"{self.change.count} rapids while {' '.join(self.assumed)} may stand anywhere: their words are for "
-            f"{named} (or where the program had the axis before a tool change) and would differ by at most "
-            f"{self.change.largest:.4f} mm (line {self.change.line}) elsewhere in the travel; it gets no word"
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +46,8 @@ class CompensationReport:
     out_of_travel: points whose compensated position is outside the travel: their words stop at its end.
     uncommanded: points at which an axis got no word because the program has not commanded it yet; uncommanded_left: the
     error left there. Rapids to such points are not in the other figures. unknown_places: what it may cost there that
-    axes may stand anywhere; None where none may. offsets: the work offsets, and how much the words depend on them.
+    axes may stand anywhere; None where none may. unnamed_feeds: feed motions while the program has not moved an axis so
+    far; None where there are none. offsets: the work offsets, and how much the words depend on them.
     tools: those of --tools, with their points.
     senses: which way the model takes each linear axis to move the tool.
     sign_check: where a gauge shows whether the sign of the error values is right; None where nothing would be seen.
@@ -99,6 +83,7 @@ class CompensationReport:
     uncommanded: Lines
     uncommanded_left: Summary | None
     unknown_places: UnknownPlaces | None
+    unnamed_feeds: UnnamedFeeds | None
     offsets: tuple[OffsetUse, ...]
     tools: tuple[ToolUse, ...]
     effects: tuple[EffectNote, ...]
@@ -114,6 +99,7 @@ class CompensationReport:
         return (
             not self.refused
             and not self.over_range
+            and not self.over_places
             and not any(
                 found.points
                 for found in (self.not_converged, self.over_tolerance, self.out_of_travel, self.over_orientation)
@@ -128,6 +114,15 @@ class CompensationReport:
             one.change is not None and (one.leaves_travel or largest + one.change > self.settings.tolerance)
             for one in self.offsets
         )
+
+    @property
+    def over_places(self) -> bool:
+        """Whether points of feed motions may be above the tolerance, as axes may stand anywhere in their travel."""
+        largest = 0.0 if self.after is None else self.after.largest
+        feeds = self.unnamed_feeds
+        return feeds is not None and feeds.anywhere is not None and largest + feeds.anywhere.largest > (
+            self.settings.tolerance
+        )  # fmt: skip
 
     @property
     def refused(self) -> bool:
@@ -185,6 +180,12 @@ class CompensationReport:
             lines.append("above tolerance, or out of travel, at work offsets within the ranges given")
         if self.unknown_places is not None:
             lines.append(str(self.unknown_places))
+        if self.unnamed_feeds is not None:
+            lines.append(str(self.unnamed_feeds))
+        if self.over_places:
+            lines.append(
+                "above tolerance if these axes stand elsewhere: say by --start where they stand, or command them"
+            )
         lines.extend(
             f"M{one.code} passed, as --pass-m says that it moves nothing and changes no mode: "
             f"{one.lines.points} times, lines {one.lines.shown}"

@@ -6,7 +6,7 @@ Source: SINUMERIK 840D sl / 828D, Programming Manual Fundamentals.
 import re
 from typing import NamedTuple
 
-from trueaxis.compensation.nc_lexer import NUMBER, Block, Word, decimals_of
+from trueaxis.compensation.nc_lexer import LARGEST, NUMBER, Block, Word, beyond, decimals_of
 
 _BLANK = re.compile(r"[ \t]++")
 _COMMENT = re.compile(r";.*+")
@@ -54,13 +54,16 @@ def lex_siemens(body: str, begin: int = 0) -> SiemensBlock:
             place = passed.end()
         elif not functions and (label := _LABEL.match(body, place)):
             place = label.end()
+        elif (number := _WAY.match(body, place)) and abs(float(number[3])) > LARGEST:
+            problem = beyond(number[1], number[3])
         elif way := _WAY.match(body, place):
             ways[way[1].upper()] = way[2].upper()
             words.append(_word(way[1], way[3], place, way.end()))
             place = way.end()
         elif found := _ASSIGNED.match(body, place) or _PLAIN.match(body, place):
-            if abs(float(found[2])) > 1e9:
-                problem = f"{found[1]} has the value {found[2][:20]}..., which is no machine's"
+            if abs(float(found[2])) > LARGEST:
+                problem = beyond(found[1], found[2])
+                break
             words.append(_word("R" if found[1].upper() == "CR" else found[1], found[2], place, found.end()))
             if found[1].upper() == "R":
                 problem = f"column {place + 1}: R is a parameter on SINUMERIK; the radius of an arc is CR="

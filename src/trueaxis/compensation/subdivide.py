@@ -50,13 +50,14 @@ def subdivide(path: Path, along: Along, placing: Placing) -> tuple[Path, Placing
     return _cut(path, placing, np.concatenate(cut_owner), np.concatenate(cut_share))
 
 
-def _probe_count(length: FloatArray) -> NDArray[np.int64]:
+def probe_count(length: FloatArray) -> NDArray[np.int64]:
+    """Probes along motions of that length, mm or deg, (n,): odd, so that the middle is one."""
     return np.maximum(np.ceil(length / PROBE_SPACING), 1.0).astype(np.int64) | 1
 
 
 def _parts(length: FloatArray) -> list[slice]:
     """Runs of motions that need about `PROBES_AT_ONCE` probes each."""
-    total = np.cumsum(_probe_count(length) + 2)
+    total = np.cumsum(probe_count(length) + 2)
     edges = [0]
     while edges[-1] < length.size:
         before = total[edges[-1] - 1] if edges[-1] else 0
@@ -75,7 +76,7 @@ def _bent(
     """Whether the correction along path[owner] between the shares low and high leaves the straight line."""
     origin, point = path.origins[:, owner], path.points[:, owner]
     span = point - origin
-    count = _probe_count(np.sqrt((span**2).sum(axis=0)) * (high - low)) + 2  # with both ends
+    count = probe_count(np.sqrt((span**2).sum(axis=0)) * (high - low)) + 2  # with both ends
     first = np.cumsum(count) - count
     motion = np.repeat(np.arange(owner.size), count)
     share = (np.arange(motion.size) - first[motion]) / (count - 1)[motion]

@@ -7,16 +7,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensation.acting import EffectNote
-from trueaxis.compensation.elsewhere import change_of_words
+from trueaxis.compensation.elsewhere import Elsewhere, taken_back
 from trueaxis.compensation.executed import Executed
-from trueaxis.compensation.held import Held
+from trueaxis.compensation.held import Held, Places
 from trueaxis.compensation.machine import ErrorModel, FloatArray
 from trueaxis.compensation.moves import Notes, Setup
 from trueaxis.compensation.orientation import ToolAxis, angle
 from trueaxis.compensation.path import Path
 from trueaxis.compensation.placed import Placing
 from trueaxis.compensation.point_control import PointControlled
-from trueaxis.compensation.report import CompensationReport, Errors, PassedCode, UnknownPlaces
+from trueaxis.compensation.report import CompensationReport, Errors, PassedCode
 from trueaxis.compensation.sensitivity import OffsetUse, offset_use
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.sign_check import SignChecker, senses_of
@@ -75,7 +75,7 @@ class Tally:
         self._not_converged, self._over_tolerance, self._out_of_travel = LineLog(), LineLog(), LineLog()
         self._over_orientation, self._singular, self._uncommanded = LineLog(), LineLog(), LineLog()
         self._axes = model.axes
-        self._elsewhere, self._rows_elsewhere = Running(), set[int]()
+        self._elsewhere = Elsewhere(model.axes, settings)
 
     def setup(self, setup: Setup, tool_point: FloatArray, controlled: PointControlled | None = None) -> None:
         """Other work offsets or another tool, with its point (3, 1), from here on; controlled: the machine where
@@ -96,17 +96,17 @@ class Tally:
         previous: FloatArray,
         settled: bool,
         placing: Placing,
-        held: Held,
-        elsewhere: Held,
+        places: Places,
     ) -> None:
         """Evaluate what was written of one batch.
 
         lines: (n_points,), of the path's points. previous: (n_axes,), position named by the words before; settled:
-        whether it was a compensated one. placing: gives the machine along the path. held: (n_axes, n_points), axes that
-        got no word although compensation would move them; rapids to such points count apart, since an axis that is not
-        where the program wants it yet is no error of compensation there. elsewhere: the same shape, axes that may stand
-        anywhere.
+        whether it was a compensated one. placing: gives the machine along the path. Rapids to points where an axis is
+        held count apart, since an axis that is not where the program wants it yet is no error of compensation there.
+        Feed motions count without what axes would take back that the program has not moved so far: it does not say
+        where they are to be.
         """
+        held = places.held
         self._moves += moves
         self._points += path.size
         self._short_blocks += int(done.passed.sum())
@@ -136,21 +136,12 @@ class Tally:
             there = placing.at(rows, np.ones(rows.size))
             self._stage(UNCOMMANDED, there, written[:, rows], path.points[:, rows], lines[rows])
             if self._controlled is None:
-                self._elsewhere_at(placing, path, elsewhere, lines)
+                self._elsewhere.add(placing, path, places, lines, self._tool_point)
             counted = index = index[~(waiting & path.rapid)]
             model = placing.at(index, np.ones(index.size))
         if index.size:
-            self._at_points(model, counted, path, solved, written, lines)
-        self._along(path, done, lines, previous, settled, placing)
-
-    def _elsewhere_at(self, placing: Placing, path: Path, elsewhere: Held, lines: NDArray[np.int64]) -> None:
-        """Note what it may cost that axes stand elsewhere than they are taken to stand."""
-        rows = np.flatnonzero(elsewhere.any(axis=0))
-        if rows.size:
-            model = placing.at(rows, np.ones(rows.size))
-            change = change_of_words(model, path.points[:, rows], elsewhere[:, rows], self._tool_point)
-            self._elsewhere.add(change, lines[rows])
-            self._rows_elsewhere |= set(np.flatnonzero(elsewhere.any(axis=1)).tolist())
+            self._at_points(model, counted, path, solved, written, lines, places)
+        self._along(path, done, lines, previous, settled, placing, places)
 
     def _at_points(
         self,
@@ -160,11 +151,12 @@ class Tally:
         solved: Solved,
         written: FloatArray,
         lines: NDArray[np.int64],
+        places: Places,
     ) -> None:
         """Evaluate the programmed points that count."""
-        points, at = path.points[:, index], lines[index]
-        self._stage("solved", model, solved.commands[:, index], points, at)
-        error, turned = self._stage("after", model, written[:, index], points, at)
+        points, at, free = path.points[:, index], lines[index], places.uncounted[:, index]
+        self._stage("solved", model, solved.commands[:, index], points, at, free)
+        error, turned = self._stage("after", model, written[:, index], points, at, free)
         self._over_tolerance.add(at[~(_length(error) <= self._settings.tolerance)])
         if solved.pose is not None and turned is not None:
             self._singular.add(at[solved.pose.singular[index]])
@@ -178,6 +170,7 @@ class Tally:
         previous: FloatArray,
         settled: bool,
         placing: Placing,
+        places: Places,
     ) -> None:
         """Evaluate the middles and ends of the feed blocks."""
         fed = ~path.rapid[done.point]
@@ -191,18 +184,29 @@ class Tally:
             at = executed[:, index] + share * (executed[:, index + 1] - executed[:, index])
             wanted = reference[:, index] + share * (reference[:, index + 1] - reference[:, index])
             there = placing.at(done.point[index], np.full(index.size, share))
-            self._stage("along", there, at, wanted, lines[done.point[index]])
+            point = done.point[index]
+            self._stage("along", there, at, wanted, lines[point], places.uncounted[:, point])
 
     def _stage(
-        self, stage: str, model: ErrorModel, positions: FloatArray, wanted: FloatArray, lines: NDArray[np.int64]
+        self,
+        stage: str,
+        model: ErrorModel,
+        positions: FloatArray,
+        wanted: FloatArray,
+        lines: NDArray[np.int64],
+        free: Held | None = None,
     ) -> tuple[FloatArray, FloatArray | None]:
         """Note where positions put the tool instead of where the error-free machine is at `wanted`.
 
+        free: (n_axes, n), linear axes of which nothing says where they are to be: what their motion would take back of
+        the error is left out.
         Returns the error vectors (3, n), mm, and with rotary axes the orientation errors (n,), rad.
         """
         target = model.ideal(wanted, self._tool_point)
         actual = model.ideal(positions, self._tool_point) + model.deviation(positions, self._tool_point)
         error = actual - target
+        if free is not None and free.any():
+            error += taken_back(model, positions, error, free, self._tool_point)
         self._vector[stage].add(_length(error), lines)
         if self._ball is not None:
             self._bar[stage].add(bar_error(target, error, self._ball), lines)
@@ -240,7 +244,8 @@ class Tally:
             self._singular.lines(),
             self._uncommanded.lines(),
             self._vector[UNCOMMANDED].summary(),
-            self._unknown_places(),
+            self._elsewhere.rapids(),
+            self._elsewhere.feeds(),
             self._offsets(),
             self._tools(),
             self._effects,
@@ -273,14 +278,6 @@ class Tally:
             )
             for setup, places in used.items()
         )
-
-    def _unknown_places(self) -> UnknownPlaces | None:
-        change = self._elsewhere.summary()
-        if change is None:
-            return None
-        assumed = self._settings.assumed
-        places = {self._axes[row]: assumed.get(self._axes[row], 0.0) for row in sorted(self._rows_elsewhere)}
-        return UnknownPlaces(places, change)
 
 
 def _length(vectors: FloatArray) -> FloatArray:

@@ -1,16 +1,15 @@
 """Follows the axes through a program, batch by batch, and puts in points where a reversal is to be taken up."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
 from trueaxis.compensation.acting import Acting
 from trueaxis.compensation.along import Along
 from trueaxis.compensation.course import Course, Standing, since_reversal, turnings
-from trueaxis.compensation.held import Held, axes_elsewhere
+from trueaxis.compensation.held import Held
 from trueaxis.compensation.lattice import word_steps
 from trueaxis.compensation.machine import FloatArray, linear_rows
+from trueaxis.compensation.move_table import MoveTable
 from trueaxis.compensation.moves import Kind, Move, Notes
 from trueaxis.compensation.path import Path, path_of
 from trueaxis.compensation.placed import OnCourse, Placed
@@ -59,7 +58,7 @@ class Tracker:
         )
 
     def place(
-        self, path: Path, moves: Sequence[Move], follows: NDArray[np.bool_], following: Move | None
+        self, path: Path, moves: MoveTable, follows: NDArray[np.bool_], following: Move | None
     ) -> tuple[Path, OnCourse]:
         """The path of a batch, with a motion of no length wherever the commands have to jump, and its course.
 
@@ -67,9 +66,9 @@ class Tracker:
         through; following: the move after the last.
         """
         standing = self._standing
-        inch = np.array([move.inch for move in moves])[path.owner]
+        inch = moves.inch[path.owner]
         steps = np.where(inch, self._steps[True], self._steps[False])
-        elsewhere = axes_elsewhere(moves, len(self._axes))[:, path.owner]
+        elsewhere = moves.elsewhere[:, path.owner]
         direction, extreme = self._directions(path, steps, elsewhere)
         velocity, duration, at_ends = self._velocities(path, moves, follows, following)
         since, gone = since_reversal(path, direction, standing, duration, linear_rows(self._axes))
@@ -94,7 +93,7 @@ class Tracker:
         return direction, extreme
 
     def _velocities(
-        self, path: Path, moves: Sequence[Move], follows: NDArray[np.bool_], following: Move | None
+        self, path: Path, moves: MoveTable, follows: NDArray[np.bool_], following: Move | None
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Velocity in the midst of motions, their duration, and velocity at their ends."""
         if not self._acting.moving:
@@ -107,12 +106,14 @@ class Tracker:
         midst, duration = cruising(path, feed, self._axes)
         after, owner = np.zeros((len(self._axes), 1)), len(moves)
         if following is not None:
-            ahead = path_of([following], path.points[:, -1], self._axes, self._settings.chord_tolerance)
+            ahead = path_of(
+                MoveTable([following], len(self._axes)), path.points[:, -1], self._axes, self._settings.chord_tolerance
+            )
             after = cruising(ahead, np.full(ahead.size, following.feed), self._axes)[0][:, :1]
         ends = at_vertices(np.concatenate([midst, after], axis=1), np.append(path.owner, owner), follows)
         return midst, duration, ends
 
-    def _jumps(self, path: Path, course: Course, steps: FloatArray, moves: Sequence[Move]) -> NDArray[np.int64]:
+    def _jumps(self, path: Path, course: Course, steps: FloatArray, moves: MoveTable) -> NDArray[np.int64]:
         """Motions at whose start the commands are to jump by more than rounding."""
         before = np.concatenate([self._standing.direction[:, None], course.direction[:, :-1]], axis=1)
         since = np.concatenate([self._standing.since[..., None], (course.since + course.gone)[..., :-1]], axis=2)

@@ -8,15 +8,17 @@ in machine coordinates that NcReader reads as any other; its N words are the lin
 """
 
 import json
+import math
 import os
 import re
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
+from trueaxis.compensation.linuxcnc_blocks import AXES, HEAD, SAME, Motion, blocks_of
 from trueaxis.compensation.offsets import NUMBERED, Offsets, half_width, middle
 from trueaxis.compensation.settings import BlockDelete
 from trueaxis.compensation.tools import ToolTable
@@ -26,55 +28,14 @@ from trueaxis.io.files import write_files
 CALLS = Path(__file__).with_name("linuxcnc_calls.py")
 PYTHON = "/usr/bin/python3"  # the one that the package's module is made for
 SECONDS = 600
-AXES = "XYZABC"
 # two places where the axes are taken to stand at first, mm and deg, that no program names
 STARTS = ("G53 G0 X13.1713 Y17.3319 Z19.7117 A1.1713 B1.3319 C1.7117",
           "G53 G0 X23.9173 Y29.1371 Z31.3733 A2.9173 B2.1371 C3.3733")  # fmt: skip
-_SAME = 1e-7  # mm, deg: what doubles lose on the way through inches
-_CALL = re.compile(r"\s*\d+\s+N\S+\s+(\w+)\((.*)\)\s*$")
 _OPTIONAL = re.compile(rb"(?m)^[ \t]*/")
-_MOTION = frozenset({"STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"})
-_WORDS = {
-    "START_SPINDLE_CLOCKWISE": "M3", "START_SPINDLE_COUNTERCLOCKWISE": "M4", "STOP_SPINDLE_TURNING": "M5",
-    "FLOOD_ON": "M8", "MIST_ON": "M7", "FLOOD_OFF": "M9", "MIST_OFF": "M9", "PROGRAM_STOP": "M0",
-    "OPTIONAL_PROGRAM_STOP": "M1", "PROGRAM_END": "M2",
-}  # fmt: skip
-# M codes of LinuxCNC that move nothing, with their words: overrides, outputs
-_OUTPUTS = {
-    "ENABLE_FEED_OVERRIDE": "M50 P1", "DISABLE_FEED_OVERRIDE": "M50 P0", "ENABLE_SPEED_OVERRIDE": "M51 P1",
-    "DISABLE_SPEED_OVERRIDE": "M51 P0", "SET_MOTION_OUTPUT_BIT": "M62 P{0:.0f}",
-    "CLEAR_MOTION_OUTPUT_BIT": "M63 P{0:.0f}", "SET_AUX_OUTPUT_BIT": "M64 P{0:.0f}",
-    "CLEAR_AUX_OUTPUT_BIT": "M65 P{0:.0f}",
-    "SET_MOTION_OUTPUT_VALUE": "M67 E{0:.0f} Q{1:.6f}", "SET_AUX_OUTPUT_VALUE": "M68 E{0:.0f} Q{1:.6f}",
-}  # fmt: skip
-PASSED = (50, 51, 62, 63, 64, 65, 67, 68)  # the codes of these
-# what says nothing that the motions do not hold
-_SILENT = frozenset({
-    "USE_LENGTH_UNITS", "SET_G5X_OFFSET", "SET_G92_OFFSET", "SET_XY_ROTATION", "SET_FEED_REFERENCE", "ON_RESET",
-    "SELECT_PLANE", "SELECT_TOOL", "START_CHANGE", "SET_CUTTER_RADIUS_COMPENSATION", "START_CUTTER_RADIUS_COMPENSATION",
-    "STOP_CUTTER_RADIUS_COMPENSATION", "COMMENT", "MESSAGE", "LOG", "SET_NAIVECAM_TOLERANCE", "USE_TOOL_LENGTH_OFFSET",
-    "ORIENT_SPINDLE_OFF", "PALLET_SHUTTLE",  # M30
-    "FINISH",
-})  # fmt: skip
-_HEAD = "G21 G90 G94 G17 G40 G49 G80\nG92.1\nG10 L2 P9 X0 Y0 Z0\nG59.3\n"
 NOT_INSTALLED = (
     "LinuxCNC's interpreter is not there",
     "install the Debian package linuxcnc-uspace, or name the folder into which it is unpacked: --via-linuxcnc DIR",
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Motion:
-    """kind: rapid, feed or arc; line: of the source; plane, turns, centre: of an arc; end: X Y Z A B C in machine
-    coordinates, mm and deg, None where it depends on where the axes stand at first.
-    """
-
-    kind: str
-    line: int
-    plane: int
-    turns: int
-    centre: tuple[float, ...]
-    end: tuple[float | None, ...]
 
 
 def unrolled(
@@ -124,7 +85,7 @@ def unrolled(
     _check_offsets(calls, offsets, name)
     motions = _motions(rounds, name)
     try:
-        return _HEAD + "".join(f"{line}\n" for line in _blocks(calls.splitlines(), motions, [0, *lengths]))
+        return HEAD + "".join(f"{line}\n" for line in blocks_of(calls.splitlines(), motions, [0, *lengths]))
     except ValueError as problem:
         raise InputError([Fault(name, "", f"{problem}, which is not unrolled")]) from None
 
@@ -174,7 +135,7 @@ def _run(command: Sequence[str], folder: Path, env: Mapping[str, str]) -> str:
 
 
 def _motions(rounds: Sequence[str], name: str) -> list[Motion]:
-    found: list[list[list[object]]] = []
+    found: list[list[list[Any]]] = []
     for text in rounds:
         lines = [json.loads(line) for line in text.splitlines() if line.startswith("[")]
         if not lines or lines[-1][0] != "end":
@@ -185,95 +146,18 @@ def _motions(rounds: Sequence[str], name: str) -> list[Motion]:
         others = [Fault(name, f"line {one[1]}", f"{one[2]} is not unrolled") for one in lines if one[0] == "other"]
         if others:
             raise InputError(others)
-        found.append(lines[1:-1])  # the first is the motion to the start
+        found.append(lines[:-1])  # the first is the motion to the start
     if [(one[0], one[1]) for one in found[0]] != [(one[0], one[1]) for one in found[1]]:
         raise InputError([Fault(name, "", "what the program does depends on where the axes stand at first")])
     motions = []
-    for one, other in zip(*found, strict=True):
+    for (one, other), (before, before_other) in zip(
+        zip(found[0][1:], found[1][1:], strict=True), zip(*found, strict=True), strict=False
+    ):
         kind, line, plane, turns, centre, end = one
-        same = tuple(a if abs(a - b) < _SAME else None for a, b in zip(end, other[5], strict=True))
-        motions.append(Motion(str(kind), int(line), int(plane), int(turns), tuple(centre), same))
-    return motions
-
-
-def _blocks(calls: Sequence[str], motions: Sequence[Motion], tools: Sequence[int]) -> Iterator[str]:
-    """Blocks of the program: the calls of rs274 in order, with the motions in their places; tools: numbers in the order
-    of the table, by which rs274 names them.
-
-    Raises ValueError with what a call does that is not written.
-    """
-    at: list[float | None] = [None] * len(AXES)
-    remaining = iter(motions)
-    unit, plane, feed, changed = 1.0, 1, "", False
-    for text in calls:
-        call = _CALL.match(text)
-        if call is None:
+        if kind == "stands":  # what the next motion starts from
             continue
-        function, arguments = call[1], call[2]
-        if function in _MOTION:
-            motion = next(remaining, None)
-            if motion is None:
-                raise ValueError("rs274 makes more motions than the module")
-            if motion.kind == "arc" and motion.plane != plane:
-                plane = motion.plane
-                yield f"G{(17, 19, 18)[plane - 1]}"
-            yield _block(motion, at, "" if motion.kind == "rapid" else feed)
-            at = [before if value is None else value for before, value in zip(at, motion.end, strict=True)]
-        elif function == "USE_LENGTH_UNITS":
-            unit = 25.4 if "INCH" in arguments else 1.0
-        elif function == "SET_FEED_RATE":
-            feed = f" F{float(arguments) * unit:.4f}"
-        elif function == "USE_TOOL_LENGTH_OFFSET":
-            if len(tools) > 1 and not changed and any(float(value) for value in re.findall(r"[-\d.]+", arguments)):
-                raise ValueError("the length of a tool is in force before a tool change")
-        elif function == "CHANGE_TOOL":
-            changed = True
-            yield f"T{tools[int(float(arguments))]} M6"
-        else:
-            yield from _words(function, arguments)
-    if next(remaining, None) is not None:
-        raise ValueError("the module makes more motions than rs274")
-
-
-def _words(function: str, arguments: str) -> Iterator[str]:
-    numbers = [float(number) for number in re.findall(r"[-+]?\d+\.?\d*", arguments)]
-    if function in _WORDS:
-        yield _WORDS[function]
-    elif function in _OUTPUTS:
-        yield _OUTPUTS[function].format(*numbers)
-    elif function == "SET_FEED_MODE":
-        yield "G95" if numbers[-1] else "G94"
-    elif function == "SET_SPINDLE_SPEED":
-        yield f"S{abs(numbers[-1]):.4f}"
-    elif function == "DWELL":
-        yield f"G4 P{numbers[0]:.4f}"
-    elif function == "SET_MOTION_CONTROL_MODE":
-        mode = "G61" if "EXACT_STOP" in arguments else "G61.1" if "EXACT_PATH" in arguments else "G64"
-        yield mode + (f" P{numbers[-1]:.4f}" if mode == "G64" and numbers and numbers[-1] else "")
-    elif (function == "SET_SPINDLE_MODE" and not any(numbers)) or function in _SILENT:
-        return
-    else:
-        raise ValueError(f"the program calls {function}({arguments[:30]})")
-
-
-def _block(motion: Motion, at: Sequence[float | None], feed: str) -> str:
-    code = {"rapid": "G0", "feed": "G1"}.get(motion.kind) or ("G3" if motion.turns > 0 else "G2")
-    words = [
-        f"{axis}{value:.7f}"
-        for axis, value, before in zip(AXES, motion.end, at, strict=True)
-        if value is not None and (before is None or abs(value - before) > _SAME)
-    ]
-    if motion.kind == "arc":
-        rows = {1: (0, 1), 2: (1, 2), 3: (2, 0)}[motion.plane]
-        start = [at[row] for row in rows]
-        if None in start or None in [motion.end[row] for row in rows]:
-            raise ValueError(f"the arc of line {motion.line} begins where the axes stand at first")
-        words += [
-            f"{'IJK'[row]}{centre - (begin or 0.0):.7f}"
-            for row, centre, begin in sorted(zip(rows, motion.centre, start, strict=True))
-        ]
-        if abs(motion.turns) > 1:
-            words.append(f"P{abs(motion.turns)}")
-    if not words:  # a motion to where the axes are: nothing moves
-        return f"N{motion.line}"
-    return f"N{motion.line} {code} {' '.join(words)}{feed}"
+        same = tuple(a if abs(a - b) < SAME else None for a, b in zip(end, other[5], strict=True))
+        ways = zip(end, before[5], other[5], before_other[5], strict=True)
+        way = tuple(a - c if abs((a - c) - (b - d)) < SAME else math.nan for a, c, b, d in ways)
+        motions.append(Motion(str(kind), int(line), int(plane), int(turns), tuple(centre), same, way))
+    return motions

@@ -62,7 +62,8 @@ class Visited:
             position, before = self._cells.get(key, (positions[:, at], 0.0))
             if correction > before:
                 position = positions[:, at]
-            self._cells[key] = (position, max(before, correction))
+            # a view would keep the points of its whole batch
+            self._cells[key] = (position.copy(), max(before, correction))
 
     @property
     def positions(self) -> FloatArray:

@@ -1,6 +1,7 @@
 """NC blocks with compensated axis words."""
 
 from collections.abc import Mapping, Sequence
+from functools import cache
 from types import MappingProxyType
 
 import numpy as np
@@ -8,7 +9,9 @@ from numpy.typing import NDArray
 
 from trueaxis.compensation.kept_arcs import Piece, plane_of
 from trueaxis.compensation.machine import LINEAR, FloatArray
+from trueaxis.compensation.move_table import MoveTable
 from trueaxis.compensation.moves import Move, Zero
+from trueaxis.compensation.plain_run import PlainRun
 from trueaxis.compensation.settings import MM_PER_INCH, Settings, decimals
 
 _LEAST_SHARE = 1e-6  # of the time of a block: a piece of no length has an F all the same
@@ -31,7 +34,7 @@ class BlockWriter:
 
     def texts(
         self,
-        moves: Sequence[Move],
+        moves: MoveTable,
         owner: NDArray[np.int64],
         positions: FloatArray,
         previous: FloatArray,
@@ -40,7 +43,7 @@ class BlockWriter:
         shares: FloatArray,
         arcs: Mapping[int, Piece] = MappingProxyType({}),
     ) -> list[str]:
-        """One text for each move: its block, or the blocks it has become.
+        """One text for each item of the table: its blocks, or the blocks they have become.
 
         owner: (n,), move of each executed position; positions, previous: (n_axes, n), named by the words and by those
         before them (NaN: not known); lattices: mm or deg per step of a word, and position minus word in G90,
@@ -50,31 +53,77 @@ class BlockWriter:
         """
         if not np.isfinite(positions).all():
             raise ValueError("a position to be written is not finite")
-        absolute = np.array([move.absolute for move in moves])[owner]
+        absolute = moves.absolute[owner]
         with np.errstate(invalid="ignore"):
             stays = np.abs(positions - previous) < _HOLDS
         steps, shift = lattices
         origin = np.where(absolute, shift, previous)
-        counts = np.rint((positions - origin) / steps).astype(np.int64).T.tolist()
-        stay = stays.T.tolist()
+        all_counts = np.rint((positions - origin) / steps).astype(np.int64)
         # a word may stay as it is where it names the position to be reached, and an increment where it starts as it did
         ends, starts = programmed
         with np.errstate(invalid="ignore"):
             held_end = (np.abs(positions - ends) < _HOLDS).all(axis=0)
             held_start = (np.abs(previous - starts) < _HOLDS).all(axis=0)
-        unchanged = (held_end & (absolute | held_start)).tolist()
-        pieces = np.bincount(owner, minlength=len(moves)).tolist()
+        all_unchanged = held_end & (absolute | held_start)
+        pieces = np.bincount(owner, minlength=len(moves))
         out = []
-        place = 0
-        for move, number in zip(moves, pieces, strict=True):
-            if number == 1 and place not in arcs:
-                out.append(self._single(move, counts[place], stay[place], unchanged[place]))
+        move_number = place = 0
+        for item in moves.items:
+            count = item.count if isinstance(item, PlainRun) else 1
+            of_item = pieces[move_number : move_number + count]
+            whole = slice(place, place + int(of_item.sum()))
+            counts, stay, unchanged = all_counts[:, whole], stays[:, whole], all_unchanged[whole]
+            if isinstance(item, PlainRun):
+                out.append(self._run(item, of_item, counts, stay, unchanged, shares[whole]))
+            elif count == of_item[0] and place not in arcs:
+                out.append(self._single(item, counts[:, 0].tolist(), stay[:, 0].tolist(), bool(unchanged[0])))
             else:
-                part = slice(place, place + number)
-                of_move = [arcs.get(index) for index in range(place, place + number)]
-                out.append(self._several(move, counts[part], stay[part], shares[part], of_move))
-            place += number
+                of_move = [arcs.get(index) for index in range(whole.start, whole.stop)]
+                out.append(self._several(item, counts.T.tolist(), stay.T.tolist(), shares[whole], of_move))
+            move_number, place = move_number + count, whole.stop
         return out
+
+    def _run(
+        self,
+        run: PlainRun,
+        pieces: NDArray[np.int64],
+        counts: NDArray[np.int64],
+        stay: NDArray[np.bool_],
+        unchanged: NDArray[np.bool_],
+        shares: FloatArray,
+    ) -> str:
+        """The blocks of a run, as `_single` and `_several` write them one by one."""
+        forms = self._forms(run.inch, run.gap, run.eol)
+        steps = np.array([step for step, _ in self._formats[run.inch]])[:, np.newaxis]
+        whole = np.concatenate([[0], np.cumsum(pieces)])
+        first = whole[:-1]
+        named = run.written | ~stay[:, first]
+        pattern = (1 << np.arange(len(self._axes))) @ named
+        source = unchanged[first] & ~(named & ~run.written).any(axis=0)
+        texts = [forms[number] for number in pattern.tolist()]
+        own = np.flatnonzero(source | (pieces > 1))
+        if own.size:
+            sources, named = run.sources(), named & ~(source | (pieces > 1))
+            for index in own.tolist():
+                part = slice(whole[index], whole[index + 1])
+                text = sources[index]
+                if pieces[index] > 1:
+                    none = [None] * int(pieces[index])
+                    text = self._several(
+                        run.move(index), counts[:, part].T.tolist(), stay[:, part].T.tolist(), shares[part], none
+                    )
+                texts[index] = text  # without a sign of a format
+        values = (counts[:, first] * steps).T[named.T]
+        return "".join(texts) % tuple(values.tolist())
+
+    @cache  # noqa: B019  # as long as the writer
+    def _forms(self, inch: bool, gap: str, eol: str) -> list[str]:
+        """The form of a block by which axes have words: bits, the first axis the lowest."""
+        forms = [form for _, form in self._formats[inch]]
+        return [
+            gap.join(form for row, form in enumerate(forms) if pattern >> row & 1) + eol
+            for pattern in range(1 << len(forms))
+        ]
 
     def zero(self, block: Zero, written: FloatArray, programmed: FloatArray) -> str:
         """A block that gives axes new values where they stand: where the words, not the program, have put them.

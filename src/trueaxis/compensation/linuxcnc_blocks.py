@@ -1,0 +1,166 @@
+"""The program that the calls and motions of LinuxCNC's interpreter make: lines and arcs in machine coordinates."""
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+AXES = "XYZABC"
+_LARGEST_NUMBER = 99999  # of a block, in LinuxCNC
+SAME = 1e-7  # mm, deg: what doubles lose on the way through inches
+_CALL = re.compile(r"\s*\d+\s+N\S+\s+(\w+)\((.*)\)\s*$")
+_MOTION = frozenset({"STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"})
+_WORDS = {
+    "START_SPINDLE_CLOCKWISE": "M3", "START_SPINDLE_COUNTERCLOCKWISE": "M4", "STOP_SPINDLE_TURNING": "M5",
+    "FLOOD_ON": "M8", "MIST_ON": "M7", "FLOOD_OFF": "M9", "MIST_OFF": "M9", "PROGRAM_STOP": "M0",
+    "OPTIONAL_PROGRAM_STOP": "M1", "PROGRAM_END": "M2",
+}  # fmt: skip
+# M codes of LinuxCNC that move nothing, with their words: overrides, outputs
+_OUTPUTS = {
+    "ENABLE_FEED_OVERRIDE": "M50 P1", "DISABLE_FEED_OVERRIDE": "M50 P0", "ENABLE_SPEED_OVERRIDE": "M51 P1",
+    "DISABLE_SPEED_OVERRIDE": "M51 P0", "SET_MOTION_OUTPUT_BIT": "M62 P{0:.0f}",
+    "CLEAR_MOTION_OUTPUT_BIT": "M63 P{0:.0f}", "SET_AUX_OUTPUT_BIT": "M64 P{0:.0f}",
+    "CLEAR_AUX_OUTPUT_BIT": "M65 P{0:.0f}",
+    "SET_MOTION_OUTPUT_VALUE": "M67 E{0:.0f} Q{1:.6f}", "SET_AUX_OUTPUT_VALUE": "M68 E{0:.0f} Q{1:.6f}",
+}  # fmt: skip
+PASSED = (50, 51, 62, 63, 64, 65, 67, 68)  # the codes of these
+# what says nothing that the motions do not hold
+_SILENT = frozenset({
+    "USE_LENGTH_UNITS", "SET_G5X_OFFSET", "SET_G92_OFFSET", "SET_XY_ROTATION", "SET_FEED_REFERENCE", "ON_RESET",
+    "SELECT_PLANE", "SELECT_TOOL", "START_CHANGE", "SET_CUTTER_RADIUS_COMPENSATION", "START_CUTTER_RADIUS_COMPENSATION",
+    "STOP_CUTTER_RADIUS_COMPENSATION", "COMMENT", "MESSAGE", "LOG", "SET_NAIVECAM_TOLERANCE", "USE_TOOL_LENGTH_OFFSET",
+    "ORIENT_SPINDLE_OFF", "PALLET_SHUTTLE",  # M30
+    "FINISH",
+})  # fmt: skip
+HEAD = "G21 G90 G94 G17 G40 G49 G80\nG92.1\nG10 L2 P9 X0 Y0 Z0\nG59.3\n"
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """kind: rapid, feed or arc; line: of the source; plane, turns, centre: of an arc; end: X Y Z A B C in machine
+    coordinates, mm and deg, None where it depends on where the axes stand at first; way: from the end before, NaN where
+    that depends on it.
+    """
+
+    kind: str
+    line: int
+    plane: int
+    turns: int
+    centre: tuple[float, ...]
+    end: tuple[float | None, ...]
+    way: tuple[float, ...]
+
+
+def blocks_of(calls: Sequence[str], motions: Sequence[Motion], tools: Sequence[int]) -> Iterator[str]:
+    """Blocks of the program: the calls of rs274 in order, with the motions in their places; tools: numbers in the order
+    of the table, by which rs274 names them.
+
+    Raises ValueError with what a call does that is not written.
+    """
+    at: list[float | None] = [None] * len(AXES)
+    remaining = iter(motions)
+    unit, plane, feed, changed, absolute = 1.0, 1, "", False, True
+    for text in calls:
+        call = _CALL.match(text)
+        if call is None:
+            continue
+        function, arguments = call[1], call[2]
+        if function in _MOTION:
+            motion = next(remaining, None)
+            if motion is None:
+                raise ValueError("rs274 makes more motions than the module")
+            if motion.kind == "arc" and motion.plane != plane:
+                plane = motion.plane
+                yield f"G{(17, 19, 18)[plane - 1]}"
+            by_ways = _counts_from_start(motion)
+            if by_ways == absolute:
+                absolute = not by_ways
+                yield "G90" if absolute else "G91"
+            fed = "" if motion.kind == "rapid" else feed
+            yield _increments(motion, fed) if by_ways else _block(motion, at, fed)
+            at = [before if value is None else value for before, value in zip(at, motion.end, strict=True)]
+        elif function == "USE_LENGTH_UNITS":
+            unit = 25.4 if "INCH" in arguments else 1.0
+        elif function == "SET_FEED_RATE":
+            feed = f" F{float(arguments) * unit:.4f}"
+        elif function == "USE_TOOL_LENGTH_OFFSET":
+            _check_length(arguments, len(tools) > 1 and not changed)
+        elif function == "CHANGE_TOOL":
+            changed = True
+            yield f"T{tools[int(float(arguments))]} M6"
+        else:
+            yield from _words(function, arguments)
+    if next(remaining, None) is not None:
+        raise ValueError("the module makes more motions than rs274")
+
+
+def _check_length(arguments: str, unknown: bool) -> None:
+    if unknown and any(float(value) for value in re.findall(r"[-\d.]+", arguments)):
+        raise ValueError("the length of a tool is in force before a tool change")
+
+
+def _words(function: str, arguments: str) -> Iterator[str]:
+    numbers = [float(number) for number in re.findall(r"[-+]?\d+\.?\d*", arguments)]
+    if function in _WORDS:
+        yield _WORDS[function]
+    elif function in _OUTPUTS:
+        yield _OUTPUTS[function].format(*numbers)
+    elif function == "SET_FEED_MODE":
+        yield "G95" if numbers[-1] else "G94"
+    elif function == "SET_SPINDLE_SPEED":
+        yield f"S{abs(numbers[-1]):.4f}"
+    elif function == "DWELL":
+        yield f"G4 P{numbers[0]:.4f}"
+    elif function == "SET_MOTION_CONTROL_MODE":
+        mode = "G61" if "EXACT_STOP" in arguments else "G61.1" if "EXACT_PATH" in arguments else "G64"
+        yield mode + (f" P{numbers[-1]:.4f}" if mode == "G64" and numbers and numbers[-1] else "")
+    elif (function == "SET_SPINDLE_MODE" and not any(numbers)) or function in _SILENT:
+        return
+    else:
+        raise ValueError(f"the program calls {function}({arguments[:30]})")
+
+
+def _counts_from_start(motion: Motion) -> bool:
+    """Whether a motion moves an axis by an increment from where it stands at first.
+
+    Raises ValueError where its way depends on that, too.
+    """
+    moved = [way for end, way in zip(motion.end, motion.way, strict=True) if end is None and not abs(way) < SAME]
+    if any(math.isnan(way) for way in moved):
+        raise ValueError(f"where the motion of line {motion.line} goes depends on where the axes stand at first")
+    return bool(moved) and motion.kind != "arc"
+
+
+def _number(motion: Motion) -> str:
+    """The line of the source as a block number; motions of a cycle have none (-1)."""
+    return f"N{motion.line} " if 0 < motion.line <= _LARGEST_NUMBER else ""
+
+
+def _increments(motion: Motion, feed: str) -> str:
+    if any(end is not None and math.isnan(way) for end, way in zip(motion.end, motion.way, strict=True)):
+        raise ValueError(f"line {motion.line} moves axes by increments and to positions, from an unknown start")
+    ways = [f"{axis}{way:.7f}" for axis, way in zip(AXES, motion.way, strict=True) if abs(way) > SAME]
+    return f"{_number(motion)}{'G0' if motion.kind == 'rapid' else 'G1'} {' '.join(ways)}{feed}"
+
+
+def _block(motion: Motion, at: Sequence[float | None], feed: str) -> str:
+    code = {"rapid": "G0", "feed": "G1"}.get(motion.kind) or ("G3" if motion.turns > 0 else "G2")
+    words = [
+        f"{axis}{value:.7f}"
+        for axis, value, before in zip(AXES, motion.end, at, strict=True)
+        if value is not None and (before is None or abs(value - before) > SAME)
+    ]
+    if motion.kind == "arc":
+        rows = {1: (0, 1), 2: (1, 2), 3: (2, 0)}[motion.plane]
+        start = [at[row] for row in rows]
+        if None in start or None in [motion.end[row] for row in rows]:
+            raise ValueError(f"the arc of line {motion.line} begins where the axes stand at first")
+        words += [
+            f"{'IJK'[row]}{centre - (begin or 0.0):.7f}"
+            for row, centre, begin in sorted(zip(rows, motion.centre, start, strict=True))
+        ]
+        if abs(motion.turns) > 1:
+            words.append(f"P{abs(motion.turns)}")
+    if not words:  # a motion to where the axes are: nothing moves
+        return _number(motion).rstrip()
+    return f"{_number(motion)}{code} {' '.join(words)}{feed}"

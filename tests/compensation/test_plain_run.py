@@ -1,0 +1,113 @@
+"""Blocks read and written in runs come out as they do one by one."""
+
+import dataclasses
+import re
+from unittest.mock import patch
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.compensation.analytic_machine import XyzMachine, paper_sized
+from tests.compensation.control import Bench
+from trueaxis.compensation import plain_run
+from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.report import CompensationReport
+from trueaxis.io.faults import InputError
+
+LIMITS = dict.fromkeys("XYZ", (-2000.0, 2000.0))
+NUMBERS = st.one_of(
+    st.integers(-9000, 9000).map(lambda n: f"{n / 100:.3f}"),
+    st.integers(-90, 90).map(lambda n: f"{n}."),
+    st.sampled_from(["0.", "-.5", "+1.25", ".125", "-0.000", "7", "0", "00012.50", "12.3456789", "2e3", "1.2.3", "-"]),
+)
+WORDS = st.tuples(*[st.one_of(st.none(), NUMBERS)] * 3)
+GAPS = st.sampled_from([" ", " ", " ", "", "  ", "\t"])
+PLAIN = st.tuples(WORDS, GAPS).map(
+    lambda pair: pair[1].join(f"{a}{n}" for a, n in zip("XYZ", pair[0], strict=True) if n is not None)
+)
+OTHER = st.sampled_from(
+    ["G0", "G1", "G91", "G90", "G20", "G21", "G0 X5. Y5. Z5.", "G1 F300", "N7 X1. Y2. F90", "(text)", "", "M6", "M0",
+     "G2 X5. Y5. R90.", "G54", "G55", "G93", "G94", "M30", "Y1. X2.", "x3. y4.", "/X1.", "A5.", "X1. (end)", " X3."]
+)  # fmt: skip
+TEXTS = st.tuples(
+    st.sampled_from(["\n", "\n", "\r\n"]),
+    st.lists(st.one_of(PLAIN, PLAIN, PLAIN, PLAIN, PLAIN, OTHER), min_size=4, max_size=40),
+    st.booleans(),
+)
+OFFSETS = Offsets({"G54": {"X": (5.0, 5.0)}, "G55": {"X": (7.0, 7.0), "Z": (-3.0, -3.0)}}, {}, "G54")
+HEAD = ["G21 G90 G94", "G0 X10. Y20. Z30.", "G1 X11. Y20. F500"]
+
+
+def outcome(bench: Bench, text: str, fewest: int, options: dict[str, object]) -> tuple[object, ...]:
+    """What is written or refused, and the report, with runs of no fewer blocks."""
+    of = paper_sized(3.0)
+    machine = XyzMachine(of.curves, of.squareness, travel=LIMITS)
+    with patch.object(plain_run, "FEWEST", fewest):
+        try:
+            written = bench.run(text, machine, **options)  # type: ignore[arg-type]
+        except InputError as error:
+            return tuple(error.faults)
+    return written, *figures(bench.report)
+
+
+def figures(report: CompensationReport) -> list[object]:
+    """All of a report, numbers to nine digits."""
+
+    def rounded(value: object) -> object:
+        if isinstance(value, float):
+            return f"{value:.9g}"
+        if isinstance(value, dict):
+            return {key: rounded(item) for key, item in value.items()}
+        return [rounded(item) for item in value] if isinstance(value, (list, tuple)) else value
+
+    tree = dataclasses.asdict(report)
+    del tree["settings"], tree["solved"]  # the latter depends on batches where an axis gets no word
+    return [rounded(tree)]
+
+
+@pytest.fixture(scope="module")
+def module_bench(tmp_path_factory: pytest.TempPathFactory) -> Bench:
+    return Bench(tmp_path_factory.mktemp("runs"))
+
+
+@settings(max_examples=80, deadline=None)
+@given(text=TEXTS, integers=st.sampled_from([None, "mm", "least-increment"]), few=st.sampled_from([1, 3, 50, 16384]))
+def test_runs_are_what_their_blocks_are(
+    module_bench: Bench, text: tuple[str, list[str], bool], integers: str | None, few: int
+) -> None:
+    """However blocks are taken together: the same bytes, the same faults, the same figures."""
+    eol, lines, ends = text
+    program = eol.join([*HEAD, *lines]) + (eol if ends else "")
+    options: dict[str, object] = {
+        "integers": integers, "batch_points": few, "offsets": OFFSETS, "block_delete": "skip",
+    }  # fmt: skip
+    by_blocks = outcome(module_bench, program, 10**9, options)
+    assert outcome(module_bench, program, 1, options) == by_blocks
+    assert outcome(module_bench, program, 3, options) == by_blocks
+
+
+def test_most_of_a_long_program_is_runs(bench: Bench) -> None:
+    from trueaxis.compensation.nc_plain import plain_move
+
+    rows = [f"X{100 + 0.4 * k:.4f} Y{100 + 20 * np.sin(k):.3f} Z-{k % 7}.5" for k in range(2000)]
+    with patch("trueaxis.compensation.nc_reader.plain_move", side_effect=plain_move) as one_by_one:
+        text = bench.run("\n".join([*HEAD, *rows, "M30\n"]), paper_sized())
+    assert one_by_one.call_count < 10
+    assert len(re.findall(rb"(?m)^X", text)) >= 2000
+
+
+def test_a_long_line_is_no_program(bench: Bench) -> None:
+    head = "\n".join(HEAD) + "\n"
+    for before in (0, 3000, 9000):
+        text = head + "X1.\n" * before + "X" + "1" * 70_000 + "\nX2.\n"
+        with pytest.raises(InputError, match=rf"line {before + 4}: a line of more than 65536 bytes"):
+            bench.run(text)
+
+
+def test_texts_without_a_last_line_end(bench: Bench) -> None:
+    rows = [f"X{k}.5" for k in range(40)]
+    text = bench.run("\n".join([*HEAD, *rows]), XyzMachine())
+    assert text == "\n".join([*HEAD, *rows]).encode()
+    assert bench.report.blocks_in == bench.report.blocks_out - 1 == 43
