@@ -183,6 +183,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
         likelier=told,
+        ideal=setting.options.ideal,
         own={one.rows.index: own for one, own in zip(state.runs, state.own, strict=True)},
         noise=InstrumentNoise(
             of_instrument=state.noise,

@@ -29,9 +29,9 @@ How = Literal["reversed", "small", "large", "mirrored"]
 UNDONE: Mapping[How, float] = {"reversed": -1.0, "small": 1e3, "large": 1e-3, "mirrored": 1.0}
 # Logarithm of the ratio of likelihoods from which on a run is said to be misread: were one run of a thousand misread,
 # one statement of a thousand would be wrong.
-SURE = 2.0 * np.log(1e3)
+SURE = float(2.0 * np.log(1e3))
 # From where on it is said, with its odds, and decides nothing: one of a thousand runs is misread, and that is a guess.
-SUSPICIOUS = np.log(1e3)
+SUSPICIOUS = float(np.log(1e3))
 # Likeliest faults that are undone on trial, each at the cost of an estimate. Of 20 worlds as they should be no run was
 # likelier reversed at all, of 20 with one reversed that one alone; where the model is badly wrong all runs may be.
 MOST_TRIALS = 4

@@ -71,7 +71,8 @@ class Estimate:
     factors: class of sizes -> the estimated size over the expected one; likelier: of the classes of the machine's
     errors whose size is more than a factor of SAID from the expected one, the logarithm of how much likelier it is than
     the size at that factor; own: of each run by its index, unknowns of its own in the order of `own_kinds`, mm, rad or
-    1; zeroed: effects that are zero, since the readings make their square negative.
+    1; zeroed: effects that are zero, since the readings make their square negative; ideal: whether nothing was taken as
+    unknown of the instruments.
     """
 
     layout: Layout
@@ -85,6 +86,7 @@ class Estimate:
     likelier: Mapping[str, float] = field(default_factory=dict)
     own: Mapping[int, FloatArray] = field(default_factory=dict)
     zeroed: tuple[Effect, ...] = ()
+    ideal: bool = False
     noise: InstrumentNoise
     readings: ReadingsLeft
     iteration: Iteration

@@ -4,8 +4,8 @@ from collections.abc import Collection, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensation.reliance import Reliance
+from trueaxis.jobs.predict import Placement
 from trueaxis.machine.machine import LINEAR
-from trueaxis.model.curves import FloatArray
 from trueaxis.model.errors import ErrorValues, Fit
 from trueaxis.model.extent import UncertaintyExtent
 from trueaxis.model.measured_range import BeyondMeasured
@@ -59,11 +59,11 @@ def open_sentence(points: int, total: int, largest: float, names: Sequence[str])
     )
 
 
-def placement_sentence(placement: Sequence[float] | FloatArray, centre: Sequence[float] | FloatArray) -> str:
-    """What a best fit takes off; placement: shift at the centre and rotation, mm and rad; centre: mm."""
-    shift = ", ".join(f"{1e3 * part:.3g}" for part in placement[:3])
-    turn = ", ".join(f"{1e6 * part:.3g}" for part in placement[3:])
-    at = " ".join(f"{axis}{part:.4g}" for axis, part in zip("XYZ", centre, strict=True))
+def placement_sentence(placement: Placement) -> str:
+    """What a best fit takes off."""
+    shift = ", ".join(f"{1e3 * part:.3g}" for part in placement.shift)
+    turn = ", ".join(f"{1e6 * part:.3g}" for part in placement.rotation)
+    at = " ".join(f"{axis}{part:.4g}" for axis, part in zip("XYZ", placement.centre, strict=True))
     return (
         f"the best fit shifts the workpiece by {shift} um (x, y, z, at {at} of the workpiece frame) and turns it by "
         f"{turn} urad (about x, y, z)"
