@@ -9,11 +9,12 @@ from typing import cast
 
 import numpy as np
 
-from trueaxis.estimation.set_up import is_straightness
+from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.identification.expected_size import expected_size
 from trueaxis.io.faults import Fault
 from trueaxis.measurement.data import MeasuredData, readings_path
 from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.reading_geometry import along_line
 from trueaxis.measurement.reading_model import ideal_bar, ideal_reading, measuring_frame
 from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.setup import FILE_NAME, Run
@@ -23,6 +24,7 @@ BELIEVED = 5.0  # times the prior standard deviation of a reading
 # mm, what instruments may be off by: a ball or sphere is set up within a millimetre, with a ruler within five; the
 # range of straightness optics; a laser's dead path and the growth of a cold machine
 SET_UP = {"ballbar": 5.0, "probe": 5.0, "straightness": 2.5, "laser": 0.5}
+BY_EYE = 5e-4  # rad, one standard deviation: what a line of straightness is off by that nobody has aligned with care
 MOST_ROWS = 5  # named of a run
 MOST_FITTED = 500  # positions that the place of a ball is sought from
 IN_MM = "is the reading in mm? [prior] of the machine's spec says what errors may be expected"
@@ -79,9 +81,11 @@ def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.n
     return [Fault(str(readings_path(folder)), "column reading", problem, IN_MM)]
 
 
-def _set_up(model: MachineModel, run: Run, positions: FloatArray) -> float:
-    across = run.instrument == "laser" and is_straightness(model, run, positions)
-    return SET_UP["straightness" if across else run.instrument]
+def _set_up(model: MachineModel, run: Run, positions: FloatArray) -> FloatArray | float:
+    if run.instrument != "laser" or not is_straightness(model, run, positions):
+        return SET_UP[run.instrument]
+    along = np.abs(along_line(relative_motion(model, run, positions)))
+    return np.asarray(SET_UP["straightness"] + BELIEVED * BY_EYE * along)
 
 
 def _apart(run: Run, off: float, row: int) -> str:
