@@ -30,6 +30,7 @@ FARTHEST = 2.0  # of this logarithm
 STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
 LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
 STEPS = 200  # of a standard deviation that is averaged
+ROUNDING = 1e-13  # of a variance: a misfit a million times the noise is positive definite only with it
 FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
 
 
@@ -176,6 +177,7 @@ class Likelihood:
 
 def _precision(covariance: FloatArray, own: FloatArray) -> tuple[FloatArray, float]:
     """Inverse of a covariance less what own columns take, and half the log determinants."""
+    covariance[np.diag_indices(len(covariance))] *= 1.0 + ROUNDING
     factor = cholesky(covariance, lower=True, check_finite=False, overwrite_a=True)
     root = float(np.log(np.diag(factor)).sum())
     inverse, _ = dpotri(factor, lower=1, overwrite_c=1)  # its lower triangle: zeros are above that of the factor

@@ -15,7 +15,7 @@ from trueaxis.diagnosis.gain import fit, gain_of, held_out, predicted
 from trueaxis.diagnosis.given import given_by_chance
 from trueaxis.diagnosis.imperfection import imperfection, imperfections
 from trueaxis.diagnosis.instruments import Off, instruments_off
-from trueaxis.diagnosis.misfit import misfits
+from trueaxis.diagnosis.misfit import Known, misfits
 from trueaxis.diagnosis.null import Null, again, null_of
 from trueaxis.diagnosis.projection import Projection, spanned
 from trueaxis.diagnosis.prospect import prospect_of
@@ -91,7 +91,7 @@ def diagnose(model: MachineModel, data: MeasuredData, options: DiagnoseOptions |
     options.progress("values given")
     judged, changes = _values_judged(ground, null, judged, standing)
     options.progress("runs")
-    judged, changes = _runs_judged(ground, null, judged, changes, options.misfits)
+    judged, changes = _runs_judged(ground, null, judged, changes, standing, options.misfits)
     causes = judged.causes
     options.progress("gain")
     held, split = held_out(null.rows)
@@ -187,16 +187,24 @@ def _values_judged(ground: Ground, null: Null, judged: _Judged, standing: Sequen
 
 
 def _runs_judged(
-    ground: Ground, null: Null, judged: _Judged, changes: Changes, known: Sequence[str]
+    ground: Ground,
+    null: Null,
+    judged: _Judged,
+    changes: Changes,
+    standing: Sequence[Fitted],
+    known: Sequence[str],
 ) -> tuple[_Judged, Changes]:
     """Runs that no errors of the machine fit, and no name beside them: they are of the wrong sign, or belong elsewhere.
 
     known: of these.
     """
-    signal = np.sum([*(one.signal for one in judged.off), np.zeros(null.rows.size)], axis=0)
-    # where names stand nothing is left but what real causes have more than their forms, which is no wrong run
-    found = () if judged.causes else misfits(null, signal)
-    wrong = tuple(dict.fromkeys([*found, *known]))
+    causes = (*standing, *judged.causes)
+    nothing = np.zeros((null.rows.size, 0))
+    beside = Known(
+        signals=np.column_stack([nothing, *(one.signal for one in (*causes, *judged.off))]),
+        besides=np.column_stack([nothing, *(one for cause in causes for one in imperfections(ground.readings, cause))]),
+    )
+    wrong = tuple(dict.fromkeys([*misfits(null, beside), *known]))
     if not wrong:
         return judged, changes
     return replace(_without_names(ground, judged), misfits=wrong), replace(changes, stale=())
