@@ -9,7 +9,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
@@ -149,7 +149,10 @@ def main(first: int, count: int, faults: Sequence[str]) -> None:
             said = diagnose(prepared(one.case).model, one.data)
         except Exception as error:  # a diagnosis that breaks down is a result, and no reason to lose the others
             table.setdefault(one.fault, Counter())["failed"] += 1
-            print(json.dumps({"seed": seed, "fault": one.fault, "grade": "failed", "error": repr(error)[:200]}), flush=True)
+            print(
+                json.dumps({"seed": seed, "fault": one.fault, "grade": "failed", "error": repr(error)[:200]}),
+                flush=True,
+            )
             continue
         grade = graded(one, said)
         table.setdefault(one.fault, Counter())[grade] += 1
@@ -166,7 +169,8 @@ def main(first: int, count: int, faults: Sequence[str]) -> None:
                     "verdict": said.verdict,
                     "causes": [(c.effect.label, [r.effect.label for r in c.rivals]) for c in said.causes],
                     "hidden": [(e.kind, e.component) for e in one.case.effects],
-                    "plan": f"{one.case.machine} {d.lines}x{d.repeats}x{d.targets} {'S' * d.straightness}{'D' * d.diagonals}{'B' * d.ball_bar} given {one.case.given}",
+                    "plan": asdict(d),
+                    "given": one.case.given,
                     "s": round(time.process_time() - start, 1),
                 }
             ),

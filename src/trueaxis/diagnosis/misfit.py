@@ -17,6 +17,7 @@ from trueaxis.diagnosis.null import Null, lent
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.search import FALSE_ALARMS
 from trueaxis.diagnosis.tails import log_f_tail
+from trueaxis.diagnosis.verdict import PRACTICALLY_ALL
 from trueaxis.diagnosis.whiten import whitening
 
 MISFIT = 2.0  # times its noise, of what a wrong run differs by: neither noise nor causes are quite of the forms assumed
@@ -54,7 +55,9 @@ def misfits(null: Null, known: Known) -> tuple[str, ...]:
     Repeats that differ are noise, unless one of them is farther from what the others expect than noise takes it: the
     noise is what is left without the likeliest.
     """
-    judged, given_up = _Judged(null, _columns(null, known), known, _groups(null)), Group()
+    signal = np.split(null.whitening(known.signals.sum(axis=1)), null.base.columns.starts[1:-1])
+    caused = np.array([float(one @ one) for one in signal])
+    judged, given_up = _Judged(null, caused, _columns(null, known), known, _groups(null)), Group()
     found = list[int]()
     while True:
         against = judged.against(given_up)
@@ -82,7 +85,10 @@ def misfits(null: Null, known: Known) -> tuple[str, ...]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Judged:
+    """caused: (n_runs,), whitened squares of what causes do; columns: see `_columns`."""
+
     null: Null
+    caused: FloatArray
     columns: ByRun
     known: Known
     groups: Sequence[Group]
@@ -93,14 +99,22 @@ class _Judged:
     def sure(self, against: Sequence[Against]) -> list[Against]:
         """Groups that do not fit, the worst first."""
         limit = np.log(FALSE_ALARMS / len(self.groups))
-        sure = [one for one in against if one.log_p < limit and one.squares > MISFIT**2 * one.directions]
+        sure = [one for one in against if one.log_p < limit and one.squares > self._least(one)]
         return sorted(sure, key=lambda one: -one.squares)
+
+    def _least(self, one: Against) -> float:
+        """What noise and causes that are not quite of their forms may come to."""
+        of_causes = (1.0 - PRACTICALLY_ALL) * float(self.caused[list(one.group)].sum())
+        return MISFIT**2 * one.directions + of_causes
 
 
 def _groups(null: Null) -> list[Group]:
     """Each run, and all of a set-up or a session, which agree with one another."""
     runs = [one.rows for one in null.base.runs]
-    keys = [[("run", k), ("set-up", int(null.rows.setup[run.at[0]])), ("session", run.run.session)] for k, run in enumerate(runs)]
+    keys = [
+        [("run", k), ("set-up", int(null.rows.setup[run.at[0]])), ("session", run.run.session)]
+        for k, run in enumerate(runs)
+    ]
     found: dict[object, list[int]] = {}
     for place, of_run in enumerate(keys):
         for key in of_run:
