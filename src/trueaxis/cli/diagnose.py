@@ -78,7 +78,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 
 @dataclass(frozen=True)
-class _Given:
+class Given:
     """What was read. covariance: of the error values; spec: its text as it must read in the folder to be written; runs:
     whose systems are derived.
     """
@@ -100,7 +100,7 @@ def run(args: argparse.Namespace) -> int:
         from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
         from trueaxis.reporting.diagnosis.text import summary_text  # noqa: PLC0415
 
-        extending = _Extending(args.out, given, start)
+        extending = Extending(args.out, given, start)
         try:
             with ThreadPoolExecutor(cores()) as pool:
                 options = DiagnoseOptions(args.noise_um, given.covariance, show, pool.map, extending)
@@ -125,12 +125,12 @@ def run(args: argparse.Namespace) -> int:
     return 1 if diagnosis.verdict in NO_ANSWER else 0
 
 
-class _Extending:
+class Extending:
     """The model of the machine with the causes that a diagnosis names, which the second process draws and derives
     meanwhile. extended: None before it is called, and where none was named.
     """
 
-    def __init__(self, out: Path, given: _Given, start: "Callable[..., Callable[[], object]]") -> None:
+    def __init__(self, out: Path, given: Given, start: "Callable[..., Callable[[], object]]") -> None:
         self.out, self.given, self.start = out, given, start
         self.extended: Extended | None = None
         self.misfits: tuple[str, ...] = ()
@@ -150,7 +150,7 @@ class _Extending:
         return MachineModel(machine, kernels, ErrorValues(machine.name))
 
 
-def _contents(out: Path, given: _Given, diagnosis: "Diagnosis", extending: _Extending) -> dict[Path, bytes | str]:
+def _contents(out: Path, given: Given, diagnosis: "Diagnosis", extending: Extending) -> dict[Path, bytes | str]:
     """Of every file that is written."""
     from trueaxis.reporting.diagnosis.html import report_html  # noqa: PLC0415
     from trueaxis.reporting.diagnosis.json_file import diagnosis_json  # noqa: PLC0415
@@ -179,7 +179,7 @@ def _contents(out: Path, given: _Given, diagnosis: "Diagnosis", extending: _Exte
     return contents
 
 
-def _read(args: argparse.Namespace) -> _Given:
+def _read(args: argparse.Namespace) -> Given:
     from trueaxis.diagnosis.extended_spec import moved_spec  # noqa: PLC0415
     from trueaxis.diagnosis.rows import rows_of  # noqa: PLC0415
 
@@ -218,7 +218,7 @@ def _read(args: argparse.Namespace) -> _Given:
     if found:
         raise InputError(found)
     errors = measured.known or ErrorValues(machine.name)
-    return _Given(measured.model.with_values(errors), covariance, measured.data, text, runs)
+    return Given(measured.model.with_values(errors), covariance, measured.data, text, runs)
 
 
 def _overwritten(args: argparse.Namespace, machine: Machine) -> list[Fault]:
@@ -234,7 +234,7 @@ def _outputs(out: Path, name: str) -> list[Path]:
     return [out / DIAGNOSIS, out / REPORT, out / f"{name}.toml", out / ERRORS, *kernels]
 
 
-def _extended(out: Path, given: _Given, diagnosis: "Diagnosis") -> "Extended | None":
+def _extended(out: Path, given: Given, diagnosis: "Diagnosis") -> "Extended | None":
     """The machine with the causes that were named; None where none was."""
     from trueaxis.diagnosis.extend import named_effects  # noqa: PLC0415
     from trueaxis.diagnosis.extended_spec import Extended, extended_spec  # noqa: PLC0415

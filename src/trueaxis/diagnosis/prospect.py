@@ -73,12 +73,13 @@ class Prospect:
 @dataclass(frozen=True, slots=True, eq=False)
 class Outlook:
     """A candidate: left: (n, k) whitened, what the base leaves of it in the readings at hand; whole: its squared size
-    with base and unknowns of all runs, in standard deviations of the readings; added: for each further run and each of
-    TIMES the whitened innovation (m, k).
+    with base and unknowns of all runs, in standard deviations of the readings; largest: of any reading, mm per unit;
+    added: for each further run and each of TIMES the whitened innovation (m, k).
     """
 
     left: FloatArray
     whole: float
+    largest: float
     added: tuple[tuple[FloatArray, ...], ...]
 
 
@@ -137,6 +138,7 @@ def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outloo
         Outlook(
             left[:, mine],
             float(np.sum(by_noise[:, mine] ** 2)),
+            float(np.abs(columns[:size, mine]).max(initial=0.0)),
             tuple(tuple(two[:, mine] for two in one) for one in added),
         )
         for mine in (slice(*pair) for pair in pairwise(ends))
