@@ -136,6 +136,7 @@ class Extending:
         self.misfits: tuple[str, ...] = ()
 
     def __call__(self, diagnosis: "Diagnosis") -> MachineModel:
+        """See `Extend`; once for a diagnosis."""
         model = self.given.model
         self.extended, self.misfits = _extended(self.out, self.given, diagnosis), diagnosis.misfits
         self.second = cache(
