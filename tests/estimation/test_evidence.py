@@ -1,15 +1,27 @@
 """The marginal likelihood of the sizes against a dense normal density, and its derivative against differences."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import cast
 
 import numpy as np
 import pytest
 from scipy.optimize import minimize
-from scipy.stats import multivariate_normal
+from scipy.stats import multivariate_normal, norm
 
 from trueaxis.estimation.curve_prior import CurvePrior
-from trueaxis.estimation.evidence import FARTHEST, NO_GAIN, _batches, _point, _slope, averaged, best_sizes, posterior_at
+from trueaxis.estimation.evidence import (
+    FARTHEST,
+    NO_GAIN,
+    SAID,
+    _batches,
+    _point,
+    _slope,
+    averaged,
+    best_sizes,
+    likelier,
+    posterior_at,
+)
 from trueaxis.estimation.instruments import CLASSES
 from trueaxis.estimation.layout import Layout
 from trueaxis.estimation.reduce import OwnBlock, Reduced
@@ -106,6 +118,52 @@ def test_uncertain_sizes_widen_the_posterior() -> None:
     x, best = best_sizes(problem.sizes, problem.reduced, np.zeros(problem.sizes.spread.size))
     wide = averaged(problem.sizes, problem.reduced, x)
     assert np.linalg.norm(wide.spread) > np.linalg.norm(best.spread)
+
+
+@pytest.mark.parametrize("silent", ["location rad", "EYX", "translation"])
+def test_u_of_what_no_reading_tells_covers_all_its_sizes(silent: str) -> None:
+    """Whatever the sizes are by their priors: within 1.96 u lie 95 % of what is drawn with them."""
+    problem = Problem(3)
+    sizes = problem.sizes
+    unread = {"location rad": [2 * DEGREE], "EYX": range(DEGREE, 2 * DEGREE), "translation": range(2 * DEGREE)}[silent]
+    triangle = problem.reduced.triangle.copy()
+    triangle[:, unread] = 0.0
+    blocks = []
+    for block in problem.reduced.blocks:
+        others = block.others.copy()
+        others[:, unread] = 0.0
+        blocks.append(replace(block, others=others))
+    reduced = replace(problem.reduced, triangle=triangle, blocks=tuple(blocks))
+    x, _ = best_sizes(sizes, reduced, np.zeros(sizes.spread.size))
+    u = np.linalg.norm(averaged(sizes, reduced, x).spread, axis=1)
+    draw = np.random.default_rng(5)
+    root = np.linalg.inv(np.linalg.cholesky(sizes.information(posterior_at(sizes, reduced, x), sizes.scale(x)[1])))
+    drawn = x + draw.standard_normal((4000, x.size)) @ root
+    scales = np.exp([sizes.scale(one)[0] for one in drawn])
+    for place in unread:
+        within = np.mean(2.0 * norm.cdf(1.96 * u[place] / scales[:, place]) - 1.0)
+        assert 0.93 < within < 0.99
+
+
+def test_a_size_is_said_to_be_off_by_how_much_likelier_it_is() -> None:
+    problem = Problem(4)
+    sizes = problem.sizes
+    scaled = replace(problem.reduced, readings=problem.reduced.readings * 40.0, rest=problem.reduced.rest * 1600.0)
+    x, _ = best_sizes(sizes, scaled, np.zeros(sizes.spread.size))
+    told = likelier(sizes, scaled, x)
+    assert told.keys() == {name for k, name in enumerate(sizes.of_errors) if abs(x[k] * sizes.spread[k]) > np.log(SAID)}
+    assert "translation" in told
+    batches = _batches(scaled.blocks)
+
+    def cost(free: FloatArray, fixed: float) -> float:
+        whole = np.concatenate([[fixed], free])
+        return 0.5 * float(whole @ whole) - _point(sizes, scaled, batches, whole).value
+
+    limit = float(np.log(SAID) / sizes.spread[0])
+    bounds = [(-FARTHEST, FARTHEST)] * (x.size - 1)
+    there = minimize(cost, x[1:], args=(limit,), method="L-BFGS-B", bounds=bounds)
+    assert told["translation"] == pytest.approx(there.fun - cost(x[1:], x[0]), rel=0.01, abs=0.02)
+    assert likelier(sizes, problem.reduced, np.zeros(x.size)) == {}
 
 
 @pytest.mark.parametrize("seed", range(6))

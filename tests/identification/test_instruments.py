@@ -33,7 +33,7 @@ from trueaxis.estimation.set_up import is_straightness
 from trueaxis.identification.estimated import identify_estimated
 from trueaxis.identification.report import Identification, InstrumentReport
 from trueaxis.identification.weighting import NoiseModel
-from trueaxis.measurement.setup import PointOn, Run
+from trueaxis.measurement.setup import Device, PointOn, Run
 
 OFF_CENTRE, TOO_LONG = (0.21, -0.13, 0.07), 0.004
 REAL = with_estimation(KNOWN, ideal=False, degree=3)
@@ -94,15 +94,16 @@ def test_a_bar_alone_cannot_tell_its_length_from_the_scales() -> None:
     assert not [one for one in found.report.instruments if "length" in one.name]
 
 
-def straightness(offset: float, slope: float) -> Observations:
-    """X seen along Y: a run of its own line."""
+def straightness(offset: float, slope: float, line_u: float | None = None) -> Observations:
+    """X seen along Y: a run of its own line. line_u: rad, as its device's table states it."""
     run = tool("S", "y", (167.0, 30.0, -195.0))
+    run = replace(run, device=None if line_u is None else Device(id="square", line_u=line_u))
     data = observed(generator(cubic_errors()), [run], [line("X", 10)])
     return replace(data, reading=data.reading + offset + slope * data.positions[0])
 
 
 def test_offset_and_slope_of_a_straightness_run_are_none_of_the_machine() -> None:
-    data = noisy(joined(paper_data(generator(cubic_errors()), 6), straightness(0.005, 2e-5)), 1, 1e-5)
+    data = noisy(joined(paper_data(generator(cubic_errors()), 6), straightness(0.005, 2e-5, 2e-5)), 1, 1e-5)
     options = replace(REAL, noise=NoiseModel(um=0.01))
     found = identify_estimated(dmu60p_model(), data, options)
     assert set(known_of(found).values()) == {"determined"}
@@ -113,6 +114,22 @@ def test_offset_and_slope_of_a_straightness_run_are_none_of_the_machine() -> Non
     assert not within(ideal, 30.0)
     assert ideal.values.fit is not None
     assert ideal.values.fit.state == "misfit"
+
+
+def test_a_line_that_is_aligned_by_the_machine_tells_no_slope() -> None:
+    """The one combination that the paper's plan leaves open holds a slope: such a line does not close it, however well
+    its ends agree; one of a stated direction does.
+    """
+    options = replace(REAL, noise=NoiseModel(um=0.01))
+    paper = paper_data(generator(cubic_errors()), 6)
+    nulled = straightness(0.0, 0.0)
+    ends = np.argsort(nulled.positions[0])[[0, -1]]
+    slope = -np.ptp(nulled.reading[ends]) / np.ptp(nulled.positions[0]) * np.sign(np.diff(nulled.reading[ends])[0])
+    for seen in (straightness(0.0, 2e-5), straightness(0.0, float(slope)), straightness(0.0, 5e-3)):
+        found = identify_estimated(dmu60p_model(), noisy(joined(paper, seen), 1, 1e-5), options)
+        assert len(found.values.undetermined) == 1
+    stated = identify_estimated(dmu60p_model(), noisy(joined(paper, straightness(0.0, 2e-5, 2e-5)), 1, 1e-5), options)
+    assert stated.values.undetermined == ()
 
 
 def test_a_straightness_run_alone_tells_no_squareness() -> None:

@@ -15,6 +15,7 @@ noise_um = 0.2
 scale_u_ppm = 0.5
 [device.B]
 length_u_um = 0.4
+line_u_urad = 2.0
 """
 TEXT = (
     CONTRACT.replace('id = "X1"', 'id = "X1"\ndevice = "L"\nsession = "Monday"').replace(
@@ -28,7 +29,7 @@ def test_they_are_read_in_millimetres(tmp_path: Path) -> None:
     laser, bar = read_text(tmp_path, TEXT).runs
     assert laser.device == Device(id="L", serial="81-H4", resolution=1e-5, noise=2e-4, scale_u=5e-7)
     assert laser.session == "Monday"
-    assert bar.device == Device(id="B", length_u=4e-4)
+    assert bar.device == Device(id="B", length_u=4e-4, line_u=2e-6)
     assert bar.session == ""
 
 

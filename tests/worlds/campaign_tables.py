@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tests.worlds.design import Design, draw_design
-from trueaxis.identification.notes import FAR
+from trueaxis.estimation.evidence import SAID
 
 Line = Mapping[str, Any]
 NEAR = 2.0  # factor within which a size counts as estimated
@@ -204,7 +204,7 @@ def _sizes(lines: Sequence[Line]) -> Iterator[str]:
                 continue
             spread = ", ".join(f"{value:.2f}" for value in np.quantile(estimated / true, [0.16, 0.5, 0.84]))
             near = np.mean(np.abs(np.log(estimated / true)) < np.log(NEAR))
-            said = np.mean(np.abs(np.log(estimated / stated)) > np.log(FAR))
+            said = np.mean(np.abs(np.log(estimated / stated)) > np.log(SAID))
             beyond = f"{low:g} to {high:g}" if np.isfinite(high) else f"more than {low:g}"
             yield row(kind, beyond, true.size, f"{near:.0%}", spread, f"{said:.0%}")
 

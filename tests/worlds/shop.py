@@ -179,8 +179,10 @@ def _zeros(source: Source, machine: Machine, plan: Plan) -> Iterator[Unknown]:
 
 
 def _slopes(source: Source, machine: Machine, plan: Plan) -> Iterator[Unknown]:
-    """A reflector of a straightness line that does not lie along the motion."""
-    spread = source.uniform(5e-6, 5e-5)
+    """A reflector of a straightness line that does not lie along the motion: in a shop it is turned until both ends
+    read alike, so that its angle is the machine's and less well known than any squareness.
+    """
+    spread = float(np.exp(source.uniform(*np.log([3e-4, 3e-3]))))
     for index, run in enumerate(plan.runs):
         if run.across:
             rows = plan.rows(index)

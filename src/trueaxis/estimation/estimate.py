@@ -10,7 +10,7 @@ from trueaxis.estimation.beside import beside
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
-from trueaxis.estimation.evidence import averaged, best_sizes, posterior_at
+from trueaxis.estimation.evidence import averaged, best_sizes, likelier, posterior_at
 from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.least_norm import least_norm
@@ -165,7 +165,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
     flipped = _reversed(setting, state, sizes, x, posterior)
-    factors_u = sizes.factors_u(posterior, x)
+    told = likelier(sizes, found, x) if setting.options.prior else {}
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
         state = at_share(state, posterior) if stays_within(state, posterior) else state
@@ -181,7 +181,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         open=left_open * layout.sizes[:, np.newaxis],
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
-        factors_u=factors_u,
+        likelier=told,
         own={one.rows.index: own for one, own in zip(state.runs, state.own, strict=True)},
         noise=InstrumentNoise(
             of_instrument=state.noise,

@@ -74,7 +74,6 @@ def expected(
         open=np.zeros((layout.count, 0)),
         scale=posterior.scale * layout.sizes,
         factors=factors,
-        factors_u=dict.fromkeys(factors, np.inf),
         noise=InstrumentNoise(
             of_instrument=dict.fromkeys(sorted(instruments), UNIT), scale_of_run=dict(noise), stated=instruments
         ),
@@ -96,7 +95,7 @@ def informing_rows(layout: Layout, rows: RunRows, noise: float, scale: FloatArra
     """
     parts = [(own, others) for _, own, others in pieces(layout, rows)]
     own, others = (np.vstack(columns) / noise for columns in zip(*parts, strict=True))
-    sizes = np.array([CLASSES[kind].size for kind in own_kinds(rows.run, layout.straightness[rows.index])])
+    sizes = np.array([CLASSES[kind].prior[0] for kind in own_kinds(rows.run, layout.straightness[rows.index])])
     found = own_part(own * sizes).root(others * (scale / layout.sizes))
     variance, vectors = np.linalg.eigh(found @ found.T)
     return np.asarray(vectors[:, variance > NEGLIGIBLE].T @ found)

@@ -3,7 +3,7 @@
 Of one run (own):
   zero     what the reading was when it was set to zero; of a straightness run the offset of its reference line
   drift    what the reading creeps by over the run
-  slope    of the reference line of a straightness run
+  slope    of the reference line of a straightness run, unless its device's table states how it is aligned
   centre   of a ball bar's ball on the workpiece, beyond what its runs share: it may have been set up anew
 Of several runs (shared):
   centre   of the ball at one point of the set-up; of a probed sphere
@@ -41,6 +41,10 @@ from trueaxis.measurement.setup import Run
 # from it made the bar a standard of length, which the scale of the laser then had to follow (of ten worlds from 4001 on
 # one was 1.5 times as far off, and covered 78 % in place of 97 %; the others hardly changed).
 SET_UP_FACTOR, CALIBRATED_FACTOR, STATED_FACTOR = 10.0, 2.0, 1.1
+# rad: what is aligned by the motion that it is to measure, until both ends read alike, has whatever angle the machine
+# has: that its lines look well aligned tells nothing of the machine, and no size is estimated from it. More than anyone
+# leaves, so that it draws no error of the machine.
+ALIGNED_BY_THE_MACHINE = 1e-2
 
 Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
 
@@ -49,7 +53,8 @@ Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
 class UnknownClass:
     """A class of unknowns of instruments. size: one standard deviation in its unit, before the data have their say;
     factor: by what the size may be wrong, one standard deviation; of_point: three unknowns, along or about x, y and z,
-    that belong to a point of the set-up.
+    that belong to a point of the set-up; by_the_machine: an angle that is aligned by the machine itself: an estimate
+    takes nothing of it as known, whatever is usual.
     """
 
     name: str
@@ -57,6 +62,12 @@ class UnknownClass:
     size: float
     factor: float = SET_UP_FACTOR
     of_point: bool = False
+    by_the_machine: bool = False
+
+    @property
+    def prior(self) -> tuple[float, float]:
+        """Size and factor, as an estimate takes them."""
+        return (ALIGNED_BY_THE_MACHINE, 1.0) if self.by_the_machine else (self.size, self.factor)
 
 
 CLASSES: Mapping[str, UnknownClass] = {
@@ -66,7 +77,7 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="laser zero", unit="mm", size=3e-3),
         UnknownClass(name="laser drift", unit="mm", size=1e-3),
         UnknownClass(name="straightness zero", unit="mm", size=0.1),
-        UnknownClass(name="straightness slope", unit="rad", size=50e-6),
+        UnknownClass(name="straightness slope", unit="rad", size=50e-6, by_the_machine=True),
         UnknownClass(name="straightness drift", unit="mm", size=1e-3),
         UnknownClass(name="probe zero", unit="mm", size=3e-3),
         UnknownClass(name="probe drift", unit="mm", size=1e-3),
@@ -80,9 +91,10 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="laser cosine", unit="1", size=0.5e-6, factor=CALIBRATED_FACTOR),
         UnknownClass(name="probe sphere", unit="mm", size=50e-3, of_point=True),
         UnknownClass(name="probe origin", unit="mm", size=50e-3, of_point=True),
-        UnknownClass(name="probe alignment", unit="rad", size=1e-3, of_point=True),
+        UnknownClass(name="probe alignment", unit="rad", size=1e-3, of_point=True, by_the_machine=True),
         UnknownClass(name="stated length", unit="mm", size=1.0, factor=STATED_FACTOR),
         UnknownClass(name="stated scale", unit="1", size=1.0, factor=STATED_FACTOR),
+        UnknownClass(name="stated slope", unit="rad", size=1.0, factor=STATED_FACTOR),
     )
 }
 
@@ -115,7 +127,8 @@ def own_kinds(run: Run, straightness: bool) -> tuple[str, ...]:
     if run.instrument == "ballbar":
         return ("ballbar zero", "ballbar drift", *(["ballbar centre of a run"] * 3))
     if straightness:
-        return ("straightness zero", "straightness drift", "straightness slope")
+        of_line = ("straightness zero", "straightness drift")
+        return of_line if states_line(run) else (*of_line, "straightness slope")
     return (f"{run.instrument} zero", f"{run.instrument} drift")
 
 
@@ -126,7 +139,7 @@ def own_columns(
     columns = [np.ones(positions.shape[1]), passed - 0.5]
     if run.instrument == "ballbar":
         columns += list(ball_columns(machine, run, positions).T)
-    elif straightness:
+    elif straightness and not states_line(run):
         columns.append(along_line(relative_motion(machine, run, positions)))
     return np.stack(columns, axis=1)
 
@@ -148,7 +161,7 @@ def shared_unknowns(runs: Sequence[Run], present: Sequence[int], straightness: S
             if sphere.on not in (run.frame, "bed"):
                 keys += [("probe sphere", (run.session, sphere), k) for k in range(3)]
         elif straightness[index]:
-            keys = []
+            keys = [("stated slope", index, 0)] if states_line(run) else []
         else:
             scale = "laser scale" if run.device is None or run.device.scale_u is None else "stated scale"
             keys = [(scale, (run.session, run.device), 0)]
@@ -161,15 +174,23 @@ def shared_unknowns(runs: Sequence[Run], present: Sequence[int], straightness: S
     ]
 
 
+def states_line(run: Run) -> bool:
+    """Whether it is known how a line of straightness is aligned."""
+    return run.device is not None and run.device.line_u is not None
+
+
 def _shared_size(kind: str, run: Run) -> float:
-    stated = {} if run.device is None else {"stated length": run.device.length_u, "stated scale": run.device.scale_u}
-    return stated.get(kind) or CLASSES[kind].size
+    known = run.device
+    stated = known and {"length": known.length_u, "scale": known.scale_u, "slope": known.line_u}
+    size = stated.get(kind.removeprefix("stated ")) if stated and kind.startswith("stated ") else None
+    return CLASSES[kind].prior[0] if size is None else size
 
 
 def shared_column(machine: IdentifiedMachine, run: Run, unknown: SharedUnknown, positions: FloatArray) -> FloatArray:
     """(n,): derivative of the readings of a run by a shared unknown, per mm or per 1."""
-    if unknown.unknown_class.unit == "1":
-        return along(machine, run, positions)
+    if unknown.unknown_class.unit == "1" or unknown.kind == "stated slope":
+        line = unknown.kind == "stated slope"
+        return along_line(relative_motion(machine, run, positions)) if line else along(machine, run, positions)
     if unknown.kind in ("ballbar length", "stated length"):
         return np.ones(positions.shape[1])
     if unknown.kind == "ballbar centre":

@@ -68,10 +68,10 @@ class Estimate:
     `of_prior` columns of which are the prior's part, the others that of the readings; open: (n, d), combinations of
     errors, as large as expected, that are zero since, without a prior, no reading determines them, with what
     instruments and effects would then be; scale: (n,), their prior standard deviations, at their estimated sizes;
-    factors: class of sizes -> the estimated size over the expected one; factors_u: standard deviations of their
-    logarithms; own: of each run by its index, unknowns of its
-    own in the order of `own_kinds`, mm, rad or 1; zeroed: effects that are zero, since the
-    readings make their square negative.
+    factors: class of sizes -> the estimated size over the expected one; likelier: of the classes of the machine's
+    errors whose size is more than a factor of SAID from the expected one, the logarithm of how much likelier it is than
+    the size at that factor; own: of each run by its index, unknowns of its own in the order of `own_kinds`, mm, rad or
+    1; zeroed: effects that are zero, since the readings make their square negative.
     """
 
     layout: Layout
@@ -82,7 +82,7 @@ class Estimate:
     open: FloatArray
     scale: FloatArray
     factors: Mapping[str, float]
-    factors_u: Mapping[str, float]
+    likelier: Mapping[str, float] = field(default_factory=dict)
     own: Mapping[int, FloatArray] = field(default_factory=dict)
     zeroed: tuple[Effect, ...] = ()
     noise: InstrumentNoise

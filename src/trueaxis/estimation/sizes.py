@@ -27,8 +27,8 @@ IDEAL = 1e-9  # times the sizes of what is unknown of instruments: nothing is
 class Sizes:
     """All sizes as one vector of standard normal numbers, zero where everything is as expected.
 
-    flat: the machine's errors have next to no prior, and no size that could be estimated; ideal: nothing is unknown of
-    the instruments.
+    of_errors: classes of the machine's errors, the first ones; flat: the machine's errors have next to no prior, and no
+    size that could be estimated; ideal: nothing is unknown of the instruments.
     """
 
     def __init__(
@@ -38,6 +38,7 @@ class Sizes:
         self._own_kinds = kinds
         classes = list(dict.fromkeys(layout.kinds))
         own = list(dict.fromkeys(kind for of_run in kinds for kind in of_run))
+        self.of_errors = tuple(kind for kind in classes if kind not in CLASSES and kind != EFFECT)
         self.names = (*classes, *(f"of {name}" for name in layout.components), *own, *SHAPE)
         self._own_at = {kind: len(classes) + len(layout.components) + place for place, kind in enumerate(own)}
         of_machine = [CLASS_FACTOR, COMPONENT_FACTOR, WAVES_FACTOR, FALLING_FACTOR]
@@ -77,16 +78,11 @@ class Sizes:
         """Estimated over expected size, by class, by component (`of EXX`) and of the shape of curves."""
         return dict(zip(self.names, np.exp(x * self.spread).tolist(), strict=True))
 
-    def factors_u(self, posterior: Posterior, x: FloatArray) -> dict[str, float]:
-        """Standard deviation of the logarithm of each of `factors`: that of the prior where readings tell nothing."""
-        spread = np.diag(np.linalg.inv(self.information(posterior, self.scale(x)[1])))
-        return dict(zip(self.names, (self.spread * np.sqrt(spread)).tolist(), strict=True))
-
     def own_scale(self, kinds: Sequence[str], x: FloatArray) -> FloatArray:
         """(k,): prior standard deviations of a run's own unknowns, mm or rad."""
         whole = IDEAL if self._ideal else 1.0
         logs = [x[self._own_at[kind]] * self.spread[self._own_at[kind]] for kind in kinds]
-        return np.array([whole * CLASSES[kind].size * np.exp(log) for kind, log in zip(kinds, logs, strict=True)])
+        return np.array([whole * CLASSES[kind].prior[0] * np.exp(log) for kind, log in zip(kinds, logs, strict=True)])
 
     def own_scales(self, x: FloatArray) -> list[FloatArray]:
         """The same of every run."""
@@ -122,5 +118,5 @@ class Sizes:
     def _factor(self, kind: str, of_machine: float) -> float:
         """By what the size of a class may be other than expected."""
         if kind in CLASSES:
-            return FIXED if self._ideal else CLASSES[kind].factor
+            return FIXED if self._ideal else CLASSES[kind].prior[1]
         return FIXED if kind == EFFECT else of_machine

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from trueaxis.estimation.evidence import SAID
 from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
@@ -18,8 +19,8 @@ SLOW = 3.0  # slow over white noise: instruments drift by about as much as they 
 MOST_OUTLIERS = 20  # named
 MOST_ZEROS = 5  # named
 FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
-FAR = 3.0  # times the size of [prior], from where on a size is reported
-COVERAGE_FACTOR = 2.0  # of the interval of a size, 95 %
+# Logarithm of a ratio of likelihoods, from where on a size is said to be off: half the square of 1.96, as 95 % ask
+LIKELIER = 1.92
 
 
 def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str, ...]:
@@ -80,13 +81,14 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
         "location mm": (model.prior.location_length * 1e3, "location_um"),
     }
     for kind, (size, key) in expected.items():
-        factor, u = found.factors.get(kind, 1.0), found.factors_u.get(kind, np.inf)
         # a size of which readings tell little may come out far from the expected one without meaning it
-        if abs(np.log(factor)) > max(np.log(FAR), COVERAGE_FACTOR * u):
-            low, high = (size * factor * float(np.exp(sign * COVERAGE_FACTOR * u)) for sign in (-1.0, 1.0))
+        if found.likelier.get(kind, 0.0) > LIKELIER:
+            factor = found.factors[kind]
+            limit = size * (SAID if factor > 1.0 else 1.0 / SAID)
             notes.append(
-                f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g} ({low:.2g} to "
-                f"{high:.2g}): more than a factor of {FAR:g} apart; the estimate takes the size that the readings show"
+                f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g}; "
+                f"{limit:.3g} is {_times(found.likelier[kind])} less likely: more than a factor of {SAID:g} apart; the "
+                "estimate takes the size that the readings show"
             )
     if found.readings.outliers.any():
         rows = np.flatnonzero(found.readings.outliers)
@@ -102,6 +104,11 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )
     return (*notes, *_zeros_far_off(observed, found))
+
+
+def _times(log_ratio: float) -> str:
+    """`40 times`, `more than 10 000 times`."""
+    return f"{np.exp(log_ratio):.0f} times" if log_ratio < np.log(1e4) else "more than 10 000 times"
 
 
 def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:

@@ -8,7 +8,8 @@ from trueaxis.measurement.setup import Device, Run
 
 LARGEST_UM = 1e4  # um, a centimetre: no instrument is off by more
 LARGEST_PPM = 1e4  # a percent
-KEYS = "serial, resolution_um, noise_um, length_u_um, scale_u_ppm"
+LARGEST_URAD = 1e4
+KEYS = "serial, resolution_um, noise_um, length_u_um, scale_u_ppm, line_u_urad"
 
 
 def read_devices(top: Fields) -> dict[str, Device]:
@@ -24,6 +25,7 @@ def read_devices(top: Fields) -> dict[str, Device]:
             noise=_size(fields, "noise_um", 1e-3, LARGEST_UM),
             length_u=_size(fields, "length_u_um", 1e-3, LARGEST_UM),
             scale_u=_size(fields, "scale_u_ppm", 1e-6, LARGEST_PPM),
+            line_u=_size(fields, "line_u_urad", 1e-6, LARGEST_URAD),
         )
         fields.refuse_others(KEYS)
     return found

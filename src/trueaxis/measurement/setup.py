@@ -25,7 +25,8 @@ class Device:
     """One instrument, by its ID; what is known of it, None where nothing is said.
 
     resolution, noise: step of its display and standard deviation of a reading, mm; length_u: standard uncertainty of
-    the length of a ball bar, mm; scale_u: relative standard uncertainty of a laser's scale.
+    the length of a ball bar, mm; scale_u: relative standard uncertainty of a laser's scale; line_u: standard
+    uncertainty of the direction of lines of straightness against the ideal axes of the machine, rad.
     """
 
     id: str
@@ -34,6 +35,7 @@ class Device:
     noise: float | None = None
     length_u: float | None = None
     scale_u: float | None = None
+    line_u: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
