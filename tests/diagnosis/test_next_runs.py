@@ -38,7 +38,7 @@ def outlook(prospect: Prospect, effect: Effect) -> Outlook:
 
 
 @pytest.mark.parametrize(
-    "words", ["step gauge of 529 mm along X", "a laser line of Y at", "with a bar of 75", "diagonal"]
+    "words", ["step gauge of 540 mm along X", "laser, Y moving at", "ball bar of 75 mm", "diagonal"]
 )
 @pytest.mark.parametrize("pair", [PAIR, DRIFTS], ids=["plays", "drifts"])
 def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tuple[Effect, Effect]) -> None:
@@ -98,7 +98,8 @@ def test_play_along_and_play_in_rotation_need_a_straightness_and_then_are_told_a
     best = separation(prospect, mine, [rival])
     assert told(mine, rival).r2 > 0.95
     assert best is not None
-    assert "straightness of X in Y" in best.further.what
+    assert "laser, X moving" in best.further.what
+    assert "straightness in y" in best.further.what
     assert told(mine, rival, prospect.further.index(best.further), TIMES.index(1)).r2 < 0.9
 
 
@@ -143,7 +144,7 @@ def test_a_cause_too_small_for_one_run_is_told_how_many() -> None:
     large, small = (separating_run(kinds, Ahead(PAIR[0], PAIR[1:], size, best)) for size in (1e-2, 1e-7))
     assert large is not None
     assert small is not None
-    assert "straightness of X in Y" in large.run
+    assert "straightness in y" in large.run
     assert (large.apart, large.left, large.needed) == (PAIR[1:], (), large.times)
     assert large.told is not None
     assert large.told.effect == PAIR[0]
@@ -200,8 +201,8 @@ def names(found: Diagnosis) -> set[Effect]:
 @pytest.mark.parametrize(
     ("kind", "size", "run", "measured"),
     [
-        ("backlash", -4e-3, "straightness of X in Y", Design(straightness=True)),
-        ("backlash_slope", -5e-3, "a laser diagonal", Design(diagonals=True)),
+        ("backlash", -4e-3, "straightness in y", Design(straightness=True)),
+        ("backlash_slope", -5e-3, "laser, diagonal", Design(diagonals=True)),
     ],
 )
 def test_the_run_that_is_proposed_leaves_one_name(kind: str, size: float, run: str, measured: Design) -> None:

@@ -165,7 +165,7 @@ def test_other_data_get_the_verdict_of_the_table(
             ("backlash", "EYX"),
             ("backlash", "EAX"),
         }
-        assert "a laser diagonal" in cause["separating"]
+        assert "laser, diagonal" in cause["separating"]
         assert "a laser diagonal would tell" in said
     if expected == "unexplained_structure":
         assert "lines of X, between directions" in said
