@@ -10,13 +10,15 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
 from trueaxis.diagnosis import procedure
-from trueaxis.diagnosis.extend import Anew
+from trueaxis.diagnosis.extend import Anew, Extend
 from trueaxis.diagnosis.misfit import Known, misfits
 from trueaxis.diagnosis.null import Null, null_of
 from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose
+from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.diagnosis.rows import rows_of
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reading_model import expected_readings
+from trueaxis.model.model import MachineModel
 
 FEW = Design(lines=4, repeats=2, targets=11, samples=24)
 X2 = ("X2-1", "X2-2")
@@ -44,8 +46,13 @@ def test_a_line_that_belongs_elsewhere_is_named_on_few_lines_and_targets(lines: 
 def test_runs_that_no_values_fit_take_the_names_back(monkeypatch: pytest.MonkeyPatch) -> None:
     """As the values that are identified anew tell them, without another search."""
     given = prepared(Case(3, design=SMALL, effects=(Hidden("backlash", "EYY", size=0.02),), given="exact"))
-    seen = []
-    monkeypatch.setattr(procedure, "identified_anew", lambda *given: seen.append(given[2]) or Anew(misfits=("X1-1",)))
+    seen: list[Diagnosis] = []
+
+    def with_misfit(model: MachineModel, data: MeasuredData, found: Diagnosis, extend: Extend) -> Anew:
+        seen.append(found)
+        return Anew(misfits=("X1-1",))
+
+    monkeypatch.setattr(procedure, "identified_anew", with_misfit)
     said = diagnose(given.model, given.data, DiagnoseOptions(extend=lambda _: given.model))
     assert [one.effect.component for one in seen[0].causes] == ["EYY"]
     assert (said.verdict, said.misfits, said.causes, said.values) == ("unexplained_structure", ("X1-1",), (), None)

@@ -127,7 +127,7 @@ def test_a_direction_in_which_less_is_said_than_expected_is_no_evidence() -> Non
     columns = 100.0 * axes[:, :4]
     location = columns @ source.standard_normal(4) + 0.05 * axes[:, 4]
     readings = 50.0 * axes[:, 4] + 0.5 * location + 30.0 * axes[:, 0]
-    r = np.linalg.qr(np.column_stack([columns, location, readings]), mode="r")
+    r = np.asarray(np.linalg.qr(np.column_stack([columns, location, readings]), mode="r"))
     asked = _Asked(r, {"EYX": np.arange(4), "EC0X": np.array([4])}, {"EYX": 1e3, "EC0X": 1e3})
     assert asked.log_p("EC0X", ("EYX",)) == 0.0
     assert asked.log_p("EC0X", ()) < np.log(1e-6)  # without the curve it is the one that changes
