@@ -92,6 +92,26 @@ def test_sound_runs_are_not_named_and_one_repeat_of_a_wrong_scale_is(machine: st
     assert named(given, replace(given.data, readings=scaled))[:1] == (wrong,)
 
 
+def test_a_single_run_has_none_to_contradict() -> None:
+    given = prepared(Case(3, design=FEW, given="exact"))
+    null = null_model(given, with_line_elsewhere(given, X2))
+    one = null.only(null.rows.run == null.rows.run[0])
+    nothing = np.zeros((one.rows.size, 0))
+    assert misfits(one, Known(nothing, nothing)) == ()
+
+
+def test_a_wave_far_below_the_noise_is_no_wrong_run() -> None:
+    """However many readings show it."""
+    plan = replace(FEW, repeats=5, targets=41, one_run=True)
+    given = prepared(Case(3, design=plan, given="exact", noise="white", sigma_um=1.0))
+    readings = given.data.readings
+    there = readings.run == readings.run_ids.index("X2")
+    wave = np.sin(readings.positions[given.model.axes.index("X")] / 40.0)
+    for size, expected in ((0.5e-3, ()), (0.1, ("X2",))):
+        moved = replace(readings, reading=readings.reading + size * wave * there)
+        assert named(given, replace(given.data, readings=moved)) == expected
+
+
 def test_what_a_cause_does_in_a_run_is_no_misfit_of_the_run() -> None:
     """But without the cause it is."""
     given = prepared(Case(3, design=FEW, given="exact"))

@@ -20,7 +20,7 @@ from trueaxis.diagnosis.tails import log_f_tail
 from trueaxis.diagnosis.verdict import PRACTICALLY_ALL
 from trueaxis.diagnosis.whiten import whitening
 
-MISFIT = 2.0  # times its noise, of what a wrong run differs by: neither noise nor causes are quite of the forms assumed
+MISFIT = 2.0  # times its noise, RMS of what a wrong run differs by: noise is not quite of the form that it is taken for
 CLOSE = 0.5  # share of the squares of the farthest from which a group may be the wrong one in its place
 MOST = 0.25  # share of the runs that may be wrong: beyond it the model is
 
@@ -39,13 +39,12 @@ class Known:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Against:
-    """A group of runs against what all others expect. squares: of what it differs by, over its noise, of so many
-    directions; log_p: logarithm of the p value.
+    """A group of runs against what all others expect. squares: of what it differs by, over its noise; log_p: logarithm
+    of the p value.
     """
 
     group: Group
     squares: float
-    directions: int
     log_p: float
 
 
@@ -55,6 +54,8 @@ def misfits(null: Null, known: Known) -> tuple[str, ...]:
     Repeats that differ are noise, unless one of them is farther from what the others expect than noise takes it: the
     noise is what is left without the likeliest.
     """
+    if MOST * len(null.base.runs) < 1.0:
+        return ()
     signal = np.split(null.whitening(known.signals.sum(axis=1)), null.base.columns.starts[1:-1])
     caused = np.array([float(one @ one) for one in signal])
     judged, given_up = _Judged(null, caused, _columns(null, known), known, _groups(null)), Group()
@@ -104,8 +105,9 @@ class _Judged:
 
     def _least(self, one: Against) -> float:
         """What noise and causes that are not quite of their forms may come to."""
-        of_causes = (1.0 - PRACTICALLY_ALL) * float(self.caused[list(one.group)].sum())
-        return MISFIT**2 * one.directions + of_causes
+        group = list(one.group)
+        readings = np.diff(self.columns.starts)[group].sum()
+        return float(MISFIT**2 * readings + (1.0 - PRACTICALLY_ALL) * self.caused[group].sum())
 
 
 def _groups(null: Null) -> list[Group]:
@@ -169,5 +171,5 @@ def against_others(
         squares = float(np.sum((turned.T @ rest[own])[told] ** 2 / strength[told]))
         least = min(freedom[base.runs[place].instrument] for place in group)
         k = int(told.sum())
-        found.append(Against(group, squares, k, log_f_tail(squares / k, k, least)))
+        found.append(Against(group, squares, log_f_tail(squares / k, k, least)))
     return found
