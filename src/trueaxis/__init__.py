@@ -1,3 +1,93 @@
-"""Geometric error models of machine tools: derived symbolically, run numerically."""
+"""Geometric error models of machine tools: derived symbolically, run numerically.
+
+    import trueaxis as ta
+
+    ta.derive("machines/dmu60p.toml")                               # kernels and equations, into generated/
+    model = ta.load_model("machines/dmu60p.toml")
+    errors = ta.load_errors("machines/dmu60p_errors.json", model)
+    there = ta.predict(model, errors, {"X": [0, 100, 200], "Y": 50.0})
+    there.deviation, there.u                                        # (3, 3), mm
+
+Files may be `str` or `Path`, tables are NumPy arrays in and out. What is wrong with a file is an `InputError` with
+every fault, what is wrong with an argument a `ValueError` that names it. Nothing is imported before it is used; SymPy
+by `derive` alone.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from trueaxis.identification.fit_quality import NotConvergedError
+    from trueaxis.io.faults import Fault, InputError
+    from trueaxis.jobs.derive import Derivation, SolvedSystem, derive
+    from trueaxis.jobs.identify import Identified, UnbelievableError, identify
+    from trueaxis.jobs.load import (
+        DataFolder,
+        Errors,
+        load_data,
+        load_errors,
+        load_machine,
+        load_model,
+        save_data,
+        save_errors,
+    )
+    from trueaxis.jobs.predict import Placement, Prediction, predict
+    from trueaxis.jobs.simulate import simulate
+    from trueaxis.machine.machine import Machine
+    from trueaxis.model.errors import ErrorValues
+    from trueaxis.model.model import MachineModel
 
 __version__ = "0.1.0"
+__all__ = [
+    "DataFolder",
+    "Derivation",
+    "ErrorValues",
+    "Errors",
+    "Fault",
+    "Identified",
+    "InputError",
+    "Machine",
+    "MachineModel",
+    "NotConvergedError",
+    "Placement",
+    "Prediction",
+    "SolvedSystem",
+    "UnbelievableError",
+    "derive",
+    "identify",
+    "load_data",
+    "load_errors",
+    "load_machine",
+    "load_model",
+    "predict",
+    "save_data",
+    "save_errors",
+    "simulate",
+]
+_MODULES = {
+    "identification.fit_quality": ("NotConvergedError",),
+    "io.faults": ("Fault", "InputError"),
+    "jobs.derive": ("Derivation", "SolvedSystem", "derive"),
+    "jobs.identify": ("Identified", "UnbelievableError", "identify"),
+    "jobs.load": (
+        "DataFolder", "Errors", "load_data", "load_errors", "load_machine", "load_model", "save_data", "save_errors",
+    ),
+    "jobs.predict": ("Placement", "Prediction", "predict"),
+    "jobs.simulate": ("simulate",),
+    "machine.machine": ("Machine",),
+    "model.errors": ("ErrorValues",),
+    "model.model": ("MachineModel",),
+}  # fmt: skip
+_HOME = {name: module for module, names in _MODULES.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    """The public name, from the module where it lives, which is imported now."""
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = globals()[name] = getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
+    return value
+
+
+def __dir__() -> list[str]:
+    return [*globals(), *__all__]

@@ -65,6 +65,22 @@ def test_the_limit_is_that_of_the_largest_u_along_the_program(
     assert compensate(tmp_path, errors, "--max-u", "0.0000539") == 1
 
 
+def test_values_that_are_more_uncertain_than_large_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Without an option: words that are as likely to make it worse are no compensation. An option takes them."""
+    errors = written(tmp_path, motion_errors={"EXX": line(1e-5, u=[1.2e-5])})
+    assert compensate(tmp_path, errors) == 1
+    said = capsys.readouterr().out
+    assert "not written: the corrections are" in said
+    assert "--accept-u" in said
+    assert not (tmp_path / "out.nc").exists()
+    assert compensate(tmp_path, errors, "--accept-u") == 0
+    assert compensate(tmp_path, errors, "--max-u", "0.01") == 0
+    known = written(tmp_path, motion_errors={"EXX": line(1e-5, u=[0.8e-5])})
+    assert compensate(tmp_path, known) == 0
+
+
 def test_values_without_uncertainties_count_as_infinite(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert compensate(tmp_path, ERRORS) == 0
     assert "is not known" in capsys.readouterr().out

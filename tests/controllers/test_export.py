@@ -94,6 +94,17 @@ def test_what_no_reading_determined_is_refused_by_max_u(
     assert export(name, tmp_path / "out2", "--max-u", "0.0001", machine=GANTRY, errors=values(tmp_path)) == 1
 
 
+def test_values_that_are_more_uncertain_than_large_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    uncertain = {"EXX": {"basis": "polynomial", "powers": [1], "coefficients": [1e-6], "u": [1e-5]}}
+    errors = values(tmp_path, motion_errors=uncertain)
+    assert export("siemens-enc", tmp_path / "out", machine=GANTRY, errors=errors) == 1
+    assert "no better than doing nothing" in capsys.readouterr().out
+    assert not (tmp_path / "out").exists()
+    assert export("siemens-enc", tmp_path / "out", "--accept-u", machine=GANTRY, errors=errors) == 0
+
+
 def test_corrections_beyond_what_a_machine_has_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     large = {"EXX": {"basis": "polynomial", "powers": [1], "coefficients": [4e-4]}}  # 1.2 mm over 3 m
     errors = values(tmp_path, motion_errors=large)

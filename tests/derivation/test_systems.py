@@ -11,11 +11,11 @@ import sympy as sp
 
 from tests.exact_chain import DIGITS, ExactChain
 from tests.machines import DMU60P, ROOT, machine_at, machine_of, serial_text
-from trueaxis.cli.derive import run_patterns
 from trueaxis.codegen.equations import equations_page
 from trueaxis.codegen.numpy_source import numpy_source
 from trueaxis.derivation.model import DerivedModel, derive_model
 from trueaxis.derivation.systems import RunPattern, identification, run_motion, undetermined
+from trueaxis.jobs.derive import run_patterns
 from trueaxis.measurement.data import read_data
 from trueaxis.view import Carrier, Frame
 

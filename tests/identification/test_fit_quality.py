@@ -148,14 +148,27 @@ def test_a_run_that_does_not_fit_is_a_misfit(tmp_path: Path, method: str, capsys
     assert fit.runs[0].startswith(("X-", "XZ-"))
 
 
-def test_a_noise_that_is_stated_far_too_small_is_a_misfit(tmp_path: Path) -> None:
-    """Values follow such a noise: whatever a model may lack is no excuse."""
+def test_a_noise_that_is_stated_far_too_small_is_a_misfit(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Values follow such a noise: whatever a model may lack is no excuse. The remedy is named."""
     data, out = simulated(tmp_path, "dmu60p_regular_runs", "--noise-um", "0.5"), tmp_path / "e.json"
     assert identify(data, out, "--method", "global", "--noise-um", "0.5") == 0
+    assert "leave it out" not in capsys.readouterr().out
     assert identify(data, out, "--method", "global", "--noise-um", "0.05") == 1
     fit = values(out).fit
     assert fit is not None
     assert fit.state == "misfit"
+    told = " ".join(capsys.readouterr().err.split())
+    assert re.search(
+        r"the residuals of laser are \S+ times the noise that --noise-um states \(0.05 um\): leave it", told
+    )
+    assert identify(data, out, "--method", "global", "--noise-um", "5") == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert re.search(r"the residuals of laser are 1/\S+ of the noise that --noise-um states \(5 um\): leave it", told)
+    lines = (data / "setup.toml").read_text().replace("[[run]]", "[[run]]\ndevice = 'L'")
+    (data / "setup.toml").write_text(lines + "\n[device.L]\nnoise_um = 5.0\n")
+    assert identify(data, out, "--method", "global") == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "the noise that noise_um of the device table (setup.toml) states (5 um): leave it out" in told
 
 
 def test_location_errors_that_are_fixed_at_zero_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -18,7 +18,7 @@ from trueaxis.model.covariance import Covariance, digest_of_numbers, digest_of_v
 from trueaxis.model.covariance_file import dump_covariance, linked, read_covariance
 from trueaxis.model.curves import Curve, FloatArray, PolynomialCurve, TableCurve
 from trueaxis.model.errors import ErrorValues, Fit, Undetermined, dump_errors
-from trueaxis.model.extent import uncertainty_extent, volume_grid
+from trueaxis.model.extent import travel_positions, uncertainty_extent
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel, load_errors, load_model
 from trueaxis.model.own_uncertainty import own_uncertainty
@@ -143,7 +143,7 @@ def test_what_nothing_holds_is_open_at_the_size_of_the_prior(model: MachineModel
     assert not moved.open[1:].any()
     assert np.isnan(moved.u[0, 1:]).all()
     assert (moved.u[1:] == 0.0).all()
-    assert uncertainty_extent(model, opened, volume_grid(model, opened), TOOL).components == ("EXX",)
+    assert uncertainty_extent(model, opened, travel_positions(model, opened), TOOL).components == ("EXX",)
 
 
 def test_own_uncertainties_count_as_independent(model: MachineModel) -> None:
@@ -316,7 +316,7 @@ def test_uncertainty_of_an_effect_depends_on_its_context(tmp_path: Path) -> None
 
 def test_a_grid_over_the_travel_holds_every_position_of_a_table(model: MachineModel) -> None:
     covariance = mixed_covariance(model)
-    assert {0.0, 200.0, 500.0} <= set(volume_grid(model, covariance)[0].tolist())
+    assert {0.0, 200.0, 500.0} <= set(travel_positions(model, covariance)[0].tolist())
 
 
 def test_values_of_two_origins_are_joined_and_parted(model: MachineModel) -> None:

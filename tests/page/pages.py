@@ -9,9 +9,9 @@ from tests.page.chain_names import ChainNames
 from tests.page.numeric_chain import NumericChain
 from tests.page.paper_names import PaperNames
 from tests.page.rows import Row, rows_of
-from trueaxis.cli.derive import identification_runs
 from trueaxis.codegen.equations import equations_page
 from trueaxis.derivation.model import DerivedModel, derive_model
+from trueaxis.jobs.derive import identification_runs
 from trueaxis.machine import read_machine
 from trueaxis.machine.machine import Machine
 

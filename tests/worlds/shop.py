@@ -179,10 +179,8 @@ def _zeros(source: Source, machine: Machine, plan: Plan) -> Iterator[Unknown]:
 
 
 def _slopes(source: Source, machine: Machine, plan: Plan) -> Iterator[Unknown]:
-    """A reflector of a straightness line that does not lie along the motion: in a shop it is turned until both ends
-    read alike, so that its angle is the machine's and less well known than any squareness.
-    """
-    spread = float(np.exp(source.uniform(*np.log([3e-4, 3e-3]))))
+    """A reflector of a straightness line that does not lie along the motion: aligned with care, or by eye."""
+    spread = float(np.exp(source.uniform(*np.log([5e-6, 5e-4]))))
     for index, run in enumerate(plan.runs):
         if run.across:
             rows = plan.rows(index)

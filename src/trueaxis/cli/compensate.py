@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import get_args
 
 from trueaxis.cli.arguments import file_to_write, positive, size
-from trueaxis.cli.misfit import check_fit, misfit_option
+from trueaxis.cli.misfit import check_fit, misfit_option, uncertain_option
 from trueaxis.cli.paths import named, overwritten
 from trueaxis.cli.progress import progress
 from trueaxis.compensation.files import compensate_file
@@ -62,7 +62,8 @@ of it cannot be corrected without turning far: the axis then keeps to its progra
 lines.
 
 exit status: 0 done; 1 done, but points did not converge, stay above a tolerance or would leave the travel,
-at whose end their words stop (see the report); 2 the input is wrong and nothing was written.
+at whose end their words stop (see the report), or nothing was written: refused for its uncertainty or by
+--max-correction; 2 the input is wrong and nothing was written.
 """
 
 
@@ -151,6 +152,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         help="write nothing, exit code 1, where a correction is larger (default: three times what "
                         "errors of the sizes in [prior] of the spec make of the tool point)")  # fmt: skip
     misfit_option(parser)
+    uncertain_option(parser, "the program")
     parser.set_defaults(run=run)
 
 
@@ -222,7 +224,7 @@ def run(args: argparse.Namespace) -> int:
         raise InputError(found)
     points = {code: dict(position) for code, position in model.machine.reference_points}
     settings = replace(settings, assumed=dict(model.machine.start), reference_points=points)
-    limits = Limits(max_u=args.max_u, max_correction=args.max_correction)
+    limits = Limits(max_u=args.max_u, max_correction=args.max_correction, accept_u=args.accept_u)
     judge = judge_of(model, covariance, limits)
     try:
         with progress() as show:

@@ -2,26 +2,16 @@
 
 import argparse
 import sys
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
-
-import numpy as np
 
 from trueaxis.cli.paths import named, overwritten
-from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.faults import InputError
+from trueaxis.io.input_files import gathering
+from trueaxis.jobs.derive import check_kinds, derive
 from trueaxis.machine import Machine, read_machine
-from trueaxis.machine.machine import LINEAR
 from trueaxis.machine.topology import format_lower_body_array, tool_senses
-from trueaxis.measurement.data import MeasuredData, read_data
-from trueaxis.measurement.setup import PointOn
-from trueaxis.model.errors import ErrorValues
-from trueaxis.model.kernels import numpy_kernels
 from trueaxis.model.manifest import KERNEL_FILES
-from trueaxis.model.model import MachineModel
-from trueaxis.view import Carrier
-
-if TYPE_CHECKING:
-    from trueaxis.derivation.systems import RunPattern
 
 
 def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -50,67 +40,45 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 def run(args: argparse.Namespace) -> int:
     """Derive, then write or compare."""
-    # SymPy takes a second to import; only this command needs it.
-    from trueaxis.codegen.check import differences, write  # noqa: PLC0415
-    from trueaxis.codegen.effect_check import faults_of_kinds  # noqa: PLC0415
-    from trueaxis.codegen.meta import spec_label  # noqa: PLC0415
-    from trueaxis.codegen.render import render  # noqa: PLC0415
-    from trueaxis.derivation.model import derive_model  # noqa: PLC0415
-
     machine = read_machine(args.machine)
-    folder = args.out / machine.name
     inputs = {"MACHINE.toml": args.machine, "--runs": args.runs}
-    found = overwritten(inputs, {f"{name} of --out": folder / name for name in KERNEL_FILES})
-    if found := [*found, *faults_of_kinds(machine, str(args.machine))]:
+    outputs = {f"{name} of --out": args.out / machine.name / name for name in KERNEL_FILES}
+    found = overwritten(inputs, outputs)
+    with gathering(found):
+        check_kinds(machine, args.machine)
+    if found:
         raise InputError(found)
-    model = derive_model(machine, identification_runs(machine, args.machine, args.runs))
-    files = render(model, spec_label(args.machine, args.out))
+    done = derive(args.machine, args.out, runs=args.runs, check=args.check)
     if args.check:
-        differing = differences(folder, files)
-        for line in differing:
+        for line in done.differences:
             print(line)
-        if differing:
+        if done.differences:
             runs = f" --runs {args.runs}" if args.runs else ""
-            print(f"{folder} differs from {args.machine}; run: trueaxis derive {args.machine} --out {args.out}{runs}")
+            print(
+                f"{done.folder} differs from {args.machine}; run: trueaxis derive {args.machine} --out {args.out}{runs}"
+            )
             return 1
-        print(f"{folder} is what {args.machine} derives to")
+        print(f"{done.folder} is what {args.machine} derives to")
         return 0
-    write(folder, files)
     print(
         f"{machine.title}: axes {' '.join(machine.axes)}, {len(machine.components)} motion errors, "
         f"{len(machine.location_errors)} location errors"
     )
     print("lower-body array over the bodies (bed first):")
     sys.stdout.write(format_lower_body_array(machine))
-    if model.identification:
+    if done.systems:
         print("identification systems in the order of solution:")
-        for number, system in enumerate(model.identification.systems, 1):
+        for number, system in enumerate(done.systems, 1):
             lack = f"   (singular at these points: rank {system.rank})" if system.rank < len(system.unknowns) else ""
             print(f"  {number}. {', '.join(system.runs)} -> {', '.join(system.unknowns)}{lack}")
-    for name in files:
-        print(f"wrote {named(folder / name)}")
-    for line in _sense_sentences(machine, _tool_ranges(machine, files["kernels.py"], folder / "kernels.py")):
+    for file in done.files:
+        print(f"wrote {named(file)}")
+    for line in _sense_sentences(machine, done.tool_ranges):
         print(line)
     return 0
 
 
-def _tool_ranges(machine: Machine, kernels: bytes, path: Path) -> dict[str, tuple[float, float]]:
-    """Coordinate of the workpiece, mm, from the lowest to the highest position of each linear axis that has a travel:
-    of the origin of the tool frame, all other axes where they are nearest to 0, named dimensions 0.
-    """
-    model = MachineModel(machine, numpy_kernels(kernels, path), ErrorValues(machine.name))
-    rest = np.array([float(np.clip(0.0, *machine.travel[axis])) for axis in machine.axes])
-    found = {}
-    for row, axis in enumerate(machine.axes):
-        if axis in LINEAR and machine.mover(axis).travel is not None:
-            ends = np.repeat(rest[:, np.newaxis], 2, axis=1)
-            ends[row] = machine.travel[axis]
-            first, last = model.view_ideal("tool_in_workpiece", ends, np.zeros((3, 1)))[LINEAR.index(axis)]
-            found[axis] = (float(first), float(last))
-    return found
-
-
-def _sense_sentences(machine: Machine, ranges: dict[str, tuple[float, float]]) -> list[str]:
+def _sense_sentences(machine: Machine, ranges: Mapping[str, tuple[float, float]]) -> list[str]:
     """Where positive commands move the tool: an axis that counts the other way on the machine is a slip in the spec.
 
     ranges: from where to where on the workpiece, mm.
@@ -135,38 +103,3 @@ def _sense_sentences(machine: Machine, ranges: dict[str, tuple[float, float]]) -
         zero = "; named dimensions taken for 0" if machine.dimensions else ""
         lines.append(f"(the origin of the tool frame, other axes at 0 or as near to it as they go{zero})")
     return lines
-
-
-def identification_runs(machine: Machine, spec: Path, given: Path | None = None) -> "tuple[RunPattern, ...]":
-    """The runs of the folder given, else of the one that the spec names, whose identification systems are derived.
-
-    Raises InputError where it is not there or its files are wrong.
-    """
-    folder = given or (spec.parent / machine.runs if machine.runs else None)
-    if folder is None:
-        return ()
-    if not folder.is_dir():
-        key = "--runs" if given else "key runs"
-        raise InputError(
-            [Fault(str(spec), key, f"there is no folder {folder}", "a folder with setup.toml and readings.csv")]
-        )
-    return run_patterns(machine, read_data(folder, machine))
-
-
-def run_patterns(machine: Machine, data: MeasuredData) -> "tuple[RunPattern, ...]":
-    """The laser and probe runs of a data set, as patterns: which axes move is seen from the readings."""
-    from trueaxis.derivation.systems import RunPattern  # noqa: PLC0415  as in run
-
-    patterns: list[RunPattern] = []
-    for index, each in enumerate(data.setup.runs):
-        if each.direction is None:
-            continue  # a ball bar's reading is no linear form of the position
-        rows = data.readings.of_run(index)
-        positions = data.readings.positions[:, rows]
-        moves = tuple(axis for axis, row in zip(machine.axes, positions, strict=True) if (row != each.home[axis]).any())
-        patterns.append(RunPattern(each.id, moves, each.direction, each.frame, _end(each.target), _end(each.reference)))
-    return tuple(patterns)
-
-
-def _end(end: PointOn) -> tuple[Carrier, tuple[float, float, float]]:
-    return end.on, end.point

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trueaxis.cli.arguments import positive, size, tool_point
-from trueaxis.cli.misfit import check_fit, misfit_option
+from trueaxis.cli.misfit import check_fit, misfit_option, uncertain_option
 from trueaxis.cli.paths import named, overwritten
 from trueaxis.compensation.reliance import PRIOR_SIZES
 from trueaxis.controllers.formats import FORMATS, Export, export_tables, problem_of
@@ -16,17 +16,17 @@ from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
 from trueaxis.machine import read_machine
 from trueaxis.model.curves import FloatArray
-from trueaxis.model.extent import UncertaintyExtent, uncertainty_extent, volume_grid
+from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel, load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty, prior_size
 from trueaxis.reporting.control_tables import export_sentences, head_lines
 from trueaxis.reporting.reliance import (
-    above_sentence,
     error_free_sentences,
     extent_sentences,
     prior_sentences,
     travel_sentences,
+    uncertain_sentence,
 )
 
 if TYPE_CHECKING:
@@ -43,7 +43,8 @@ def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser(
         "export", help="error values as compensation tables of a control", description=DESCRIPTION,
-        epilog="exit code: 0 done; 1 refused by --max-u or --max-correction, nothing is written; 2 the input is wrong",
+        epilog="exit code: 0 done; 1 refused for its uncertainty or by --max-correction, nothing is written; "
+        "2 the input is wrong",
     )  # fmt: skip
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
@@ -61,6 +62,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="the point in the tool frame that tables of single axes are made for, mm (0,0,0)",
     )  # fmt: skip
     misfit_option(parser)
+    uncertain_option(parser, "the tables")
     parser.add_argument(
         "--max-u", type=size, metavar="MM",
         help="write nothing, exit code 1, where a standard uncertainty of the tool point within the travel, relative "
@@ -90,7 +92,7 @@ def run(args: argparse.Namespace) -> int:
     if problem := problem_of(args.format, model, args.step):
         raise InputError([Fault(str(args.machine), f"--format {args.format}", problem)])
     tool = np.array(args.tool_point)[:, np.newaxis]
-    positions = volume_grid(model, covariance)
+    positions = travel_positions(model, covariance)
     comments = head_lines(args.format, model)
     export = export_tables(args.format, model, tool, args.step, positions, comments)
     contents = _contents(args.out, export)
@@ -134,8 +136,8 @@ def _refusals(
 ) -> list[str]:
     """Why nothing may be written."""
     sentences = []
-    if args.max_u is not None and extent.counted > args.max_u:
-        sentences.append(above_sentence(extent.counted, args.max_u))
+    if extent.refused(args.max_u, args.accept_u):
+        sentences.append(uncertain_sentence(extent, args.max_u))
     off = np.linalg.norm(model.deviation(positions, tool), axis=0)
     allowed = PRIOR_SIZES * prior_size(model, positions, tool)
     if args.max_correction is not None:

@@ -20,12 +20,12 @@ from trueaxis.model.covariance import Covariance
 from trueaxis.model.covariance_file import linked
 from trueaxis.model.curves import LegendreCurve, TableCurve
 from trueaxis.model.errors import ErrorValues, dump_errors
-from trueaxis.model.extent import UncertaintyExtent, uncertainty_extent, volume_grid
+from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent
 from trueaxis.model.kernels import load_kernels
 from trueaxis.model.model import MachineModel, load_errors
 from trueaxis.model.uncertainty import covariance_file, curve_u, load_uncertainty
 from trueaxis.reporting.fitted_curves import curve_sentences
-from trueaxis.reporting.reliance import above_sentence, extent_sentences
+from trueaxis.reporting.reliance import above_sentence, extent_sentences, worth_nothing_sentences
 
 if TYPE_CHECKING:
     from trueaxis.identification.polynomial import OptimalFit
@@ -49,7 +49,8 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "fit",
         help="identified curves to optimal polynomials, with their statistics",
         description=DESCRIPTION,
-        epilog="exit code: 0 done; 1 a table has no significant polynomial; 2 the input is wrong",
+        epilog="exit code: 0 done; 1 a table has no significant polynomial, or refused by --max-u; "
+        "2 the input is wrong",
     )
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="error values with curves")
@@ -121,7 +122,7 @@ def run(args: argparse.Namespace) -> int:
     doubtful = () if extent is None else extent.components
     if args.picture is not None:
         contents[args.picture] = _picture(errors, covariance, {**fits, **of_estimate}, doubtful, resting)
-    refused = extent is not None and args.max_u is not None and extent.counted > args.max_u
+    refused = extent is not None and extent.refused(args.max_u, accepted=True)
     if not refused:
         write_files(contents)
     for name, fit in (*fits.items(), *of_estimate.items()):
@@ -129,7 +130,9 @@ def run(args: argparse.Namespace) -> int:
         print(f"{name}: {fit.verdict}")
         if args.statistics:
             print(f"{statistics_table(fit, unit, factor)}\n")
-    stated = [NO_KERNELS] if extent is None else extent_sentences(extent, "over the travel")
+    stated = [NO_KERNELS]
+    if extent is not None:
+        stated = extent_sentences(extent, "over the travel") + worth_nothing_sentences(extent)
     for note in (*notes, *stated):
         print(f"note: {note}")
     if refused and extent is not None:
@@ -186,4 +189,4 @@ def _extent(
         if args.max_u is not None:
             raise
         return None
-    return uncertainty_extent(model, covariance, volume_grid(model, covariance), np.zeros((3, 1)))
+    return uncertainty_extent(model, covariance, travel_positions(model, covariance), np.zeros((3, 1)))

@@ -1,8 +1,8 @@
 """trueaxis identify: error values from measured data."""
 
 import argparse
+import logging
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -16,33 +16,22 @@ from trueaxis.cli.identify_options import (
     noise_option,
     squareness_option,
 )
-from trueaxis.cli.measured import compensation_note, read_measured
 from trueaxis.cli.paths import named, overwritten
 from trueaxis.estimation.curve_prior import DEGREE
-from trueaxis.estimation.estimate import EstimationOptions
-from trueaxis.estimation.observations import Observations, observations
-from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
-from trueaxis.identification.paper.method import identify_paper
-from trueaxis.identification.paper.result import PaperOptions
-from trueaxis.identification.report import Identification, IdentificationReport
 from trueaxis.identification.report_text import fit_text, report_json, report_text, runs_text
 from trueaxis.identification.weighting import NoiseModel
-from trueaxis.identification.words import enumerated
-from trueaxis.io.faults import Fault, Faults, InputError
+from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
-from trueaxis.machine import Machine
+from trueaxis.io.input_files import gathering
+from trueaxis.jobs.identify import DEGREE_WITHOUT_PRIOR, Identified, UnbelievableError, identify
+from trueaxis.jobs.load import DataFolder, Errors, errors_files, load_data, load_errors, load_model
+from trueaxis.machine import read_machine
 from trueaxis.measurement.active_compensation import active_file
-from trueaxis.measurement.data import MeasuredData
-from trueaxis.measurement.setup import Setup
-from trueaxis.model.believable import check_believable
-from trueaxis.model.covariance import Covariance
-from trueaxis.model.covariance_file import linked
-from trueaxis.model.errors import ErrorValues, dump_errors
 from trueaxis.model.model import MachineModel
-from trueaxis.model.uncertainty import load_uncertainty
 
+_LOG = logging.getLogger(__name__)
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
@@ -56,7 +45,6 @@ exit code 0). Exit code 1: the readings determine nothing at all; the fit has no
 its residuals are far from the noise that is known, and the values are written as a misfit."""
 
 DEFAULT: Literal["convention"] = "convention"
-DEGREE_WITHOUT_PRIOR = 7  # nothing keeps curves of a higher order from following the noise
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -142,33 +130,37 @@ def add_parser(subparsers: "Subparsers") -> None:
 def run(args: argparse.Namespace) -> int:
     """Identify and write; raises InputError with the faults of every file."""
     found = _faults_of_options(args)
-    read = read_measured(args, found)
-    machine, model, data, known = read.model.machine, read.model, read.data, read.known
-    if found := overwritten({"the active compensation of --data": active_file(args.data, data.setup)}, _outputs(args)):
+    machine = read_machine(args.machine)
+    known = None
+    with gathering(found):
+        model = load_model(args.machine, args.kernels)
+    with gathering(found):
+        data = load_data(args.data, machine)
+        found += overwritten(
+            {"the active compensation of --data": active_file(args.data, data.data.setup)}, _outputs(args)
+        )
+    if args.known is not None:
+        with gathering(found):
+            known = load_errors(args.known, machine)
+    if found:
         raise InputError(found)
-    observed = observations(str(args.data), data.setup.runs, data.readings)
+    if known is not None and known.values.fit is not None and known.values.fit.state == "misfit":
+        _LOG.warning("%s: these values did not fit the readings that they are from", args.known)
     try:
-        identified = _identify(args, model, observed, known)
+        identified = _identify(args, model, data, known)
     except NotConvergedError as failure:
         print(f"trueaxis: {failure}; nothing was written", file=sys.stderr)
         print(f"trueaxis: residuals of the worst runs: {runs_text(failure.runs)}", file=sys.stderr)
         return 1
-    unbelievable = Faults(str(args.out))
-    check_believable(machine, identified.values, unbelievable)
-    if unbelievable.found:
-        for fault in unbelievable.found:
+    except UnbelievableError as failure:
+        for fault in failure.faults:
             print(f"trueaxis: not written: {fault}", file=sys.stderr)
-        worst = identified.report.quality.runs
-        print(f"trueaxis: residuals of the worst runs: {runs_text(worst)}", file=sys.stderr)
+        worst = failure.report.quality
+        misfit = worst.fit.state == "misfit"
+        text = fit_text(worst) if misfit else f"residuals of the worst runs: {runs_text(worst.runs)}"
+        print(f"trueaxis: {text}", file=sys.stderr)
         return 1
-    identified = replace(identified, report=_with_setup(_with_unread(identified.report, data), data.setup, args.data))
-    file = args.covariance or args.out.with_suffix(".npz")
-    joined = _with_known(args, machine, identified.covariance, known)
-    values, covariance = linked(identified.values, joined, args.out, file)
-    contents: dict[Path, str | bytes] = {file: covariance}
-    contents[args.out] = dump_errors(
-        values, components=machine.components, parameters=machine.parameters, effects=machine.effects
-    )
+    contents = errors_files(args.out, identified.errors, machine, args.covariance)
     if args.report is not None:
         contents[args.report] = report_json(identified.report)
     write_files(contents)
@@ -183,56 +175,18 @@ def run(args: argparse.Namespace) -> int:
     return 1 if identified.report.nothing_determined else 0
 
 
-def _with_known(
-    args: argparse.Namespace, machine: Machine, identified: Covariance, known: ErrorValues | None
-) -> Covariance:
-    """The covariance with what is known of the values of --known, which were taken as they are."""
-    if known is None:
-        return identified
-    given = load_uncertainty(args.known, known, machine)
-    components = set(given.components) & set(known.motion_errors)
-    locations = set(given.locations) & set(known.parameters) - set(identified.locations)
-    effects = set(given.effects) - set(identified.effects)
-    return identified.joined(given.of(components - set(identified.components), locations, effects))
-
-
-def _with_setup(report: IdentificationReport, setup: Setup, folder: Path) -> IdentificationReport:
-    notes = (*report.notes, compensation_note(setup, folder))
-    return replace(report, notes=notes, measurement=setup.report)
-
-
-def _with_unread(report: IdentificationReport, data: MeasuredData) -> IdentificationReport:
-    """Says which runs of the set-up have no reading, or not all of theirs yet."""
-    planned, run = data.readings.planned, data.readings.run
-    counts = {one.id: (int((run == k).sum()), int(planned[run == k].sum())) for k, one in enumerate(data.setup.runs)}
-    unread = [name for name, (rows, empty) in counts.items() if rows == empty]
-    partly = [f"{name} ({empty} of {rows} rows)" for name, (rows, empty) in counts.items() if 0 < empty < rows]
-    said = [f"no reading yet in {enumerated(unread)}"] if unread else []
-    said += [f"readings are missing in {enumerated(partly)}"] if partly else []
-    return replace(report, caveats=(*report.caveats, *(f"{one}: the others alone are used" for one in said)))
-
-
-def _identify(
-    args: argparse.Namespace, model: MachineModel, observed: Observations, known: ErrorValues | None
-) -> Identification:
-    noise: NoiseModel = args.noise_um
-    if args.method == STEPWISE:
-        options = PaperOptions(args.squareness, known, noise.um, args.curves or "table")
-        return identify_paper(model, observed, options)
-    prior = args.prior == "spec"
-    return identify_estimated(
+def _identify(args: argparse.Namespace, model: MachineModel, data: DataFolder, known: Errors | None) -> Identified:
+    return identify(
         model,
-        observed,
-        IdentifyOptions(
-            args.squareness,
-            known,
-            noise,
-            EstimationOptions(
-                prior=prior,
-                ideal=args.instruments == "ideal",
-                degree=args.degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR),
-            ),
-        ),
+        data,
+        known=known,
+        noise_um=args.noise_um,
+        squareness=args.squareness,
+        prior=args.prior == "spec",
+        ideal_instruments=args.instruments == "ideal",
+        degree=args.degree,
+        method="stepwise" if args.method == STEPWISE else "global",
+        curves=args.curves or "table",
     )
 
 

@@ -11,24 +11,14 @@ from trueaxis.cli.paths import named, overwritten
 from trueaxis.io.faults import InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.predict import Prediction, predicted
 from trueaxis.machine import read_machine
-from trueaxis.measurement.context_needs import faults_of_points
-from trueaxis.measurement.points import Points, dump_predicted, read_points
-from trueaxis.measurement.predict import check_predicted, predict
-from trueaxis.model.best_fit import Placements, placements
+from trueaxis.measurement.points import dump_predicted, read_points
 from trueaxis.model.covariance import Covariance
-from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import MOST_NAMED, open_names
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel, load_model
-from trueaxis.model.uncertainty import (
-    ToolUncertainty,
-    covariance_file,
-    home_of,
-    load_uncertainty,
-    prior_size,
-    tool_uncertainty,
-)
+from trueaxis.model.uncertainty import covariance_file, load_uncertainty
 from trueaxis.reporting.reliance import (
     above_sentence,
     misfit_sentence,
@@ -97,40 +87,37 @@ def run(args: argparse.Namespace) -> int:
         points = read_points(args.at, machine)
     if found:
         raise InputError(found)
-    if model.effect_values:
-        if lacking := faults_of_points(model, points.context, str(args.at)):
-            raise InputError(lacking)
-        model = model.in_context(points.context)
-    home = home_of(model) if args.datum == "home" else None
-    datum: FloatArray | Placements | None = home
-    deviation = predict(model, points, home)
-    check_predicted(deviation, prior_size(model, points.positions, points.tool), str(args.errors))
-    if args.datum == "best-fit":
-        datum = placements(model.ideal(points.positions, points.tool))
-        deviation, placement = datum.fit(deviation)
-        print(f"note: {placement_sentence(placement, datum.centre)}")
-    uncertainty = tool_uncertainty(
-        model, covariance, points.positions, points.tool, datum=datum, context=points.context
+    predictions = predicted(
+        model,
+        covariance,
+        points.positions,
+        points.tool,
+        points.context,
+        datum=args.datum,
+        source=(str(args.at), str(args.errors)),
     )
-    largest = np.max(np.where(np.isnan(uncertainty.u), np.inf, uncertainty.u), initial=0.0)
-    for sentence in _reliance(model, points, covariance, uncertainty):
+    largest = np.max(np.where(np.isnan(predictions.u), np.inf, predictions.u), initial=0.0)
+    if predictions.placement is not None:
+        print(f"note: {placement_sentence(predictions.placement)}")
+    for sentence in _reliance(model, covariance, predictions):
         print(f"note: {sentence}")
     if args.max_u is not None and largest > args.max_u:
         print(f"{named(args.out)}: not written: {above_sentence(float(largest), args.max_u)}")
         return 1
-    write_files({args.out: dump_predicted(points, deviation, args.out.suffix, uncertainty.u, uncertainty.u_prior)})
-    print(f"{named(args.out)}: {deviation.shape[1]} points")
+    table = dump_predicted(points, predictions.deviation, args.out.suffix, predictions.u, predictions.u_prior)
+    write_files({args.out: table})
+    print(f"{named(args.out)}: {points.positions.shape[1]} points")
     return 0
 
 
-def _reliance(model: MachineModel, points: Points, covariance: Covariance, uncertainty: ToolUncertainty) -> list[str]:
+def _reliance(model: MachineModel, covariance: Covariance, found: Prediction) -> list[str]:
     """What a user must know of these deviations besides their values."""
-    count = points.positions.shape[1]
-    fit, rests = model.errors.fit, (uncertainty.open > 0.0).any(axis=0)
+    count = found.positions.shape[1]
+    fit, rests = model.errors.fit, (found.open > 0.0).any(axis=0)
     sentences = [misfit_sentence(fit)] if fit is not None and fit.state == "misfit" else []
-    sentences += range_sentences(beyond_measured(model.errors, model.axes, points.positions), count)
+    sentences += range_sentences(beyond_measured(model.errors, model.axes, found.positions), count)
     if rests.any():
-        largest = float(uncertainty.open.max())
-        names = open_names(model, covariance, points.positions[:, rests][:, :MOST_NAMED], points.tool[:, rests][:, :1])
+        largest = float(found.open.max())
+        names = open_names(model, covariance, found.positions[:, rests][:, :MOST_NAMED], found.tool[:, rests][:, :1])
         sentences.append(open_sentence(int(rests.sum()), count, largest, names))
     return sentences

@@ -1,28 +1,19 @@
 """trueaxis simulate: readings made from error values and a measuring plan."""
 
 import argparse
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from trueaxis.cli.arguments import noise_or_none, whole
 from trueaxis.cli.paths import named, overwritten
-from trueaxis.identification.believable_setup import setup_faults
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.load import load_data, load_model, save_data
+from trueaxis.jobs.simulate import simulate
 from trueaxis.machine import read_machine
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
-from trueaxis.measurement.active_compensation import active_values, compensated_part, moved_setup
-from trueaxis.measurement.context import context_of
-from trueaxis.measurement.context_needs import faults_of_readings
-from trueaxis.measurement.data import read_data, readings_path
-from trueaxis.measurement.readings import dump_readings
-from trueaxis.measurement.simulate import check_simulated, rows_to_fill, simulate
-from trueaxis.model.model import load_model
+from trueaxis.model.model import load_errors
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -64,46 +55,19 @@ def run(args: argparse.Namespace) -> int:
     found = _faults_of_out(args)
     machine = read_machine(args.machine)
     with gathering(found):
-        model = load_model(args.machine, args.errors, args.kernels)
+        model = load_model(args.machine, args.kernels)
     with gathering(found):
-        data = read_data(args.data, machine)
-        active = active_values(args.data, data.setup, machine)
+        values = load_errors(args.errors, machine)
+    with gathering(found):
+        plan = load_data(args.data, machine)
     if found:
         raise InputError(found)
-    found += setup_faults(model, data, args.data)
-    if found:
-        raise InputError(found)
-    setup, readings = data.setup, data.readings
-    context = None
-    if model.effect_values:
-        context = context_of(setup.runs, readings)
-        asked = rows_to_fill(readings, args.replace)
-        found = faults_of_readings(model, setup.runs, readings, context, asked, str(readings_path(args.data)))
-        if found:
-            raise InputError(found)
-    simulated = simulate(
-        model,
-        setup.runs,
-        readings,
-        noise_um=args.noise_um,
-        seed=args.seed,
-        replace_all=args.replace,
-        context=context,
-    )
-    if active is not None:
-        fill = rows_to_fill(readings, args.replace)
-        taken = compensated_part(model, active, setup.runs, readings)
-        simulated = replace(simulated, reading=np.where(fill, simulated.reading - taken, simulated.reading))
-    check_simulated(simulated, str(readings_path(args.data)))
-    write_files(
-        {
-            args.out / setup_file.FILE_NAME: moved_setup(args.data, args.out),
-            args.out / readings_files.FILE_NAME: dump_readings(simulated),
-        }
-    )
+    simulated = simulate(model, values, plan, noise_um=args.noise_um, seed=args.seed, replace_all=args.replace)
+    runs, readings = plan.data.setup.runs, plan.data.readings
+    save_data(args.out, simulated)
     kept = 0 if args.replace else int((~readings.planned).sum())
     told = f"; {kept} were there already and stay (--replace makes them anew)" if kept else ""
-    print(f"{named(args.out)}: {len(setup.runs)} runs, {len(readings.run) - kept} readings made{told}")
+    print(f"{named(args.out)}: {len(runs)} runs, {len(readings.run) - kept} readings made{told}")
     return 0
 
 

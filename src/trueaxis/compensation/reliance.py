@@ -22,11 +22,13 @@ PRIOR_SIZES = 3.0
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits:
     """max_u: largest standard uncertainty of the tool point, mm, None: any. max_correction: largest correction, mm;
-    None: `PRIOR_SIZES` times what errors of the prior's sizes make of the tool point there.
+    None: `PRIOR_SIZES` times what errors of the prior's sizes make of the tool point there. accept_u: whether values
+    are taken that are more uncertain than the corrections are large.
     """
 
     max_u: float | None = None
     max_correction: float | None = None
+    accept_u: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,7 +90,7 @@ def judge_of(model: MachineModel, covariance: Covariance, limits: Limits) -> Jud
             allowed_turn=allowed_turn,
             turned_at=dict(zip(model.axes, visited.turned_at.tolist(), strict=True)),
             at_home=float(np.linalg.norm(model.deviation(home_of(model), tool_point))),
-            too_uncertain=limits.max_u is not None and extent.counted > limits.max_u,
+            too_uncertain=extent.refused(limits.max_u, limits.accept_u),
             too_large=(worst is not None and bool(corrections[worst] > allowed[worst]))
             or (allowed_turn is not None and visited.largest_turn > allowed_turn),
         )
@@ -108,7 +110,7 @@ def _worst(found: Sequence[Reliance]) -> Reliance:
         if key not in beyond or part.count > beyond[key].count:
             beyond[key] = part
     return Reliance(
-        uncertainty=max((one.uncertainty for one in found), key=lambda extent: extent.counted),
+        uncertainty=max(found, key=lambda one: (one.too_uncertain, one.uncertainty.counted)).uncertainty,
         beyond=tuple(beyond.values()),
         largest_correction=corrected.largest_correction,
         allowed_correction=corrected.allowed_correction,

@@ -6,7 +6,9 @@ from itertools import product
 import numpy as np
 
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_rows, rotary_rows
+from trueaxis.model.volume import quasi_random
 
+LEAST_SAMPLES = 2000  # within the cells
 MOST_CELLS = 20_000  # of the whole travel: 27 along each of three axes, 7 along each of five
 
 
@@ -80,7 +82,7 @@ class Visited:
         return np.stack([self._lowest, self._highest], axis=1)
 
     def samples(self, nodes: Sequence[Sequence[float]]) -> FloatArray:
-        """(n_axes, k): every corner of the visited cells, and in their middle every node of an axis, mm or deg.
+        """(n_axes, k), mm or deg: corners of the visited cells, points within, and every node in their middle.
 
         nodes: of each axis, rising: positions at which curves may have what they have nowhere else.
         """
@@ -89,6 +91,9 @@ class Visited:
         corners = [cells + np.array(step)[:, np.newaxis] for step in product((0, 1), repeat=self._lowest.size)]
         unique = np.unique(np.hstack(corners), axis=1)
         found = [self._low + unique * self._width]
+        each = -(-LEAST_SAMPLES // keys.size)
+        within = quasi_random(self._lowest.size, each * keys.size)  # corners may all lie at targets of a measurement
+        found.append(self._low + (np.repeat(cells, each, axis=1) + within) * self._width)
         low, middle = self._low + cells * self._width, self._low + (cells + 0.5) * self._width
         for row, of_axis in enumerate(nodes):
             for node in of_axis:

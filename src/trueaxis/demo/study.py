@@ -13,7 +13,7 @@ from trueaxis.identification.estimated import IdentifyOptions, identify_estimate
 from trueaxis.identification.paper.method import identify_paper
 from trueaxis.identification.paper.result import PaperOptions
 from trueaxis.measurement.data import MeasuredData, read_data
-from trueaxis.measurement.simulate import simulate
+from trueaxis.measurement.simulate import filled_in
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 
@@ -54,7 +54,7 @@ def study(truth: MachineModel, paper_plan: Path, proposed_plan: Path, seeds: int
 
 def measured(truth: MachineModel, plan: MeasuredData, source: str, noise_um: float, seed: int) -> Observations:
     """The plan's readings of the machine, as `simulate` makes them."""
-    readings = simulate(truth, plan.setup.runs, plan.readings, noise_um=noise_um, seed=seed, replace_all=True)
+    readings = filled_in(truth, plan.setup.runs, plan.readings, noise_um=noise_um, seed=seed, replace_all=True)
     return observations(source, plan.setup.runs, readings)
 
 

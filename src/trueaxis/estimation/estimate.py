@@ -14,11 +14,11 @@ from trueaxis.estimation.evidence import averaged, best_sizes, likelier, posteri
 from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.least_norm import least_norm
+from trueaxis.estimation.misread import Misread, mean_square, misread_runs
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
 from trueaxis.estimation.runs import MeasuredRun, measured_runs
-from trueaxis.estimation.signs import mean_square, reversed_runs
 from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import (
     State,
@@ -42,6 +42,7 @@ MOST_STEPS = 20
 STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
 EXACT = 1e-6  # the same without a prior: readings without noise then give the errors back
 LEAST_STEP = 1e-12  # of the size of an unknown: rounding
+LEAST_SQUARE = 1.0 / 9.0  # of residuals over their stated noise: below, it is three times too large or more
 SEED = 20  # of the draws from which the noise is taken
 
 
@@ -164,7 +165,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    flipped = _reversed(setting, state, sizes, x, posterior)
+    misread = _misread(setting, state, sizes, x, posterior)
     told = likelier(sizes, found, x) if setting.options.prior else {}
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
@@ -182,6 +183,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
         likelier=told,
+        ideal=setting.options.ideal,
         own={one.rows.index: own for one, own in zip(state.runs, state.own, strict=True)},
         noise=InstrumentNoise(
             of_instrument=state.noise,
@@ -191,25 +193,25 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         readings=ReadingsLeft(
             residual=left,
             outliers=outliers,
-            reversed=flipped,
+            misread=misread,
             freedom=float((~outliers).sum()) - posterior.told,
         ),
         iteration=Iteration(rounds=rounds, steps=steps, last_step=last, last_change=change, converged=converged),
     )
 
 
-def _reversed(setting: _Setting, state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> dict[int, float]:
-    """As `reversed_runs`; where residuals are larger than a noise that is stated, by one that is estimated."""
+def _misread(setting: _Setting, state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> dict[int, Misread]:
+    """As `misread_runs`; where residuals are far from a noise that is stated, by one that is estimated."""
     layout, kept, noise = state.layout, state.kept, setting.options.noise
 
     def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
         return _rounds(started(layout, tuple(runs), setting.given, noise, kept), sizes, MOST_ROUNDS)[:2]
 
-    if noise and mean_square(state) > 1.0:
+    if noise and not LEAST_SQUARE < mean_square(state) <= 1.0:
         noise = {}
         x, state = refit(setting.runs)
         posterior = posterior_at(sizes, linearised(state), x)
-    return reversed_runs(state, sizes, x, posterior, refit)
+    return misread_runs(state, sizes, x, posterior, refit)
 
 
 def _determined(sizes: Sizes, posterior: Posterior) -> tuple[Posterior, FloatArray]:

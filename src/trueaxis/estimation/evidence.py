@@ -31,6 +31,8 @@ PAIRS = 8  # of sizes over which the posterior is averaged, a power of 2
 # make nearly all: 6.8 times the middle one for a factor of 4, where 4.2 times holds 95 %).
 NODE = 1.2
 SAID = 3.0  # times what was expected of a size, from where on the contract has it reported
+# Logarithm of how much likelier it must be than one that is SAID times off: half the square of 1.96, as 95 % ask
+LIKELIER = 1.92
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -80,7 +80,7 @@ def expected(
         readings=ReadingsLeft(
             residual=np.zeros(readings),
             outliers=np.zeros(readings, dtype=bool),
-            reversed={},
+            misread={},
             freedom=readings - posterior.told,
         ),
         iteration=Iteration(rounds=0, steps=0, last_step=0.0, last_change=0.0, converged=True),
@@ -95,7 +95,7 @@ def informing_rows(layout: Layout, rows: RunRows, noise: float, scale: FloatArra
     """
     parts = [(own, others) for _, own, others in pieces(layout, rows)]
     own, others = (np.vstack(columns) / noise for columns in zip(*parts, strict=True))
-    sizes = np.array([CLASSES[kind].prior[0] for kind in own_kinds(rows.run, layout.straightness[rows.index])])
+    sizes = np.array([CLASSES[kind].size for kind in own_kinds(rows.run, layout.straightness[rows.index])])
     found = own_part(own * sizes).root(others * (scale / layout.sizes))
     variance, vectors = np.linalg.eigh(found @ found.T)
     return np.asarray(vectors[:, variance > NEGLIGIBLE].T @ found)

@@ -41,11 +41,6 @@ from trueaxis.measurement.setup import Run
 # from it made the bar a standard of length, which the scale of the laser then had to follow (of ten worlds from 4001 on
 # one was 1.5 times as far off, and covered 78 % in place of 97 %; the others hardly changed).
 SET_UP_FACTOR, CALIBRATED_FACTOR, STATED_FACTOR = 10.0, 2.0, 1.1
-# rad: what is aligned by the motion that it is to measure, until both ends read alike, has whatever angle the machine
-# has: that its lines look well aligned tells nothing of the machine, and no size is estimated from it. More than anyone
-# leaves, so that it draws no error of the machine.
-ALIGNED_BY_THE_MACHINE = 1e-2
-
 Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
 
 
@@ -53,8 +48,7 @@ Unit = Literal["mm", "rad", "1"]  # 1: of the length that is read
 class UnknownClass:
     """A class of unknowns of instruments. size: one standard deviation in its unit, before the data have their say;
     factor: by what the size may be wrong, one standard deviation; of_point: three unknowns, along or about x, y and z,
-    that belong to a point of the set-up; by_the_machine: an angle that is aligned by the machine itself: an estimate
-    takes nothing of it as known, whatever is usual.
+    that belong to a point of the set-up.
     """
 
     name: str
@@ -62,12 +56,6 @@ class UnknownClass:
     size: float
     factor: float = SET_UP_FACTOR
     of_point: bool = False
-    by_the_machine: bool = False
-
-    @property
-    def prior(self) -> tuple[float, float]:
-        """Size and factor, as an estimate takes them."""
-        return (ALIGNED_BY_THE_MACHINE, 1.0) if self.by_the_machine else (self.size, self.factor)
 
 
 CLASSES: Mapping[str, UnknownClass] = {
@@ -77,7 +65,7 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="laser zero", unit="mm", size=3e-3),
         UnknownClass(name="laser drift", unit="mm", size=1e-3),
         UnknownClass(name="straightness zero", unit="mm", size=0.1),
-        UnknownClass(name="straightness slope", unit="rad", size=50e-6, by_the_machine=True),
+        UnknownClass(name="straightness slope", unit="rad", size=50e-6),
         UnknownClass(name="straightness drift", unit="mm", size=1e-3),
         UnknownClass(name="probe zero", unit="mm", size=3e-3),
         UnknownClass(name="probe drift", unit="mm", size=1e-3),
@@ -91,7 +79,7 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="laser cosine", unit="1", size=0.5e-6, factor=CALIBRATED_FACTOR),
         UnknownClass(name="probe sphere", unit="mm", size=50e-3, of_point=True),
         UnknownClass(name="probe origin", unit="mm", size=50e-3, of_point=True),
-        UnknownClass(name="probe alignment", unit="rad", size=1e-3, of_point=True, by_the_machine=True),
+        UnknownClass(name="probe alignment", unit="rad", size=1e-3, of_point=True),
         UnknownClass(name="stated length", unit="mm", size=1.0, factor=STATED_FACTOR),
         UnknownClass(name="stated scale", unit="1", size=1.0, factor=STATED_FACTOR),
         UnknownClass(name="stated slope", unit="rad", size=1.0, factor=STATED_FACTOR),
@@ -183,7 +171,7 @@ def _shared_size(kind: str, run: Run) -> float:
     known = run.device
     stated = known and {"length": known.length_u, "scale": known.scale_u, "slope": known.line_u}
     size = stated.get(kind.removeprefix("stated ")) if stated and kind.startswith("stated ") else None
-    return CLASSES[kind].prior[0] if size is None else size
+    return CLASSES[kind].size if size is None else size
 
 
 def shared_column(machine: IdentifiedMachine, run: Run, unknown: SharedUnknown, positions: FloatArray) -> FloatArray:

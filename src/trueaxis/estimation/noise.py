@@ -26,6 +26,15 @@ class Noise:
         """Standard deviation of a reading."""
         return float(np.hypot(self.white, self.slow))
 
+    def independent(self, steps: FloatArray) -> float:
+        """As many independent readings as have a mean square that scatters as that of these, (n,) as in `Whitening`."""
+        alike = beside = 0.0  # squares of correlations with earlier readings, their sum over all
+        for kept in np.exp(-2.0 * np.maximum(steps[1:], 0.0) / self.lasts).tolist():
+            alike = (alike + 1.0) * kept
+            beside += alike
+        share = (self.slow / self.sigma) ** 2 if self.sigma > 0.0 else 0.0
+        return steps.size**2 / (steps.size + 2.0 * share**2 * beside)
+
 
 class Whitening:
     """The inverse root of the covariance of one run's noise, applied to its rows piece by piece, in their order.

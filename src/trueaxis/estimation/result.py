@@ -9,6 +9,7 @@ import numpy as np
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.gauge import exactly_level, levelling
 from trueaxis.estimation.layout import Layout
+from trueaxis.estimation.misread import Misread
 from trueaxis.estimation.noise import Noise
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.machine import FloatArray
@@ -35,14 +36,13 @@ class InstrumentNoise:
 class ReadingsLeft:
     """What the estimate leaves of the readings.
 
-    residual: (n_readings,), mm; outliers: (n_readings,), those that are left out; reversed: runs, by index, that read
-    as if their sign were reversed, and the logarithm of how much likelier that is; freedom: degrees of freedom that
-    are left.
+    residual: (n_readings,), mm; outliers: (n_readings,), those that are left out; misread: runs, by index, that are
+    likelier with a fault undone, surest first; freedom: degrees of freedom that are left.
     """
 
     residual: FloatArray
     outliers: BoolArray
-    reversed: Mapping[int, float]
+    misread: Mapping[int, Misread]
     freedom: float
 
 
@@ -71,7 +71,8 @@ class Estimate:
     factors: class of sizes -> the estimated size over the expected one; likelier: of the classes of the machine's
     errors whose size is more than a factor of SAID from the expected one, the logarithm of how much likelier it is than
     the size at that factor; own: of each run by its index, unknowns of its own in the order of `own_kinds`, mm, rad or
-    1; zeroed: effects that are zero, since the readings make their square negative.
+    1; zeroed: effects that are zero, since the readings make their square negative; ideal: whether nothing was taken as
+    unknown of the instruments.
     """
 
     layout: Layout
@@ -85,6 +86,7 @@ class Estimate:
     likelier: Mapping[str, float] = field(default_factory=dict)
     own: Mapping[int, FloatArray] = field(default_factory=dict)
     zeroed: tuple[Effect, ...] = ()
+    ideal: bool = False
     noise: InstrumentNoise
     readings: ReadingsLeft
     iteration: Iteration

@@ -82,7 +82,7 @@ class Sizes:
         """(k,): prior standard deviations of a run's own unknowns, mm or rad."""
         whole = IDEAL if self._ideal else 1.0
         logs = [x[self._own_at[kind]] * self.spread[self._own_at[kind]] for kind in kinds]
-        return np.array([whole * CLASSES[kind].prior[0] * np.exp(log) for kind, log in zip(kinds, logs, strict=True)])
+        return np.array([whole * CLASSES[kind].size * np.exp(log) for kind, log in zip(kinds, logs, strict=True)])
 
     def own_scales(self, x: FloatArray) -> list[FloatArray]:
         """The same of every run."""
@@ -118,5 +118,5 @@ class Sizes:
     def _factor(self, kind: str, of_machine: float) -> float:
         """By what the size of a class may be other than expected."""
         if kind in CLASSES:
-            return FIXED if self._ideal else CLASSES[kind].prior[1]
+            return FIXED if self._ideal else CLASSES[kind].factor
         return FIXED if kind == EFFECT else of_machine

@@ -13,12 +13,13 @@ from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.setup import Vector
 from trueaxis.model.best_fit import placements
 from trueaxis.model.covariance import Covariance
-from trueaxis.model.extent import uncertainty_extent, volume_grid
+from trueaxis.model.extent import travel_positions, uncertainty_extent
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import derivative, home_of
+from trueaxis.model.volume import volume_points
 
 Datum = Literal["home", "best-fit"]
-POINTS, SEED = 200, 11  # of the volume; a mean over them is good to some percent
+POINTS = 200  # of the volume; a mean over them is good to some percent
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -38,9 +39,9 @@ class ToolSummary:
     """The tool point over the volume, seen from home, mm. u_rms, u_prior_rms, prior_rms: root mean squares of the
     standard uncertainty, of its part that rests on the prior, and of what is expected without readings; u_placed_rms,
     prior_placed_rms: the first and the last of a workpiece placed where it fits best; all of lengths of vectors over
-    POINTS positions. largest_u: the largest u of a coordinate over a grid with the corners of the travel, at
-    `largest_at` (axis -> mm or deg), as `uncertainty_extent` has it for commands that use the values. estimated:
-    whether sizes of errors were estimated, by which prior_rms is, or are those of [prior].
+    POINTS positions. largest_u: the largest u of a coordinate over the travel, at `largest_at` (axis -> mm or deg), as
+    `uncertainty_extent` has it for commands that use the values. estimated: whether sizes of errors were estimated, by
+    which prior_rms is, or are those of [prior].
     """
 
     tools: tuple[Vector, ...]
@@ -55,9 +56,8 @@ class ToolSummary:
 
 
 def volume(model: MachineModel) -> FloatArray:
-    """(n_axes, POINTS): positions drawn evenly from the travels, always the same."""
-    draw = np.random.default_rng(SEED)
-    return np.array([draw.uniform(*model.travel[axis], POINTS) for axis in model.axes])
+    """(n_axes, POINTS): positions spread evenly over the travels."""
+    return volume_points(model.travel, model.axes, POINTS)
 
 
 def tool_point(found: Estimate, positions: FloatArray, tools: Sequence[Vector], datum: Datum = "home") -> ToolPoint:
@@ -103,8 +103,8 @@ def tool_summary(found: Estimate, tools: Sequence[Vector], covariance: Covarianc
     positions = volume(found.layout.model)
     seen, placed = tool_point(found, positions, tools), tool_point(found, positions, tools, "best-fit")
     model, known = found.layout.model.with_values(found.values), covariance or covariance_of(found.layout, found.spread)
-    grid = volume_grid(model, known)
-    extents = [uncertainty_extent(model, known, grid, np.array(tool)[:, np.newaxis]) for tool in tools]
+    positions = travel_positions(model, known)
+    extents = [uncertainty_extent(model, known, positions, np.array(tool)[:, np.newaxis]) for tool in tools]
     largest = max(extents, key=lambda one: one.largest_u)
     return ToolSummary(
         tools=tuple(tools),

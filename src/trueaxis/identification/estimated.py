@@ -12,6 +12,7 @@ from trueaxis.estimation.judgement import judged_component, judged_location, ope
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
 from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.identification.estimated_effects import covariance_with_effects, with_uncertainty
 from trueaxis.identification.estimated_report import estimated_report
@@ -22,9 +23,10 @@ from trueaxis.identification.fit_quality import (
     known_noise,
     quality,
     run_residuals,
-    with_reversed,
 )
+from trueaxis.identification.misreadings import with_misread
 from trueaxis.identification.report import Identification
+from trueaxis.identification.stated_noise import noise_remedies
 from trueaxis.identification.weighting import NoiseModel, weighting
 from trueaxis.identification.words import enumerated
 from trueaxis.io.faults import Fault, InputError
@@ -70,10 +72,14 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Ide
         remedy = "runs that move an axis, or fewer values in --known"
         raise InputError([Fault(observed.source, "", str(error), remedy)]) from error
     residuals = _residuals(model, observed, found, noise)
+    each = run_residuals(residuals, observed.runs)
+    by_device = options.noise.um is None and not options.noise.by_group
+    remedies = {} if options.noise.repeats else noise_remedies(observed, noise, each, by_device=by_device)
     if not found.iteration.converged:
-        raise NotConvergedError(run_residuals(residuals, observed.runs), found.iteration.rounds + found.iteration.steps)
-    against = [observed.runs[index].id for index in found.readings.reversed]
-    judged = with_reversed(quality(residuals, observed.runs), against)
+        raise NotConvergedError(each, found.iteration.rounds + found.iteration.steps, tuple(remedies))
+    judged = with_misread(quality(residuals, observed.runs), observed, found)
+    if judged.fit.state == "misfit" and remedies:
+        judged = replace(judged, reason="; ".join([judged.reason, *remedies]))
     together = combinations(found)
     tool = tool_summary(found, [ORIGIN], covariance_with_effects(found)) if prior else None
     found = found.levelled() if options.squareness == "convention" else found
@@ -102,6 +108,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Ide
         components=components,
         locations=locations,
         judged=judged,
+        remedies=() if judged.fit.state == "misfit" else tuple(remedies),
         squareness=options.squareness,
         prior=prior,
     )
@@ -128,6 +135,20 @@ def _given_noise(observed: Observations, model: NoiseModel) -> dict[int, float]:
 
 def _residuals(model: MachineModel, observed: Observations, found: Estimate, noise: dict[int, float]) -> Residuals:
     good = ~found.readings.outliers
+    of_instrument, stated = found.noise.of_instrument, found.noise.stated
+    independent = {
+        one.rows.index: of_instrument[one.instrument].independent(one.rows.steps) for one in measured_runs(observed)
+    }
+    sigma = np.array(
+        [
+            of_instrument[run.instrument].sigma
+            * (found.noise.scale_of_run.get(index, np.nan) if run.instrument in stated else 1.0)
+            if run.instrument in of_instrument
+            else np.nan
+            for index, run in enumerate(observed.runs)
+        ]
+    )
+    estimated = sigma[observed.run]
     known, sizes = known_noise(observed, None), expected_sizes(model, observed.runs, observed.run, observed.positions)
     if set(np.unique(observed.run).tolist()) <= set(noise):
         sizes = None  # with a noise that is stated too small the values follow it: no allowance for what a model lacks
@@ -140,6 +161,8 @@ def _residuals(model: MachineModel, observed: Observations, found: Estimate, noi
         sizes,
         int(found.readings.freedom),
         () if set(np.unique(observed.run).tolist()) <= set(noise) else tuple(copied_runs(observed).tolist()),
+        estimated,
+        independent,
     )
 
 

@@ -42,11 +42,13 @@ def estimated_report(
     components: Mapping[ErrorName, Judged],
     locations: Mapping[str, Judged],
     judged: FitQuality,
+    remedies: tuple[str, ...],
     squareness: str,
     prior: bool,
 ) -> IdentificationReport:
     """values: as they are written; given: those that were taken as they are; components, locations: by what those that
-    were estimated are determined; squareness: what parts it from straightness; prior: whether anything was expected.
+    were estimated are determined; remedies: of a noise that is stated wrong; squareness: what parts it from
+    straightness; prior: whether anything was expected.
     """
     good = ~found.readings.outliers
     unit = {name: model.machine.parameter_unit(name) for name in model.location_errors}
@@ -77,7 +79,7 @@ def estimated_report(
         instruments=_instruments(observed, found),
         noise_groups=_noise_groups(observed, found),
         effects=effect_reports(values, found),
-        notes=estimate_notes(model, observed, found, given),
+        notes=(*remedies, *estimate_notes(model, observed, found, given)),
         caveats=dimension_notes(model, given),
     )
 

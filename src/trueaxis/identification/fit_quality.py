@@ -1,9 +1,10 @@
 """How a fit ended: whether it stands still, and whether its residuals are of the size of the noise that is known."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
+from scipy.special import chdtri
 
 from trueaxis.estimation.machine import IdentifiedMachine, IntArray
 from trueaxis.estimation.observations import Observations
@@ -27,17 +28,30 @@ MISFIT = 3.0
 MISFIT_OF_RUN = 5.0  # a run may have one reading: beyond five standard deviations it is no noise either
 DISCREPANCY = 0.01  # of the prior size of a reading: what any model of a machine leaves, however small the stated noise
 FAR_FROM_NOISE = "the residuals are far from the noise that is known"
+# Residuals over noise from which on a converged fit is said to lack something: half of the residual variance and more
+# is no noise then. Errors of 1 % of [prior], which `DISCREPANCY` allows, are no misfit, and are said all the same.
+LACKING = float(np.sqrt(2.0))
+UNUSUAL = 0.01  # share of the data sets in which noise alone makes a run of them as large
 MOST_RUNS = 10  # named
 
 
 @dataclass(frozen=True, slots=True)
 class RunResidual:
-    """Residuals of a run: how many readings, their rms (um), and that over the noise; None where that is unknown."""
+    """Residuals of a run: how many readings, their rms (um), and that over the noise; None where that is unknown.
+
+    most: the ratio that noise alone reaches in `UNUSUAL` of the data sets; infinite where that is unknown.
+    """
 
     run: str
     readings: int
     rms_um: float
     ratio: float | None
+    most: float = np.inf
+
+    @property
+    def unusual(self) -> bool:
+        """Whether it is more than noise gives."""
+        return self.ratio is not None and self.ratio > self.most
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +69,9 @@ class Residuals:
 
     run: (n,), index into the runs; count: (n,), readings of each; squares: (n,), sums of their squared residuals, mm^2;
     noise, size: (n,), standard deviation of a reading by its noise, and by errors of their prior sizes, mm; None where
-    unknown; freedom: degrees of freedom left; copied: runs, by index, whose repeats are mostly equal to the last digit.
+    unknown; freedom: degrees of freedom left; copied: runs, by index, whose repeats are mostly equal to the last digit;
+    estimated: (n,), as noise where that is not known, which then judges no fit but shows which runs stand out;
+    independent: of runs, by index, how many independent readings scatter as its readings; else all of them do.
     """
 
     run: IntArray
@@ -65,15 +81,17 @@ class Residuals:
     size: FloatArray | None
     freedom: int
     copied: tuple[int, ...] = ()
+    estimated: FloatArray | None = None
+    independent: Mapping[int, float] = field(default_factory=dict)
 
 
 class NotConvergedError(RuntimeError):
     """A fit that does not stand still: there are no values. `runs`: the residuals of every run, worst first."""
 
-    def __init__(self, runs: Sequence[RunResidual], iterations: int) -> None:
+    def __init__(self, runs: Sequence[RunResidual], iterations: int, remedies: Sequence[str] = ()) -> None:
         self.runs = tuple(runs)
         self.iterations = iterations
-        super().__init__(f"the fit has not converged in {iterations} iterations")
+        super().__init__("; ".join([f"the fit has not converged in {iterations} iterations", *remedies]))
 
 
 def stands_still(step: FloatArray, u: FloatArray, sigma: float | None) -> bool:
@@ -136,15 +154,6 @@ def quality(residuals: Residuals, runs: Sequence[Run]) -> FitQuality:
     return FitQuality(Fit("converged"), each)
 
 
-def with_reversed(judged: FitQuality, runs: Sequence[str]) -> FitQuality:
-    """A misfit where runs, by id, surest first, read as if their sign were reversed: the values follow them, too."""
-    if not runs:
-        return judged
-    named = f"run {runs[0]} reads" if len(runs) == 1 else f"runs {', '.join(runs)}: one of them at least reads"
-    reason = f"{named} as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)"
-    return replace(judged, fit=Fit("misfit", judged.fit.chi2, tuple(runs)), reason=reason)
-
-
 def _copies(residuals: Residuals, runs: Sequence[Run]) -> str:
     if not residuals.copied:
         return ""
@@ -158,14 +167,24 @@ def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidua
     squares = np.bincount(residuals.run, weights=residuals.squares, minlength=len(runs))
     present = np.flatnonzero(count)
     rms = np.sqrt(squares[present] / count[present])
-    ratio = None if residuals.noise is None else _ratios(residuals, np.maximum(residuals.noise, RESOLUTION), len(runs))
+    noise = residuals.estimated if residuals.noise is None else residuals.noise
+    ratio = None if noise is None else _ratios(residuals, np.maximum(noise, RESOLUTION), len(runs))
     found = [
         RunResidual(
-            runs[index].id, int(count[index]), float(of_run) * 1e3, None if ratio is None else float(ratio[index])
+            runs[index].id,
+            int(count[index]),
+            float(of_run) * 1e3,
+            None if ratio is None else float(ratio[index]),
+            _most(residuals.independent.get(index, float(count[index])), present.size),
         )
         for index, of_run in zip(present.tolist(), rms, strict=True)
     ]
     return tuple(sorted(found, key=lambda one: (-(one.rms_um if one.ratio is None else one.ratio), one.run)))
+
+
+def _most(independent: float, runs: int) -> float:
+    """Ratio that the largest of so many runs exceeds in `UNUSUAL` of the data sets."""
+    return float(np.sqrt(chdtri(independent, UNUSUAL / runs) / independent))
 
 
 def _with_discrepancy(residuals: Residuals) -> FloatArray:

@@ -1,17 +1,21 @@
 """What a reader of identified values must know besides."""
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import numpy as np
 
-from trueaxis.estimation.evidence import SAID
-from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds
+from trueaxis.estimation.evidence import LIKELIER, SAID
+from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds, states_line
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.set_up import is_straightness
+from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
 from trueaxis.identification.words import enumerated
+from trueaxis.measurement.data import MeasuredData
+from trueaxis.measurement.setup import Setup
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 
@@ -19,8 +23,7 @@ SLOW = 3.0  # slow over white noise: instruments drift by about as much as they 
 MOST_OUTLIERS = 20  # named
 MOST_ZEROS = 5  # named
 FAR_ZERO = 6.0  # times the median of the zeros of a class: of normal ones one in 20 000 is
-# Logarithm of a ratio of likelihoods, from where on a size is said to be off: half the square of 1.96, as 95 % ask
-LIKELIER = 1.92
+SILENT = "setup.toml does not say whether a compensation of the control was active; none is assumed"
 
 
 def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str, ...]:
@@ -32,6 +35,31 @@ def dimension_notes(machine: IdentifiedMachine, given: ErrorValues) -> tuple[str
         f"dimensions {enumerated(silent)} are not given (--known) and taken as zero: what follows is of a machine "
         "with its axes and points there",
     )
+
+
+def compensation_note(setup: Setup, folder: Path) -> str:
+    """What a reader of identified values must know of the compensation while the readings were taken."""
+    key = setup.compensation
+    if key is None:
+        return SILENT
+    if key.file is None:
+        return "no compensation was active while the readings were taken (setup.toml)"
+    return (
+        f"{folder / key.file} was active on the control: what it took from the readings was added again, to first "
+        "order in the errors. The values are those of the machine without compensation: use them instead of the active "
+        "ones, not on top of them"
+    )
+
+
+def unread_caveats(data: MeasuredData) -> tuple[str, ...]:
+    """Runs of the set-up that have no reading, or not all of theirs yet."""
+    planned, run = data.readings.planned, data.readings.run
+    counts = {one.id: (int((run == k).sum()), int(planned[run == k].sum())) for k, one in enumerate(data.setup.runs)}
+    unread = [name for name, (rows, empty) in counts.items() if rows == empty]
+    partly = [f"{name} ({empty} of {rows} rows)" for name, (rows, empty) in counts.items() if 0 < empty < rows]
+    said = [f"no reading yet in {enumerated(unread)}"] if unread else []
+    said += [f"readings are missing in {enumerated(partly)}"] if partly else []
+    return tuple(f"{one}: the others alone are used" for one in said)
 
 
 def weak_notes(components: Sequence[ComponentReport]) -> tuple[str, ...]:
@@ -103,7 +131,23 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
             f"{'an outlier' if rows.size == 1 else 'outliers'}, too far from the others of their run: "
             f"{', '.join(named[:MOST_OUTLIERS])}{rest}"
         )
-    return (*notes, *_zeros_far_off(observed, found))
+    return (*notes, *_alignment(observed, found), *misread_notes(observed, found), *_zeros_far_off(observed, found))
+
+
+def _alignment(observed: Observations, found: Estimate) -> Iterator[str]:
+    """How well lines of straightness are taken to be aligned: what is known of directions from home rests on it."""
+    lines = [
+        run.id
+        for index, run in enumerate(observed.runs)
+        if index in found.own and found.layout.straightness[index] and not states_line(run)
+    ]
+    if lines and not found.ideal:
+        size = CLASSES["straightness slope"].size * found.factors["straightness slope"]
+        yield (
+            f"{enumerated(lines)}: lines of straightness are taken as aligned to {size * 1e6:.2g} urad, which the "
+            "readings make likely; squareness and directions from home rest on that. Lines that were turned until both "
+            "ends read alike tell nothing of them: state line_u_urad = 1000 of their [device] in setup.toml"
+        )
 
 
 def _times(log_ratio: float) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from trueaxis.identification.fit_quality import MISFIT, MOST_RUNS, FitQuality, RunResidual
+from trueaxis.identification.fit_quality import LACKING, MISFIT, MOST_RUNS, FitQuality, RunResidual
 from trueaxis.identification.report import (
     BlockReport,
     ComponentReport,
@@ -17,6 +17,7 @@ from trueaxis.identification.report import (
     InstrumentReport,
     LocationReport,
 )
+from trueaxis.identification.runs_table import runs_table
 from trueaxis.identification.words import IN_COMBINATION, combination_text, in_small, tool_sentence
 
 WIDTH = 100
@@ -31,10 +32,11 @@ def report_text(report: IdentificationReport) -> str:
         f"exact model (last change {report.last_change:.1g} mm)",
         f"residuals: rms {report.residual_rms_um:.4g} um; noise of a reading: {noise} ({report.noise_origin})",
         f"squareness: {report.squareness}",
-        f"fit: {fit_text(report.quality)}",
+        *_wrapped(fit_text(report.quality), "fit:"),
     ]
     for caveat in report.caveats:
         lines[1:1] = _wrapped(caveat, "NOTE: ")
+    lines += runs_table(report.quality.runs)
     if report.noise_groups:
         said = (f"{group.group} {group.noise_um:.4g} um" for group in report.noise_groups)
         lines += _wrapped(", ".join(said), "noise by group:")
@@ -93,11 +95,18 @@ def fit_text(judged: FitQuality) -> str:
     chi2 = "" if judged.fit.chi2 is None else f"chi-square per degree of freedom {judged.fit.chi2:.3g}"
     if judged.fit.state == "misfit":
         return f"MISFIT, {judged.reason}{', ' if chi2 else ''}{chi2}; worst: {runs_text(judged.runs)}"
-    if not chi2:
+    if judged.fit.chi2 is None:
         return (
             "converged; the residuals could not be judged: no noise is stated (--noise-um), no run repeats its readings"
         )
-    return f"converged, {chi2}"
+    ratio = math.sqrt(judged.fit.chi2)
+    if ratio <= LACKING:
+        return f"converged, {chi2}"
+    return (
+        f"converged, {chi2}: the residuals are {ratio:.2g} times the noise. The model lacks something that these "
+        "readings show, by no more than 1 % of what [prior] lets expect of them or three times the noise; u, which "
+        "follows from the noise, is too small; diagnose tells more"
+    )
 
 
 def runs_text(runs: Sequence[RunResidual]) -> str:

@@ -115,7 +115,7 @@ def tool_sentence(tool: ToolSummary) -> str:
     return (
         f"u of {points}, seen from home: {small(tool.u_rms, 'mm')} RMS over the volume, of which "
         f"{small(tool.u_prior_rms, 'mm')} rest on the prior ({small(tool.prior_rms, 'mm')} without readings, by "
-        f"{sizes}); at most {small(tool.largest_u, 'mm')} in one coordinate, over a grid of the travel (at {at}). On a "
+        f"{sizes}); at most {small(tool.largest_u, 'mm')} in one coordinate, over the travel (at {at}). On a "
         f"workpiece placed where it fits best: {small(tool.u_placed_rms, 'mm')} RMS "
         f"({small(tool.prior_placed_rms, 'mm')} without readings)"
     )

@@ -4,7 +4,6 @@ import numpy as np
 
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.measurement.points import Points
 from trueaxis.model.believable import MOST_SIZES
 from trueaxis.model.context import Context
 from trueaxis.model.model import MachineModel
@@ -12,17 +11,19 @@ from trueaxis.model.model import MachineModel
 ROUNDING = 1e-9  # mm: what a machine without errors may seem to deviate by
 
 
-def predict(machine: MachineModel, points: Points, datum: FloatArray | None = None) -> FloatArray:
-    """Actual minus ideal position of the tool points in the workpiece frame (Eq. 4), (3, n), mm, exact model.
+def deviations(
+    machine: MachineModel, positions: FloatArray, tool: FloatArray, datum: FloatArray | None = None
+) -> FloatArray:
+    """Actual minus ideal position of tool points in the workpiece frame (Eq. 4), (3, n), mm, exact model.
 
-    datum: (n_axes, 1), mm or deg, the position at which the deviation of each tool point is taken as zero, of axes that
-    have not moved yet; None: the error-free machine.
+    positions: (n_axes, n), mm or deg; tool: (3, n), in the tool frame, mm; datum: (n_axes, 1), mm or deg, the position
+    at which the deviation of each tool point is taken as zero, of axes that have not moved yet; None: the error-free
+    machine.
     """
-    tool = points.tool
     if tool.shape[1] and (tool == tool[:, :1]).all():
         tool = np.ascontiguousarray(tool[:, :1])  # one point for all positions is what the fastest kernels take
     with np.errstate(all="ignore"):  # of error values that are none, which `check_predicted` tells
-        deviation = machine.deviation(points.positions, tool)
+        deviation = machine.deviation(positions, tool)
         if datum is None:
             return deviation
         at_datum = np.repeat(datum, tool.shape[1], axis=1)

@@ -52,6 +52,11 @@ class Readings:
 
 def dump_readings(readings: Readings, suffix: str = ".csv") -> bytes:
     """The content of readings.csv or, for the suffix `.parquet`, readings.parquet; numbers read back exactly."""
+    return table_bytes(readings_frame(readings), suffix)
+
+
+def readings_frame(readings: Readings) -> pl.DataFrame:
+    """The readings as a table with the columns of readings.csv."""
     columns: dict[str, pl.Series] = {
         "run": pl.Series(np.array(readings.run_ids, dtype=np.str_)[readings.run], dtype=pl.String),
         "seq": pl.Series(readings.seq),
@@ -68,4 +73,4 @@ def dump_readings(readings: Readings, suffix: str = ".csv") -> bytes:
     if readings.temperature is not None:
         columns["temperature_c"] = pl.Series(readings.temperature)
     columns["reading"] = pl.Series(readings.reading)
-    return table_bytes(pl.DataFrame(columns).fill_nan(None), suffix)
+    return pl.DataFrame(columns).fill_nan(None)

@@ -15,7 +15,7 @@ from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
 
 
-def simulate(
+def filled_in(
     machine: MeasuredMachine,
     runs: Sequence[Run],
     readings: Readings,

@@ -11,8 +11,9 @@ from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import OPEN_MOVES, derivative, home_of, open_steps, tool_uncertainty
+from trueaxis.model.volume import corners, volume_points
 
-_MOST_POSITIONS = 2000  # of a grid over the travel: 12 in each of three axes, 4 in each of five
+_POSITIONS = 2000  # over the travel
 MOST_NAMED = 500  # positions from which the names of what is open are taken
 _TAKES_PART = 1e-6  # share of an open combination from which a component belongs to it
 
@@ -27,6 +28,8 @@ class UncertaintyExtent:
     unknown: positions at which an uncertainty is not known; open: those of them that rest on what nothing determines;
     largest_open: by how much that moves the tool at the size of the prior, mm; components: those that are open there,
     and location errors.
+    u_rms, correction_rms: root mean squares of the length of the uncertainty and of the deviation from home, which a
+    compensation takes away, over the positions where the first is known, mm; both 0 where it is nowhere.
     shift: by how much what nothing determines may displace this tool point against the origin of the tool frame, the
     same everywhere, at the size of the prior, mm.
     """
@@ -38,6 +41,8 @@ class UncertaintyExtent:
     open: int
     largest_open: float
     components: tuple[str, ...]
+    u_rms: float = 0.0
+    correction_rms: float = 0.0
     shift: float = 0.0
     largest_at: tuple[float, ...] = ()
 
@@ -45,6 +50,17 @@ class UncertaintyExtent:
     def counted(self) -> float:
         """The largest standard uncertainty, mm; infinite where one is not known or not determined."""
         return float("inf") if self.unknown else self.largest_u
+
+    @property
+    def worth_nothing(self) -> bool:
+        """Whether a compensation would change the tool point by less than it is uncertain by."""
+        return self.u_rms > self.correction_rms
+
+    def refused(self, max_u: float | None, accepted: bool) -> bool:
+        """Whether nothing may be written: an uncertainty is above max_u, mm; without one, where the values are worth
+        nothing and that is not accepted.
+        """
+        return self.counted > max_u if max_u is not None else self.worth_nothing and not accepted
 
 
 def uncertainty_extent(
@@ -56,6 +72,8 @@ def uncertainty_extent(
     at_home = tool_uncertainty(model, covariance, home_of(model), tool, datum=None)
     known = np.where(np.isnan(uncertainty.u), 0.0, uncertainty.u)
     rests = (uncertainty.open > 0.0).any(axis=0)
+    moved = model.deviation(positions, tool) - model.deviation(home_of(model), tool)
+    told = ~np.isnan(uncertainty.u).any(axis=0)
     return UncertaintyExtent(
         points=positions.shape[1],
         largest_u=float(known.max(initial=0.0)),
@@ -66,23 +84,31 @@ def uncertainty_extent(
         open=int(rests.sum()),
         largest_open=float(uncertainty.open.max(initial=0.0)),
         components=open_names(model, covariance, positions[:, rests][:, :MOST_NAMED], tool),
+        u_rms=_length_rms(known[:, told]),
+        correction_rms=_length_rms(moved[:, told]),
         shift=float(at_home.open.max()),
         largest_at=tuple(positions[:, int(known.max(axis=0, initial=0.0).argmax())].tolist()) if known.size else (),
     )
 
 
-def volume_grid(model: MachineModel, covariance: Covariance) -> FloatArray:
-    """(n_axes, n): a regular grid over the travel of all axes, its ends included, mm or deg; and every position of a
-    table, the other axes in the middle and at the corners of their travel.
+def _length_rms(vectors: FloatArray) -> float:
+    """Of vectors (3, n); 0 of none."""
+    return float(np.sqrt((vectors**2).sum(axis=0).mean())) if vectors.size else 0.0
+
+
+def travel_positions(model: MachineModel, covariance: Covariance) -> FloatArray:
+    """(n_axes, n): positions spread over the travel of all axes, its corners, mm or deg; and every position of a table,
+    the other axes in the middle and at the corners of their travel.
     """
-    each = max(2, int(_MOST_POSITIONS ** (1.0 / len(model.axes))))
-    points = list(product(*(np.linspace(*model.travel[axis], each) for axis in model.axes)))
+    points: list[tuple[float, ...]] = []
     for row, axis in enumerate(model.axes):
         others = [model.travel[other] if other != axis else (0.0,) for other in model.axes]
         middle = tuple(0.5 * (model.travel[other][0] + model.travel[other][1]) for other in model.axes)
         for node in table_positions(covariance, axis):
             points += [(*at[:row], node, *at[row + 1 :]) for at in (*product(*others), middle)]
-    return np.array(points).T
+    nodes = np.array(points).reshape(-1, len(model.axes)).T
+    spread = volume_points(model.travel, model.axes, _POSITIONS)
+    return np.hstack([spread, corners(model.travel, model.axes), nodes])
 
 
 def table_positions(covariance: Covariance, axis: str) -> list[float]:

@@ -4,8 +4,8 @@ from collections.abc import Collection, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensation.reliance import Reliance
+from trueaxis.jobs.predict import Placement
 from trueaxis.machine.machine import LINEAR
-from trueaxis.model.curves import FloatArray
 from trueaxis.model.errors import ErrorValues, Fit
 from trueaxis.model.extent import UncertaintyExtent
 from trueaxis.model.measured_range import BeyondMeasured
@@ -59,11 +59,11 @@ def open_sentence(points: int, total: int, largest: float, names: Sequence[str])
     )
 
 
-def placement_sentence(placement: Sequence[float] | FloatArray, centre: Sequence[float] | FloatArray) -> str:
-    """What a best fit takes off; placement: shift at the centre and rotation, mm and rad; centre: mm."""
-    shift = ", ".join(f"{1e3 * part:.3g}" for part in placement[:3])
-    turn = ", ".join(f"{1e6 * part:.3g}" for part in placement[3:])
-    at = " ".join(f"{axis}{part:.4g}" for axis, part in zip("XYZ", centre, strict=True))
+def placement_sentence(placement: Placement) -> str:
+    """What a best fit takes off."""
+    shift = ", ".join(f"{1e3 * part:.3g}" for part in placement.shift)
+    turn = ", ".join(f"{1e6 * part:.3g}" for part in placement.rotation)
+    at = " ".join(f"{axis}{part:.4g}" for axis, part in zip("XYZ", placement.centre, strict=True))
     return (
         f"the best fit shifts the workpiece by {shift} um (x, y, z, at {at} of the workpiece frame) and turns it by "
         f"{turn} urad (about x, y, z)"
@@ -139,8 +139,8 @@ def program_sentences(reliance: Reliance) -> list[str]:
 def refusal_sentences(reliance: Reliance, max_u: float | None) -> list[str]:
     """Why a program was not written; max_u: the limit that was asked for, mm."""
     found = []
-    if reliance.too_uncertain and max_u is not None:
-        found.append(above_sentence(reliance.uncertainty.counted, max_u))
+    if reliance.too_uncertain:
+        found.append(uncertain_sentence(reliance.uncertainty, max_u))
     turned = reliance.allowed_turn is not None and reliance.largest_turn > reliance.allowed_turn
     if turned and reliance.allowed_turn is not None:
         found.append(
@@ -154,6 +154,23 @@ def refusal_sentences(reliance: Reliance, max_u: float | None) -> list[str]:
             "spec, if the machine is that far off"
         )
     return found
+
+
+def uncertain_sentence(extent: UncertaintyExtent, max_u: float | None) -> str:
+    """Why a result is refused for its uncertainty; max_u: the limit that was asked for, mm, None: none was."""
+    if max_u is not None:
+        return above_sentence(extent.counted, max_u)
+    return f"{'; '.join(worth_nothing_sentences(extent))}; measure more, or take --accept-u, or a limit with --max-u"
+
+
+def worth_nothing_sentences(extent: UncertaintyExtent) -> list[str]:
+    """Where values are more uncertain than what they correct."""
+    if not extent.worth_nothing:
+        return []
+    return [
+        f"the corrections are {_um(extent.correction_rms)}, and the standard uncertainty of the tool point is "
+        f"{_um(extent.u_rms)} (root mean squares where it is known, from home): no better than doing nothing"
+    ]
 
 
 def above_sentence(u: float, limit: float) -> str:

@@ -12,13 +12,13 @@ from trueaxis.model.errors import Determined, Fit
 from trueaxis.model.model import MachineModel
 from trueaxis.model.planes import middle_planes
 from trueaxis.model.uncertainty import home_of, tool_uncertainty
+from trueaxis.model.volume import corners, volume_points
 
 FloatArray = NDArray[np.float64]
 
 SAMPLES = 61  # of a curve over the travel
-POINTS = 400  # drawn in the volume, for root mean square and 95 % of its points
+POINTS = 400  # in the volume, for root mean square and 95 % of its points
 STEPS = 21  # along either side of a slice
-SEED = 7
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -189,10 +189,8 @@ def _ratio(difference: FloatArray, u: FloatArray) -> FloatArray:
 
 def _over_volume(now: Known, before: Known | None, tool: tuple[float, float, float]) -> OverVolume:
     model = now.model
-    draw = np.random.default_rng(SEED)
-    inside = np.array([draw.uniform(*model.travel[axis], POINTS) for axis in model.axes])
-    corners = np.array(np.meshgrid(*(model.travel[axis] for axis in model.axes))).reshape(len(model.axes), -1)
-    positions = np.hstack([inside, corners])
+    inside = volume_points(model.travel, model.axes, POINTS)
+    positions = np.hstack([inside, corners(model.travel, model.axes)])
     moved = deviations(model, positions, tool)
     squares = _u_squares(now, inside, tool)
     if before is not None:

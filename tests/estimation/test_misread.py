@@ -1,4 +1,4 @@
-"""A run that was read with the wrong sign is named, and no other data set is suspected."""
+"""A run that was read with the wrong sign, in the wrong unit or order is named; no other data set is suspected."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -11,7 +11,9 @@ from tests.generator.dmu60p import cubic_errors
 from tests.identification.data import mixed_data
 from tests.identification.effect_data import model_with
 from trueaxis.estimation.estimate import EstimationOptions, estimate
+from trueaxis.estimation.misread import undone_reading
 from trueaxis.estimation.observations import Observations
+from trueaxis.estimation.runs import measured_runs
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 
 
@@ -48,6 +50,47 @@ def test_two_reversed_runs_are_named(readings: Observations) -> None:
     assert set(found.values.fit.runs) == {"X-1", "Y-5"}
 
 
+@pytest.mark.parametrize(
+    ("run", "factor", "how"),
+    [("circle", -1.0, "reversed"), ("circle", 1e-3, "small"), ("Y-5", 1e-3, "small"), ("Z-8", 1e3, "large")],
+)
+def test_a_sign_or_unit_is_named_of_any_instrument(readings: Observations, run: str, factor: float, how: str) -> None:
+    """Ball bars were not looked at, nor units: the estimate took the run for slow noise and ended with exit 0."""
+    named = next(
+        one.id for one in readings.runs if one.id.startswith(run) or (run, one.instrument) == ("circle", "ballbar")
+    )
+    found = estimate(model_with(), scaled(readings, named, factor), KNOWN).readings.misread
+    assert {readings.runs[index].id: one.how for index, one in found.items() if one.sure} == {named: how}
+
+
+def test_all_readings_in_another_unit_are_a_misfit(readings: Observations) -> None:
+    found = identify_estimated(
+        model_with(), replace(readings, reading=1e-3 * readings.reading), IdentifyOptions(known=KNOWN)
+    )
+    assert found.values.fit is not None
+    assert found.values.fit.state == "misfit"
+    assert "are they in m?" in found.report.quality.reason
+
+
+def test_a_display_that_shows_nothing_is_no_wrong_unit(readings: Observations) -> None:
+    """Readings that are all equal, or that take two values, say nothing of their unit."""
+    coarse = replace(readings, reading=np.where(readings.run == 0, np.round(readings.reading, 1), readings.reading))
+    assert not np.ptp(coarse.reading[coarse.run == 0]) > 0.1
+    one = measured_runs(coarse)[0]
+    assert np.ptp(one.reading) > 0.0 or undone_reading(one, "small") is None
+    assert 0 not in estimate(model_with(), coarse, KNOWN).readings.misread
+
+
+def test_targets_from_the_other_end_are_undone_pass_by_pass() -> None:
+    run = measured_runs(mixed_data(cubic_errors(), seed=5))[0]
+    undone = undone_reading(run, "mirrored")
+    assert undone is not None
+    along = run.rows.positions[int(np.argmax(np.ptp(run.rows.positions, axis=1)))]
+    there = {round(float(at), 6): value for at, value in zip(along, undone, strict=True)}
+    ends = along.min() + along.max()
+    assert all(there[round(float(ends - at), 6)] == value for at, value in zip(along, run.reading, strict=True))
+
+
 @pytest.mark.parametrize("share", [0.3, 0.03])
 @pytest.mark.parametrize(("wrong", "named"), [((), ()), (("X-2",), ("X-2",))])
 def test_noise_that_is_stated_too_small_names_no_other_run(
@@ -56,7 +99,13 @@ def test_noise_that_is_stated_too_small_names_no_other_run(
     """By it every ratio of likelihoods is wrong by 1 / share^2 in its logarithm, and all runs seem reversed."""
     noise = dict.fromkeys(range(len(readings.runs)), 3e-4 * share)
     found = estimate(model_with(), turned(readings, *wrong), KNOWN, EstimationOptions(noise=noise))
-    assert tuple(readings.runs[index].id for index in found.readings.reversed) == named
+    assert tuple(readings.runs[index].id for index in found.readings.misread) == named
+
+
+def scaled(data: Observations, run: str, factor: float) -> Observations:
+    """With the readings of a run multiplied."""
+    of = np.array([one.id == run for one in data.runs])[data.run]
+    return replace(data, reading=np.where(of, factor, 1.0) * data.reading)
 
 
 def turned(data: Observations, *runs: str) -> Observations:

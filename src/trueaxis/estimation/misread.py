@@ -1,0 +1,188 @@
+"""Runs that were misread: sign reversed, wrong unit, targets labelled from the wrong end.
+
+Every such fault has an inverse. A run is judged by what the others expect of it: as it is, and with each fault undone.
+Where the noise is estimated, that estimate has taken a faulty run for noise, by which the run is hardly likelier with
+the fault undone. So every fault that is likelier at all is undone on trial, noise and sizes are estimated anew, and the
+marginal likelihoods of both are compared: the data are the same but for a factor or an order.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from trueaxis.estimation.evidence import evidence_at, posterior_at
+from trueaxis.estimation.machine import IntArray
+from trueaxis.estimation.noise_of_residuals import SMALLEST
+from trueaxis.estimation.own_part import by_shared, own_part_of
+from trueaxis.estimation.posterior import Posterior
+from trueaxis.estimation.runs import MeasuredRun
+from trueaxis.estimation.sizes import Sizes
+from trueaxis.estimation.state import DISPLAY, State, linearised
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.machine import FloatArray
+
+How = Literal["reversed", "small", "large", "mirrored"]
+
+# By what a run's readings are multiplied to undo it; a mirrored run is put in the other order.
+UNDONE: Mapping[How, float] = {"reversed": -1.0, "small": 1e3, "large": 1e-3, "mirrored": 1.0}
+# Logarithm of the ratio of likelihoods from which on a run is said to be misread: were one run of a thousand misread,
+# one statement of a thousand would be wrong.
+SURE = float(2.0 * np.log(1e3))
+# From where on it is said, with its odds, and decides nothing: one of a thousand runs is misread, and that is a guess.
+SUSPICIOUS = float(np.log(1e3))
+# Likeliest faults that are undone on trial, each at the cost of an estimate. Of 20 worlds as they should be no run was
+# likelier reversed at all, of 20 with one reversed that one alone; where the model is badly wrong all runs may be.
+MOST_TRIALS = 4
+DECIMALS = 9  # of mm: readings that differ by less are the same
+FEWEST_TARGETS = 3
+TARGETS = 6  # decimals of mm or deg, within which targets are the same
+
+Refit = Callable[[Sequence[MeasuredRun]], tuple[FloatArray, State]]  # sizes and state, of runs from the beginning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Misread:
+    """how: what is wrong with a run; log_odds: logarithm of how much likelier its readings are with that undone."""
+
+    how: How
+    log_odds: float
+
+    @property
+    def sure(self) -> bool:
+        """Whether it decides how a fit ended."""
+        return bool(self.log_odds > SURE)
+
+
+def misread_runs(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior, refit: Refit) -> dict[int, Misread]:
+    """Runs by index that are likelier with a fault undone.
+
+    One after the other: the next beside those that were undone before. Where several runs are as likely as each other
+    to be the one that is misread, each is there. posterior: at the sizes x, of the state.
+    """
+    found: dict[int, Misread] = {}
+    undone: set[int] = set()
+    while True:
+        odds = {key: odd for key, odd in log_ratios(state, sizes, x, posterior).items() if key[0] not in undone}
+        likeliest = sorted((key for key in odds if odds[key] > 0.0), key=lambda key: -odds[key])
+        gains: dict[tuple[int, How], float] = {}
+        following = (x, state)
+        for place, how in likeliest[:MOST_TRIALS]:
+            runs = _with_undone(state.runs, place, how)
+            if runs is not None:
+                trial = refit(runs)
+                gain = _gain(sizes, (x, state), trial, place, how)
+                if gain > max([SURE, *gains.values()]):
+                    following = trial
+                gains[place, how] = gain
+        if not gains or max(gains.values()) <= SUSPICIOUS:
+            return found
+        best = max(gains.values())
+        alike = [key for key in gains if gains[key] > max(best - SURE, SUSPICIOUS)]
+        for place, how in sorted(alike, key=lambda key: -gains[key]):
+            found.setdefault(state.runs[place].rows.index, Misread(how=how, log_odds=gains[place, how]))
+        if best <= SURE:
+            return found
+        undone |= {place for place, _ in alike}
+        x, state = following
+        posterior = posterior_at(sizes, linearised(state), x)
+
+
+def log_ratios(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> dict[tuple[int, How], float]:
+    """Of each run, by its place, and each fault: logarithm of how much likelier it is undone, by the noise and sizes of
+    the state.
+
+    Sizes that were estimated with a fault may be far too small for readings without it: what is worse by them counts as
+    by a normal distribution of unknown width. With p what the others expect of the whitened readings y of a run, S the
+    covariance of y - p, and z the readings with the fault undone, the logarithm is [(y - p)' S^-1 (y - p) -
+    (z - p)' S^-1 (z - p)] / 2, and that of the factor for every reading. S^-1 is what is left of 1 when the run's own
+    unknowns and those that runs share are taken out, and S^-1 (y - p) is the residual of the estimate of all runs.
+    """
+    found: dict[tuple[int, How], float] = {}
+    for place, one in enumerate(state.runs):
+        each = {how: reading for how in UNDONE if (reading := undone_reading(one, how)) is not None}
+        columns = np.column_stack([state.residual[place], one.reading, *each.values()])[one.good]
+        residual, *white = state.whitening(place, one.kept())(columns).T
+        readings = np.stack(white, axis=1)
+        rest = own_part_of(state, sizes, x, place).rest(readings)
+        shared = posterior.spread.T @ by_shared(state, place, rest)
+        squares = readings.T @ rest - shared.T @ shared
+        for column, how in enumerate(each, 1):
+            change = readings[:, column] - readings[:, 0]  # (z - p) = (y - p) + change
+            by_shape = float(squares[column, column] - 2.0 * squares[0, column] + squares[0, 0])
+            worse = 2.0 * float(change @ residual) + by_shape
+            usual = max(float(residual @ residual), float(residual.size))
+            odds = -0.5 * worse if worse < 0.0 else -0.5 * residual.size * float(np.log1p(worse / usual))
+            found[place, how] = odds + _of_factor(state, place, how)
+    return found
+
+
+def undone_reading(one: MeasuredRun, how: How) -> FloatArray | None:
+    """(n,): the readings of a run with a fault undone, mm; None where it cannot have the fault."""
+    if np.ptp(one.reading) <= 10.0**-DECIMALS:
+        return None  # a display that never moved
+    if how != "mirrored":
+        return UNDONE[how] * one.reading
+    partner = _mirrored(one)
+    return None if partner is None else one.reading[partner]
+
+
+def _mirrored(one: MeasuredRun) -> IntArray | None:
+    """(n,): the row of each row's target counted from the other end, of the same pass; None where there is none."""
+    positions = np.round(one.rows.positions, TARGETS) + 0.0
+    moving = np.ptp(positions, axis=1)
+    if one.instrument == "ballbar" or not moving.any():
+        return None
+    _, target = np.unique(positions[int(np.argmax(moving))], return_inverse=True)
+    count = np.bincount(target)
+    if count.size < FEWEST_TARGETS or (count != count[::-1]).any():
+        return None
+    order = np.argsort(target, kind="stable")
+    start = np.cumsum(count) - count
+    turn = np.empty_like(target)
+    turn[order] = np.arange(target.size) - np.repeat(start, count)  # number of the visit of its target
+    return np.asarray(order[start[count.size - 1 - target] + turn])
+
+
+def _of_factor(state: State, place: int, how: How) -> float:
+    """Logarithm of the density of readings that are multiplied: finer ones are denser, but not what is coarser than the
+    noise since the display shows no more. state: with the readings as they are.
+    """
+    one, factor = state.runs[place], abs(UNDONE[how])
+    steps = np.diff(np.unique(np.round(one.reading[one.good], DECIMALS)))
+    white = max(float(state.scales[place]) * state.noise[one.instrument].white, SMALLEST)
+    shown = DISPLAY * float(steps.min(initial=np.inf)) / white
+    coarse = float(np.log(np.hypot(1.0, factor * shown) / np.hypot(1.0, shown))) if np.isfinite(shown) else np.inf
+    return int(one.good.sum()) * (float(np.log(factor)) - (coarse if factor != 1.0 else 0.0))
+
+
+def _with_undone(runs: Sequence[MeasuredRun], place: int, how: How) -> list[MeasuredRun] | None:
+    """All readings count again."""
+    reading = undone_reading(runs[place], how)
+    if reading is None:
+        return None
+    whole = [replace(one, good=np.ones(one.reading.size, dtype=bool)) for one in runs]
+    whole[place] = replace(whole[place], reading=reading)
+    return whole
+
+
+def _gain(sizes: Sizes, one: tuple[FloatArray, State], other: tuple[FloatArray, State], place: int, how: How) -> float:
+    """Logarithm of how much likelier readings are by the other estimate: those that count in both."""
+    good = [a.good & b.good for a, b in zip(one[1].runs, other[1].runs, strict=True)]
+    before, after = (_counting(state, good) for _, state in (one, other))
+    value = evidence_at(sizes, linearised(after), other[0]) - evidence_at(sizes, linearised(before), one[0])
+    return value + _of_factor(replace(before, noise=after.noise, scales=after.scales), place, how)
+
+
+def _counting(state: State, good: Sequence[BoolArray]) -> State:
+    return replace(state, runs=tuple(replace(run, good=of) for run, of in zip(state.runs, good, strict=True)))
+
+
+def mean_square(state: State) -> float:
+    """Of the residuals that count, over their noise."""
+    white = [
+        state.whitening(place, one.kept())(state.residual[place][one.good][:, np.newaxis])
+        for place, one in enumerate(state.runs)
+    ]
+    return float(np.mean(np.vstack(white) ** 2))

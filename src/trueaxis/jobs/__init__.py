@@ -1,0 +1,1 @@
+"""What each command does, from files or arrays to a result. Nothing is printed."""

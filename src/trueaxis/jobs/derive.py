@@ -1,0 +1,140 @@
+"""From a machine spec to its kernels and equations."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.jobs.load import KERNELS, AnyPath
+from trueaxis.machine import Machine, read_machine
+from trueaxis.machine.machine import LINEAR
+from trueaxis.measurement.data import MeasuredData, read_data
+from trueaxis.measurement.setup import PointOn
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.kernels import numpy_kernels
+from trueaxis.model.model import MachineModel
+from trueaxis.view import Carrier
+
+if TYPE_CHECKING:
+    from trueaxis.derivation.systems import RunPattern
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SolvedSystem:
+    """An identification system: from which runs, for which unknowns; rank: below their number where it is singular."""
+
+    runs: tuple[str, ...]
+    unknowns: tuple[str, ...]
+    rank: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Derivation:
+    """What was derived of a machine.
+
+    folder: of its kernels and equations; files: what was written, none where it was compared; differences: lines that
+    say how the folder differs from what the spec derives to; systems: in the order of solution; tool_ranges: linear
+    axis -> coordinate of the workpiece, mm, to which its lowest and highest position take the origin of the tool frame.
+    """
+
+    machine: Machine
+    folder: Path
+    files: tuple[Path, ...]
+    differences: tuple[str, ...]
+    systems: tuple[SolvedSystem, ...]
+    tool_ranges: Mapping[str, tuple[float, float]]
+
+
+def derive(machine: AnyPath, out: AnyPath = KERNELS, *, runs: AnyPath | None = None, check: bool = False) -> Derivation:
+    """Derive the error model of a machine spec and write OUT/NAME/: kernels.py, kernels.c, kernels.h, equations.md,
+    manifest.json.
+
+    runs: folder of measured data or a plan, whose identification systems are derived (default: that of the spec);
+    check: write nothing, compare. Raises InputError with every fault of the spec or the runs.
+    """
+    # SymPy takes a second to import; nothing else needs it
+    from trueaxis.codegen.check import differences, write  # noqa: PLC0415
+    from trueaxis.codegen.meta import spec_label  # noqa: PLC0415
+    from trueaxis.codegen.render import render  # noqa: PLC0415
+    from trueaxis.derivation.model import derive_model  # noqa: PLC0415
+
+    spec, folder = Path(machine), Path(out)
+    record = read_machine(spec)
+    check_kinds(record, spec)
+    model = derive_model(record, identification_runs(record, spec, None if runs is None else Path(runs)))
+    files = render(model, spec_label(spec, folder))
+    folder = folder / record.name
+    differing = tuple(differences(folder, files)) if check else ()
+    if not check:
+        write(folder, files)
+    systems = model.identification.systems if model.identification else ()
+    return Derivation(
+        machine=record,
+        folder=folder,
+        files=() if check else tuple(folder / name for name in files),
+        differences=differing,
+        systems=tuple(SolvedSystem(runs=one.runs, unknowns=one.unknowns, rank=one.rank) for one in systems),
+        tool_ranges=_tool_ranges(record, files["kernels.py"], folder / "kernels.py"),
+    )
+
+
+def check_kinds(machine: Machine, spec: Path) -> None:
+    """Raise InputError where a kind of effect of the spec's own has no finite value or derivative."""
+    from trueaxis.codegen.effect_check import faults_of_kinds  # noqa: PLC0415  as in derive
+
+    if faults := faults_of_kinds(machine, str(spec)):
+        raise InputError(faults)
+
+
+def _tool_ranges(machine: Machine, kernels: bytes, path: Path) -> dict[str, tuple[float, float]]:
+    """Coordinate of the workpiece, mm, from the lowest to the highest position of each linear axis that has a travel:
+    of the origin of the tool frame, all other axes where they are nearest to 0, named dimensions 0.
+    """
+    model = MachineModel(machine, numpy_kernels(kernels, path), ErrorValues(machine.name))
+    rest = np.array([float(np.clip(0.0, *machine.travel[axis])) for axis in machine.axes])
+    found = {}
+    for row, axis in enumerate(machine.axes):
+        if axis in LINEAR and machine.mover(axis).travel is not None:
+            ends = np.repeat(rest[:, np.newaxis], 2, axis=1)
+            ends[row] = machine.travel[axis]
+            first, last = model.view_ideal("tool_in_workpiece", ends, np.zeros((3, 1)))[LINEAR.index(axis)]
+            found[axis] = (float(first), float(last))
+    return found
+
+
+def identification_runs(machine: Machine, spec: Path, given: Path | None = None) -> "tuple[RunPattern, ...]":
+    """The runs of the folder given, else of the one that the spec names, whose identification systems are derived.
+
+    Raises InputError where it is not there or its files are wrong.
+    """
+    folder = given or (spec.parent / machine.runs if machine.runs else None)
+    if folder is None:
+        return ()
+    if not folder.is_dir():
+        key = "--runs" if given else "key runs"
+        raise InputError(
+            [Fault(str(spec), key, f"there is no folder {folder}", "a folder with setup.toml and readings.csv")]
+        )
+    return run_patterns(machine, read_data(folder, machine))
+
+
+def run_patterns(machine: Machine, data: MeasuredData) -> "tuple[RunPattern, ...]":
+    """The laser and probe runs of a data set, as patterns: which axes move is seen from the readings."""
+    from trueaxis.derivation.systems import RunPattern  # noqa: PLC0415  as in derive
+
+    patterns: list[RunPattern] = []
+    for index, each in enumerate(data.setup.runs):
+        if each.direction is None:
+            continue  # a ball bar's reading is no linear form of the position
+        rows = data.readings.of_run(index)
+        positions = data.readings.positions[:, rows]
+        moves = tuple(axis for axis, row in zip(machine.axes, positions, strict=True) if (row != each.home[axis]).any())
+        patterns.append(RunPattern(each.id, moves, each.direction, each.frame, _end(each.target), _end(each.reference)))
+    return tuple(patterns)
+
+
+def _end(end: PointOn) -> tuple[Carrier, tuple[float, float, float]]:
+    return end.on, end.point

@@ -1,0 +1,142 @@
+"""Error values from measured data."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from html import escape
+from typing import Literal
+
+from trueaxis.estimation.curve_prior import DEGREE
+from trueaxis.estimation.estimate import EstimationOptions
+from trueaxis.estimation.observations import observations
+from trueaxis.identification.believable_setup import setup_faults
+from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.identification.notes import compensation_note, unread_caveats
+from trueaxis.identification.paper.method import identify_paper
+from trueaxis.identification.paper.result import PaperOptions
+from trueaxis.identification.report import IdentificationReport
+from trueaxis.identification.report_text import report_text
+from trueaxis.identification.weighting import NoiseModel
+from trueaxis.io.faults import Fault, Faults, InputError
+from trueaxis.jobs.load import DataFolder, Errors
+from trueaxis.measurement.active_compensation import uncompensated
+from trueaxis.measurement.data import MeasuredData
+from trueaxis.model.believable import check_believable
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.model import MachineModel
+
+DEGREE_WITHOUT_PRIOR = 7  # nothing keeps curves of a higher order from following the noise
+Method = Literal["global", "stepwise"]
+Squareness = Literal["convention", "known", "from-angles"]
+Curves = Literal["table", "polynomial", "held-out"]
+Noise = NoiseModel | Mapping[str, float] | float | None
+
+
+class UnbelievableError(ValueError):
+    """Values that no machine has. faults: of the values; report: of the identification, which says where it is off."""
+
+    def __init__(self, faults: tuple[Fault, ...], report: IdentificationReport) -> None:
+        super().__init__("; ".join(map(str, faults)))
+        self.faults, self.report = faults, report
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Identified:
+    """errors: values with their covariance, `errors.values.fit` says how the fit ended; report: what is determined and
+    by what, residuals by run, notes. Printed, it is the report of `trueaxis identify`.
+    """
+
+    errors: Errors
+    report: IdentificationReport
+
+    def __str__(self) -> str:
+        return report_text(self.report)
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"
+
+
+def identify(
+    model: MachineModel,
+    data: DataFolder,
+    *,
+    known: Errors | None = None,
+    noise_um: Noise = None,
+    squareness: Squareness = "convention",
+    prior: bool = True,
+    ideal_instruments: bool = False,
+    degree: int | None = None,
+    method: Method = "global",
+    curves: Curves = "table",
+) -> Identified:
+    """The motion and location errors of a machine, from readings on the exact model.
+
+    known: values that are taken as they are, dimensions too. noise_um: standard deviation of a reading, um, or by name
+    of an instrument or a run; None: from the readings. squareness: what parts it from straightness: level lines (ISO
+    230-1), `known`, or Sect. 3.6 of the paper. prior: whether errors of the sizes of [prior] are expected; if not,
+    what readings do not determine is zero and said. ideal_instruments: nothing is unknown of the instruments. degree:
+    highest order of the curves (14; 7 without prior). method "stepwise" is the paper's, point by point, with `curves`.
+
+    Raises InputError where the set-up contradicts the machine, or no reading holds an error; NotConvergedError where
+    the fit does not stand still; UnbelievableError where its values are of no machine.
+    """
+    values = None if known is None else known.values
+    measured = believed(model, data, values)
+    observed = observations(str(data.folder), measured.setup.runs, measured.readings)
+    options = IdentifyOptions(
+        "known" if squareness == "known" else "convention",
+        values,
+        noise_model(noise_um),
+        EstimationOptions(
+            prior=prior, ideal=ideal_instruments, degree=degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR)
+        ),
+    )
+    found = (
+        identify_estimated(model, observed, options)
+        if method == "global"
+        else identify_paper(model, observed, PaperOptions(squareness, values, options.noise.um, curves))
+    )
+    faults = Faults(str(data.folder))
+    check_believable(model.machine, found.values, faults)
+    if faults.found:
+        raise UnbelievableError(tuple(faults.found), found.report)
+    report = replace(
+        found.report,
+        notes=(*found.report.notes, compensation_note(measured.setup, data.folder)),
+        caveats=(*found.report.caveats, *unread_caveats(measured)),
+        measurement=measured.setup.report,
+    )
+    return Identified(Errors(found.values, _with_known(found.covariance, known)), report)
+
+
+def believed(model: MachineModel, data: DataFolder, known: ErrorValues | None) -> MeasuredData:
+    """The readings of the machine without compensation, whatever was active on the control.
+
+    Raises InputError where set-up or readings contradict the machine, whose dimensions are those known.
+    """
+    placed = model.with_values(known or ErrorValues(model.name))
+    if faults := setup_faults(placed, data.data, data.folder):
+        raise InputError(faults)
+    return data.data if data.active is None else uncompensated(model, data.data, data.active)
+
+
+def noise_model(noise_um: Noise) -> NoiseModel:
+    """What is known of the noise. Raises ValueError where a standard deviation is not above 0."""
+    if noise_um is None or isinstance(noise_um, NoiseModel):
+        return noise_um or NoiseModel()
+    by_group = dict(noise_um) if isinstance(noise_um, Mapping) else {}
+    whole = None if isinstance(noise_um, Mapping) else float(noise_um)
+    if wrong := [value for value in (*by_group.values(), *([] if whole is None else [whole])) if not value > 0.0]:
+        raise ValueError(f"noise_um: expected micrometres above 0; given {wrong[0]}")
+    return NoiseModel(um=whole, by_group=by_group)
+
+
+def _with_known(identified: Covariance, known: Errors | None) -> Covariance:
+    """The covariance with what is known of the values that were taken as they are."""
+    if known is None:
+        return identified
+    given, values = known.covariance, known.values
+    components = set(given.components) & set(values.motion_errors) - set(identified.components)
+    locations = set(given.locations) & set(values.parameters) - set(identified.locations)
+    effects = set(given.effects) - set(identified.effects)
+    return identified.joined(given.of(components, locations, effects))

@@ -1,0 +1,121 @@
+"""Files in, records out: a machine, its model, error values with their covariance, measured data."""
+
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+
+import polars as pl
+
+from trueaxis.io.files import write_files
+from trueaxis.machine import Machine, read_machine
+from trueaxis.measurement import readings, setup
+from trueaxis.measurement.active_compensation import active_values, moved_setup
+from trueaxis.measurement.data import MeasuredData, read_data
+from trueaxis.model import model as models
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.covariance_file import linked
+from trueaxis.model.errors import ErrorValues, dump_errors
+from trueaxis.model.model import MachineModel
+from trueaxis.model.uncertainty import load_uncertainty
+
+AnyPath = str | PathLike[str]
+KERNELS = "generated"  # the folder that `derive` writes
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Errors:
+    """Error values of a machine and what is known of their uncertainty, all values together."""
+
+    values: ErrorValues
+    covariance: Covariance
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class DataFolder:
+    """Measured data or a measuring plan. folder: where it was read, which faults name; data: runs and readings; active:
+    the error values that the control compensated with while measuring, None where none did or nothing is said of it.
+    """
+
+    folder: Path
+    data: MeasuredData
+    active: ErrorValues | None = None
+
+    def to_polars(self) -> pl.DataFrame:
+        """The readings as in readings.csv: a row each; what is not measured yet has no reading."""
+        return readings.readings_frame(self.data.readings)
+
+
+def load_machine(path: AnyPath) -> Machine:
+    """Read a machine spec. Raises InputError with every fault of the file."""
+    return read_machine(Path(path))
+
+
+def load_model(machine: AnyPath, kernels: AnyPath = KERNELS) -> MachineModel:
+    """Read a machine spec and the kernels that `derive` wrote for it: the machine without errors.
+
+    Raises InputError with every fault, kernels that were derived from another spec included.
+    """
+    return models.load_model(Path(machine), None, Path(kernels))
+
+
+def load_errors(path: AnyPath, machine: Machine | MachineModel, covariance: AnyPath | None = None) -> Errors:
+    """Read error values (errors.json) and the covariance that they name, or the file that is given.
+
+    Raises InputError with every fault; values that were edited since they were identified have no covariance.
+    """
+    spec = _spec_of(machine)
+    values = models.load_errors(Path(path), spec)
+    file = None if covariance is None else Path(covariance)
+    return Errors(values, load_uncertainty(Path(path), values, spec, file))
+
+
+def save_errors(path: AnyPath, errors: Errors, machine: Machine | MachineModel) -> tuple[Path, ...]:
+    """Write error values and, beside them with the ending .npz, their covariance: both whole or not at all.
+
+    Returns both paths. Raises InputError where they cannot be written.
+    """
+    files = errors_files(Path(path), errors, _spec_of(machine))
+    write_files(files)
+    return tuple(files)
+
+
+def errors_files(
+    out: Path, errors: Errors, machine: Machine, covariance: Path | None = None
+) -> dict[Path, str | bytes]:
+    """Content of the file of the covariance (default: beside `out`, ending .npz) and of that of the values."""
+    file = covariance or out.with_suffix(".npz")
+    values, content = linked(errors.values, errors.covariance, out, file)
+    text = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
+    return {file: content, out: text}
+
+
+def load_data(folder: AnyPath, machine: Machine | MachineModel) -> DataFolder:
+    """Read a folder of measured data or a measuring plan: setup.toml, readings.csv, and what setup.toml names.
+
+    Raises InputError with every fault of all files.
+    """
+    spec = _spec_of(machine)
+    data = read_data(Path(folder), spec)
+    return DataFolder(folder=Path(folder), data=data, active=active_values(Path(folder), data.setup, spec))
+
+
+def save_data(folder: AnyPath, data: DataFolder) -> tuple[Path, ...]:
+    """Write measured data into another folder: readings.csv and a copy of setup.toml, both whole or not at all.
+
+    Raises InputError where they cannot be written.
+    """
+    files = data_files(Path(folder), data)
+    write_files(files)
+    return tuple(files)
+
+
+def data_files(out: Path, data: DataFolder) -> dict[Path, str | bytes]:
+    """Content of the files of a data folder."""
+    return {
+        out / setup.FILE_NAME: moved_setup(data.folder, out),
+        out / readings.FILE_NAME: readings.dump_readings(data.data.readings),
+    }
+
+
+def _spec_of(machine: Machine | MachineModel) -> Machine:
+    return machine.machine if isinstance(machine, MachineModel) else machine
