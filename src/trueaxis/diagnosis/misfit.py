@@ -11,6 +11,7 @@ import numpy as np
 from scipy.linalg import solve_triangular
 
 from trueaxis.diagnosis.by_run import ByRun
+from trueaxis.diagnosis.gain import VAGUE
 from trueaxis.diagnosis.instruments import WIDE
 from trueaxis.diagnosis.noise import noise_of_runs
 from trueaxis.diagnosis.null import Null, lent
@@ -58,7 +59,7 @@ def misfits(null: Null, known: Known) -> tuple[str, ...]:
         return ()
     signal = np.split(null.whitening(known.signals.sum(axis=1)), null.base.columns.starts[1:-1])
     caused = np.array([float(one @ one) for one in signal])
-    judged, given_up = _Judged(null, caused, _columns(null, known), known, _groups(null)), Group()
+    judged, given_up = _Judged(null, caused, _columns(null, known), _groups(null)), Group()
     found = list[int]()
     while True:
         against = judged.against(given_up)
@@ -91,11 +92,10 @@ class _Judged:
     null: Null
     caused: FloatArray
     columns: ByRun
-    known: Known
     groups: Sequence[Group]
 
     def against(self, given_up: Group) -> list[Against]:
-        return against_others(self.null, self.columns, self.known, self.groups, given_up)
+        return against_others(self.null, self.columns, self.groups, given_up)
 
     def sure(self, against: Sequence[Against]) -> list[Against]:
         """Groups that do not fit, the worst first."""
@@ -128,7 +128,8 @@ def _columns(null: Null, known: Known) -> ByRun:
     """Of all that readings vary by beside their noise, one standard deviation each."""
     base = null.base
     wide = np.where(np.arange(base.expected.size) < base.of_machine, WIDE, 1.0) * base.expected
-    return base.columns.times(np.diag(wide)).beside(np.hstack([base.by_chance, known.besides, known.signals]))
+    free = known.signals * (VAGUE / np.maximum(np.abs(known.signals).max(axis=0, initial=0.0), 1e-300))
+    return base.columns.times(np.diag(wide)).beside(np.hstack([base.by_chance, known.besides, free]))
 
 
 def _without(null: Null, given_up: Group) -> Null:
@@ -140,24 +141,20 @@ def _without(null: Null, given_up: Group) -> Null:
     return lent(null, replace(some, whitening=whitening(some.rows.run, noises, some.base.own)))
 
 
-def against_others(
-    null: Null, columns: ByRun, known: Known, groups: Sequence[Group], given_up: Group = ()
-) -> list[Against]:
-    """Of groups none of whose runs is given up. columns: one standard deviation each, those of signals free.
+def against_others(null: Null, columns: ByRun, groups: Sequence[Group], given_up: Group = ()) -> list[Against]:
+    """Of groups none of whose runs is given up. columns: one standard deviation each.
 
     With r what an estimate from all runs leaves of whitened readings, and A the part of their variance that it takes,
     r' (1 - A)^-1 r are the squares of what a group differs by from what the others expect.
     """
-    base, free = null.base, known.signals.shape[1]
+    base = null.base
     white = columns.whitened(null.whitening)
     read = np.split(null.whitening(null.values), white.starts[1:-1])
     every = np.concatenate([few.T @ one for few, one in zip(white.few, read, strict=True)])
     run = np.repeat(np.arange(len(read)), [few.shape[1] for few in white.few])
     kept = ~np.isin(run, given_up)
-    expected = np.eye(white.weights.shape[1])[: white.weights.shape[1] - free]
-    size = np.maximum(np.linalg.norm(np.vstack([white.weights[kept], expected]), axis=0), 1e-300)
-    r = np.linalg.qr(np.vstack([white.weights[kept], expected]) / size, mode="r")
-    half = solve_triangular(r + 1e-12 * np.eye(len(r)), (white.weights / size).T, trans="T")
+    r = np.linalg.qr(np.vstack([white.weights[kept], np.eye(white.weights.shape[1])]), mode="r")
+    half = solve_triangular(r, white.weights.T, trans="T")
     rest = every - half.T @ (half[:, kept] @ every[kept])
     freedom = {one.instrument: one.freedom for one in null.noise}
     found = []
