@@ -4,16 +4,29 @@ import io
 import json
 import tomllib
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 import pytest
 
+from tests.diagnosis.prepared import prepared
+from tests.hidden_effects.case import Case
+from tests.hidden_effects.design import Design
+from tests.hidden_effects.hidden import Hidden
 from tests.identification.data import TRAVEL, paper_runs
+from tests.kernels import emitted
 from tests.machines import DMU60P, ROOT
+from tests.reporting.diagnosis.builders import cause, diagnosis
+from trueaxis.cli.diagnose import Extending, Given
 from trueaxis.cli.main import main
 from trueaxis.cli.progress import progress
+from trueaxis.diagnosis.extend import reidentified
+from trueaxis.diagnosis.extended_spec import Extended
+from trueaxis.diagnosis.result import Diagnosis
+from trueaxis.effects.kind import Effect as EffectOf
+from trueaxis.estimation.observations import observations
 from trueaxis.io.told import Told
 from trueaxis.measurement.setup import Run
 from trueaxis.measurement.setup_writer import run_table
@@ -262,6 +275,27 @@ def test_runs_that_no_machine_fits_are_named_and_no_cause_beside_them(
     assert (told["verdict"], told["causes"], told["extended_machine"]) == ("unexplained_structure", [], None)
     assert told["misfits"][0] in named
     assert not (tmp_path / "out" / "dmu60p.toml").exists()
+
+
+def test_a_location_error_that_the_spec_left_out_is_identified_with_kernels_derived_for_it(tmp_path: Path) -> None:
+    """The machine with it has one parameter more than the kernels at hand."""
+    plan = Design(lines=2, repeats=2, targets=9, samples=36, feeds=(1000.0,))
+    given = prepared(Case(4, design=plan, effects=(Hidden("squareness", "EC0X", size=8e-5),), given="exact"))
+    assert "EC0X" not in given.model.parameters
+    text = given.generated.spec
+    named = replace(diagnosis("explained"), causes=(cause(EffectOf("squareness", "EC0X")),))
+
+    def start(function: str, found: Diagnosis, extended: Extended) -> Callable[[], object]:
+        assert (function, found) == ("drawn_and_derived", named)
+        folder = emitted(extended.text) / extended.machine.name
+        return lambda: (None, {"kernels.py": (folder / "kernels.py").read_bytes()})
+
+    model = Extending(tmp_path, Given(given.model, None, given.data, text, ()), start)(named)
+    assert "EC0X" in model.parameters
+    observed = observations("here", given.data.setup.runs, given.data.readings)
+    values, table, _ = reidentified(model, given.model.errors, observed)
+    assert values.parameters["EC0X"] == pytest.approx(8e-5, abs=1e-5)
+    assert "EC0X" in [one.name for one in table]
 
 
 class TestRun:

@@ -47,7 +47,7 @@ def test_readings_are_those_that_were_taken_without_flicker() -> None:
     given = prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
     rows = given.rows.only(given.rows.run != 0)
     found = diagnosis("explained")
-    observed = kept_readings(given.data, replace(found, residuals=replace(found.residuals, row=rows.row)), "here")
+    observed = kept_readings(given.data, replace(found, residuals=replace(found.residuals, row=rows.row)))
     assert observed.context is not None
     order = np.argsort(rows.row)
     np.testing.assert_array_equal(observed.reading, rows.reading[order])

@@ -9,10 +9,10 @@ from tests.diagnosis.prepared import SIGMA, Field, field, field_of, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis.audit import Audit, audit
+from trueaxis.diagnosis.audit import ISOLATION, Audit, audit
 from trueaxis.diagnosis.base import base_of
 from trueaxis.diagnosis.grids import grid_of
-from trueaxis.diagnosis.next_runs import Ahead, next_runs, separating_run
+from trueaxis.diagnosis.next_runs import Ahead, is_of_use, next_runs, separating_run
 from trueaxis.diagnosis.procedure import diagnose
 from trueaxis.diagnosis.prospect import TIMES, Outlook, Placed, Prospect, inverse_roots, outlooks_of, prospect_of
 from trueaxis.diagnosis.result import Check, Diagnosis, NoiseOf, StructureClass
@@ -38,7 +38,7 @@ def outlook(prospect: Prospect, effect: Effect) -> Outlook:
 
 
 @pytest.mark.parametrize(
-    "words", ["step gauge of 529 mm along X", "a laser line of Y at", "with a bar of 75", "diagonal"]
+    "words", ["step gauge of 540 mm along X", "laser, Y moving at", "ball bar of 75 mm", "diagonal"]
 )
 @pytest.mark.parametrize("pair", [PAIR, DRIFTS], ids=["plays", "drifts"])
 def test_what_a_run_adds_is_what_a_fit_of_all_readings_says(words: str, pair: tuple[Effect, Effect]) -> None:
@@ -82,6 +82,7 @@ def test_no_ball_bar_tells_its_length_and_a_gauge_tells_the_scale_of_a_laser() -
     prospect = ahead_in(field(WHOLE))
     scale, length = (outlook(prospect, effect) for effect in SCALES)
     assert np.sum(scale.left**2) < 1e-9 * scale.whole
+    assert told(scale, length).strength == 0.0
     gauges = 0
     for number, one in enumerate(prospect.further):
         assert told(length, scale, number, TIMES.index(1)).detection == 0.0, one.what
@@ -97,7 +98,8 @@ def test_play_along_and_play_in_rotation_need_a_straightness_and_then_are_told_a
     best = separation(prospect, mine, [rival])
     assert told(mine, rival).r2 > 0.95
     assert best is not None
-    assert "straightness of X in Y" in best.further.what
+    assert "laser, X moving" in best.further.what
+    assert "straightness in y" in best.further.what
     assert told(mine, rival, prospect.further.index(best.further), TIMES.index(1)).r2 < 0.9
 
 
@@ -142,13 +144,26 @@ def test_a_cause_too_small_for_one_run_is_told_how_many() -> None:
     large, small = (separating_run(kinds, Ahead(PAIR[0], PAIR[1:], size, best)) for size in (1e-2, 1e-7))
     assert large is not None
     assert small is not None
-    assert "straightness of X in Y" in large.run
+    assert "straightness in y" in large.run
     assert (large.apart, large.left, large.needed) == (PAIR[1:], (), large.times)
     assert large.told is not None
     assert large.told.effect == PAIR[0]
     assert 1e-4 < large.told.with_run < 1e-3
     assert large.told.without > 1e-2
     assert small.needed > 1000 * small.times
+
+
+def test_sizes_that_no_machine_has_and_runs_that_nobody_repeats_so_often_are_not_proposed() -> None:
+    prospect = ahead_in(field(WHOLE))
+    mine, rival = (outlook(prospect, effect) for effect in PAIR)
+    best, kind = separation(prospect, mine, [rival]), prospect.ground.readings.model.machine.kinds[PAIR[0].kind]
+    assert best is not None
+    assert is_of_use(kind, mine, best)
+    assert mine.largest == pytest.approx(0.5, rel=0.05)  # half the width
+    assert not is_of_use(kind, mine, replace(best, after=ISOLATION * (0.5 / 6e-3) ** 2))
+    nothing = Audit((), (), np.zeros((0, 0)))
+    for size, count in ((1e-2, 1), (1e-7, 0)):
+        assert len(next_runs(prospect, nothing, (Ahead(PAIR[0], PAIR[1:], size, best),), (), ())) == count
 
 
 def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() -> None:
@@ -186,8 +201,8 @@ def names(found: Diagnosis) -> set[Effect]:
 @pytest.mark.parametrize(
     ("kind", "size", "run", "measured"),
     [
-        ("backlash", -4e-3, "straightness of X in Y", Design(straightness=True)),
-        ("backlash_slope", -5e-3, "a laser diagonal", Design(diagonals=True)),
+        ("backlash", -4e-3, "straightness in y", Design(straightness=True)),
+        ("backlash_slope", -5e-3, "laser, diagonal", Design(diagonals=True)),
     ],
 )
 def test_the_run_that_is_proposed_leaves_one_name(kind: str, size: float, run: str, measured: Design) -> None:

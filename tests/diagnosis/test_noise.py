@@ -14,6 +14,7 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.base import Base, base_of
 from trueaxis.diagnosis.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
+from trueaxis.diagnosis.noise_fit import _precision
 from trueaxis.diagnosis.result import NoiseOf
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.estimation.noise import Noise
@@ -188,3 +189,13 @@ def test_repeats_of_a_coarse_display_are_no_proof(repeats: int) -> None:
     shown = Rows(**{name: getattr(rows, name) for name in rows.__slots__} | {"reading": rounded})
     found = noise_of(rounded, shown, base)
     assert found.sigma >= 0.99 * step / np.sqrt(12.0)
+
+
+def test_a_misfit_of_a_billion_times_the_noise_is_positive_definite() -> None:
+    """As of a run in another unit: rounding of the misfit alone is more than the noise."""
+    root = np.repeat(np.random.default_rng(1).standard_normal((6, 6)), 4, axis=0)
+    covariance = np.eye(24) + 1e18 * root @ root.T
+    assert np.linalg.eigvalsh(covariance).min() < 0.0
+    precision, logarithm = _precision(covariance, np.ones((24, 1)))
+    assert np.isfinite(precision).all()
+    assert np.isfinite(logarithm)

@@ -165,8 +165,9 @@ def test_other_data_get_the_verdict_of_the_table(
             ("backlash", "EYX"),
             ("backlash", "EAX"),
         }
-        assert "a laser diagonal" in cause["separating"]
-        assert "a laser diagonal would tell" in said
+        assert "laser, X moving" in cause["separating"]
+        assert "straightness in y" in cause["separating"]
+        assert "a straightness of X would tell" in said
     if expected == "unexplained_structure":
         assert "lines of X, between directions" in said
         assert "lines of X, between directions" in [one["check"] for one in told["checks"] if one["fired"]]

@@ -10,9 +10,9 @@ import pytest
 from tests.diagnosis.prepared import SMALL, field, prepared
 from tests.hidden_effects.case import Case
 from tests.hidden_effects.hidden import Hidden
-from trueaxis.diagnosis.circles import circularity
 from trueaxis.diagnosis.signatures import Readings, parameter_signature, readings_of, signature_of
 from trueaxis.effects.kind import Effect
+from trueaxis.measurement.circularity import circularity
 
 FloatArray = npt.NDArray[np.float64]
 RADIUS = 150.0
@@ -202,4 +202,4 @@ def test_derivatives_by_parameters_are_finite_differences(effect: Effect, values
 def test_circularity_is_the_range_about_the_fitted_centre() -> None:
     theta = np.linspace(0.0, 2 * np.pi, 720, endpoint=False)
     oval = 3e-3 + 5e-3 * np.cos(theta) - 2e-3 * np.sin(theta) + 1e-3 * np.cos(2 * theta)
-    assert circularity(theta, oval) == pytest.approx(2e-3, rel=1e-9)
+    assert circularity(theta, oval).deviation == pytest.approx(2e-3, rel=1e-9)

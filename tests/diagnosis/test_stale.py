@@ -10,7 +10,7 @@ from trueaxis.diagnosis.freedom import freedom_of
 from trueaxis.diagnosis.null import null_of
 from trueaxis.diagnosis.result import Stale
 from trueaxis.diagnosis.signatures import parameter_signature, readings_of
-from trueaxis.diagnosis.stale import clearest, stale_values
+from trueaxis.diagnosis.stale import _Asked, clearest, stale_values
 from trueaxis.effects.kind import Effect
 
 STRAIGHT = Design(lines=1, repeats=2, targets=21, straightness=True, ball_bar=False)
@@ -116,3 +116,19 @@ def test_a_change_whose_slope_is_not_told_is_that_from_a_straight_line() -> None
     (one,) = stale_values(null, (), (), freedom).stale
     assert (one.component, one.bent) == ("EXY", True)
     assert abs(one.value) > 2.0 * one.u
+
+
+def test_a_direction_in_which_less_is_said_than_expected_is_no_evidence() -> None:
+    """A location error that other curves imitate but for a thousandth of its column: what lies there is no change of
+    it, which would be thousands of times what is expected, and far below its own uncertainty as it is told.
+    """
+    source = np.random.default_rng(3)
+    axes = np.linalg.qr(source.standard_normal((8, 6)))[0]
+    columns = 100.0 * axes[:, :4]
+    location = columns @ source.standard_normal(4) + 0.05 * axes[:, 4]
+    readings = 50.0 * axes[:, 4] + 0.5 * location + 30.0 * axes[:, 0]
+    r = np.asarray(np.linalg.qr(np.column_stack([columns, location, readings]), mode="r"))
+    asked = _Asked(r, {"EYX": np.arange(4), "EC0X": np.array([4])}, {"EYX": 1e3, "EC0X": 1e3})
+    assert asked.log_p("EC0X", ("EYX",)) == 0.0
+    assert asked.log_p("EC0X", ()) < np.log(1e-6)  # without the curve it is the one that changes
+    assert asked.log_p("EYX", ("EC0X",)) < np.log(1e-6)

@@ -15,7 +15,7 @@ from trueaxis.cli.main import main
 from trueaxis.machine import read_machine
 from trueaxis.measurement.data import read_data
 from trueaxis.model.errors import ErrorValues
-from trueaxis.planning.candidates import follow
+from trueaxis.planning.paths import follow
 
 MACHINE = ROOT / "machines" / "dmu60p.toml"
 RUNS = ROOT / "machines" / "dmu60p_runs"

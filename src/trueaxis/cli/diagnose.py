@@ -4,7 +4,7 @@ import argparse
 import sys
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
@@ -25,7 +25,7 @@ from trueaxis.machine.read import parse_machine
 from trueaxis.measurement.active_compensation import active_file
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.model.covariance import Covariance
-from trueaxis.model.errors import ErrorValues, Fit, dump_errors
+from trueaxis.model.errors import ErrorValues, dump_errors
 from trueaxis.model.kernels import numpy_kernels
 from trueaxis.model.manifest import KERNEL_FILES
 from trueaxis.model.model import MachineModel
@@ -35,7 +35,7 @@ from trueaxis.reporting.reliance import misfit_sentence
 if TYPE_CHECKING:
     from trueaxis.derivation.systems import RunPattern
     from trueaxis.diagnosis.extended_spec import Extended
-    from trueaxis.diagnosis.result import Diagnosis, ErrorNow
+    from trueaxis.diagnosis.result import Diagnosis
     from trueaxis.reporting.diagnosis.picture import Pictures
 
 _DrawnAndDerived = tuple["Pictures", Mapping[str, bytes]]
@@ -79,7 +79,7 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 
 @dataclass(frozen=True)
-class _Given:
+class Given:
     """What was read. covariance: of the error values; spec: its text as it must read in the folder to be written; runs:
     whose systems are derived.
     """
@@ -99,41 +99,19 @@ def run(args: argparse.Namespace) -> int:
         given = _read(args)
         # only this command needs them, and not for wrong input
         from trueaxis.diagnosis.procedure import DiagnoseOptions, diagnose  # noqa: PLC0415
-        from trueaxis.reporting.diagnosis.html import report_html  # noqa: PLC0415
-        from trueaxis.reporting.diagnosis.json_file import diagnosis_json  # noqa: PLC0415
         from trueaxis.reporting.diagnosis.text import summary_text  # noqa: PLC0415
 
-        with ThreadPoolExecutor(cores()) as pool:
-            options = DiagnoseOptions(args.noise_um, given.covariance, progress=show, each=pool.map)
-            diagnosis = diagnose(given.model, given.data, options)
-        show("extending")
-        extended = _extended(args.out, given, diagnosis)
-        second = cache(cast("Callable[[], _DrawnAndDerived]", start("drawn_and_derived", diagnosis, extended)))
+        extending = Extending(args.out, given, start)
         try:
-            values, errors, fit = _values(args, given, diagnosis, extended, second)
+            with ThreadPoolExecutor(cores()) as pool:
+                options = DiagnoseOptions(args.noise_um, given.covariance, show, pool.map, extending)
+                diagnosis = diagnose(given.model, given.data, options)
         except NotConvergedError as failure:
             show("")
             print(f"trueaxis: values of the extended machine: {failure}; nothing was written", file=sys.stderr)
             return 1
         show("report")
-        pictures, files = second()
-        diagnosis = replace(diagnosis, errors=errors)
-        if fit is not None and fit.state == "misfit" and not set(fit.runs) <= set(diagnosis.misfits):
-            show("runs that no errors fit")
-            again = replace(options, each=map, misfits=fit.runs)
-            diagnosis, extended = replace(diagnose(given.model, given.data, again), errors=errors), None
-            from trueaxis.reporting.diagnosis.pictures import pictures_of  # noqa: PLC0415 - seldom, and slow to import
-
-            pictures = pictures_of(diagnosis)
-        machine_file = None if extended is None else extended.spec
-        contents: dict[Path, bytes | str] = {
-            args.out / DIAGNOSIS: diagnosis_json(diagnosis, machine_file, ERRORS if extended else None),
-            args.out / REPORT: report_html(diagnosis, pictures),
-        }
-        if extended is not None:
-            contents[args.out / extended.spec] = extended.text
-            contents[args.out / ERRORS] = values
-            contents |= {args.out / KERNELS / given.model.name / name: content for name, content in files.items()}
+        contents = _contents(args.out, given, diagnosis, extending)
         write_files(contents)
     of_values = given.model.errors.fit
     if of_values is not None and of_values.state == "misfit":
@@ -148,7 +126,62 @@ def run(args: argparse.Namespace) -> int:
     return 1 if diagnosis.verdict in NO_ANSWER else 0
 
 
-def _read(args: argparse.Namespace) -> _Given:
+class Extending:
+    """The model of the machine with the causes that a diagnosis names, which the second process draws and derives
+    meanwhile. extended: None before it is called, and where none was named.
+    """
+
+    def __init__(self, out: Path, given: Given, start: "Callable[..., Callable[[], object]]") -> None:
+        self.out, self.given, self.start = out, given, start
+        self.extended: Extended | None = None
+        self.misfits: tuple[str, ...] = ()
+
+    def __call__(self, diagnosis: "Diagnosis") -> MachineModel:
+        """See `Extend`; once for a diagnosis."""
+        model = self.given.model
+        self.extended, self.misfits = _extended(self.out, self.given, diagnosis), diagnosis.misfits
+        self.second = cache(
+            cast("Callable[[], _DrawnAndDerived]", self.start("drawn_and_derived", diagnosis, self.extended))
+        )
+        if self.extended is None:
+            return model
+        machine, kernels = self.extended.machine, model.kernels
+        # kernels serve any machine with the same parameters: effects have theirs apart, location errors have not
+        if machine.parameters != model.machine.parameters:
+            kernels = numpy_kernels(self.second()[1]["kernels.py"], self.out / self.extended.spec)
+        return MachineModel(machine, kernels, ErrorValues(machine.name))
+
+
+def _contents(out: Path, given: Given, diagnosis: "Diagnosis", extending: Extending) -> dict[Path, bytes | str]:
+    """Of every file that is written."""
+    from trueaxis.reporting.diagnosis.html import report_html  # noqa: PLC0415
+    from trueaxis.reporting.diagnosis.json_file import diagnosis_json  # noqa: PLC0415
+
+    pictures, files = extending.second()
+    if diagnosis.misfits != extending.misfits:  # names were taken back
+        from trueaxis.reporting.diagnosis.pictures import pictures_of  # noqa: PLC0415 - seldom, and slow to import
+
+        pictures = pictures_of(diagnosis)
+    extended = extending.extended if diagnosis.values is not None else None
+    spec = None if extended is None else extended.spec
+    contents: dict[Path, bytes | str] = {
+        out / DIAGNOSIS: diagnosis_json(diagnosis, spec, ERRORS if extended else None),
+        out / REPORT: report_html(diagnosis, pictures),
+    }
+    if extended is not None and diagnosis.values is not None:
+        machine = extended.machine
+        contents[out / extended.spec] = extended.text
+        contents[out / ERRORS] = dump_errors(
+            diagnosis.values,
+            components=machine.components,
+            parameters=machine.parameters,
+            effects=machine.effects,
+        )
+        contents |= {out / KERNELS / given.model.name / name: content for name, content in files.items()}
+    return contents
+
+
+def _read(args: argparse.Namespace) -> Given:
     from trueaxis.diagnosis.extended_spec import moved_spec  # noqa: PLC0415
     from trueaxis.diagnosis.rows import rows_of  # noqa: PLC0415
 
@@ -187,7 +220,7 @@ def _read(args: argparse.Namespace) -> _Given:
     if found:
         raise InputError(found)
     errors = measured.known or ErrorValues(machine.name)
-    return _Given(measured.model.with_values(errors), covariance, measured.data, text, runs)
+    return Given(measured.model.with_values(errors), covariance, measured.data, text, runs)
 
 
 def _overwritten(args: argparse.Namespace, machine: Machine) -> list[Fault]:
@@ -203,7 +236,7 @@ def _outputs(out: Path, name: str) -> list[Path]:
     return [out / DIAGNOSIS, out / REPORT, out / f"{name}.toml", out / ERRORS, *kernels]
 
 
-def _extended(out: Path, given: _Given, diagnosis: "Diagnosis") -> "Extended | None":
+def _extended(out: Path, given: Given, diagnosis: "Diagnosis") -> "Extended | None":
     """The machine with the causes that were named; None where none was."""
     from trueaxis.diagnosis.extend import named_effects  # noqa: PLC0415
     from trueaxis.diagnosis.extended_spec import Extended, extended_spec  # noqa: PLC0415
@@ -214,32 +247,3 @@ def _extended(out: Path, given: _Given, diagnosis: "Diagnosis") -> "Extended | N
     path = out / f"{given.model.name}.toml"
     text = extended_spec(given.spec, effects)
     return Extended(parse_machine(text, Faults(str(path))), given.runs, path.name, text)
-
-
-def _values(
-    args: argparse.Namespace,
-    given: _Given,
-    diagnosis: "Diagnosis",
-    extended: "Extended | None",
-    second: "Callable[[], _DrawnAndDerived]",
-) -> "tuple[str, tuple[ErrorNow, ...], Fit | None]":
-    """errors.json of the extended machine, empty where there is none; all errors as these readings have them, and
-    whether any errors fit these readings.
-    """
-    from trueaxis.diagnosis.extend import kept_readings, reidentified, start_values  # noqa: PLC0415
-
-    kept = kept_readings(given.data, diagnosis, str(args.data))
-    if extended is None:
-        try:
-            return "", *reidentified(given.model, given.model.errors, kept)[1:]
-        except (NotConvergedError, InputError):
-            return "", (), None  # the diagnosis stands without it
-    machine = extended.machine
-    # kernels are those of any other machine with the same parameters: effects have theirs apart, location errors not
-    kernels = given.model.kernels
-    if machine.parameters != given.model.machine.parameters:
-        kernels = numpy_kernels(second()[1]["kernels.py"], args.out / extended.spec)
-    model = MachineModel(machine, kernels, ErrorValues(machine.name))
-    values, table, fit = reidentified(model, given.model.errors, kept, start_values(diagnosis))
-    errors = dump_errors(values, components=machine.components, parameters=machine.parameters, effects=machine.effects)
-    return errors, table, fit

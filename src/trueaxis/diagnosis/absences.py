@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from trueaxis.diagnosis.at_hand import both_ways, rounds_at_hand
 from trueaxis.diagnosis.audit import Audit
 from trueaxis.diagnosis.result import Absence
-from trueaxis.diagnosis.rounds_at_hand import both_ways, rounds_at_hand
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.signatures import Readings
 from trueaxis.effects.expression import names, parse

@@ -4,8 +4,8 @@ Values change from those given by as little as the readings ask for: what they d
 told from straightness, stays as it was given.
 """
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -18,14 +18,18 @@ from trueaxis.estimation.estimate import EstimationOptions
 from trueaxis.estimation.judgement import SAMPLES
 from trueaxis.estimation.observations import Observations, observations
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.report import Identification
 from trueaxis.identification.words import enumerated
+from trueaxis.io.faults import InputError
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.reading_model import expected_readings
 from trueaxis.model.curves import Curve, LegendreCurve, PolynomialCurve, TableCurve, polynomial_of
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues, Fit, Undetermined
 from trueaxis.model.model import MachineModel
+
+Extend = Callable[[Diagnosis], MachineModel]  # of the machine with the causes named, that given where none is
 
 
 def named_effects(diagnosis: Diagnosis) -> tuple[Effect, ...]:
@@ -49,11 +53,39 @@ def start_values(diagnosis: Diagnosis) -> tuple[EffectValues, ...]:
     )
 
 
-def kept_readings(data: MeasuredData, diagnosis: Diagnosis, source: str) -> Observations:
-    """The readings that the diagnosis worked on; source: named in faults."""
+def kept_readings(data: MeasuredData, diagnosis: Diagnosis) -> Observations:
+    """The readings that the diagnosis worked on."""
     taken = np.flatnonzero(~data.readings.planned)
-    everything = observations(source, data.setup.runs, smoothed(data).readings)
+    everything = observations("readings", data.setup.runs, smoothed(data).readings)
     return everything.of(np.flatnonzero(np.isin(taken, diagnosis.residuals.row)))
+
+
+@dataclass(frozen=True, slots=True)
+class Anew:
+    """What `identify` makes of the readings. values: None where no cause extends the machine; errors: a table of all;
+    misfits: runs that no errors of the machine fit.
+    """
+
+    values: ErrorValues | None = None
+    errors: tuple[ErrorNow, ...] = ()
+    misfits: tuple[str, ...] = ()
+
+
+def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, extend: Extend) -> Anew:
+    """All errors of the machine beside the causes named.
+
+    Where none is, the diagnosis stands without a fit that does not stand still; else see `reidentified`.
+    """
+    extended, named = extend(found), bool(named_effects(found))
+    start = start_values(found) if named else ()
+    try:
+        values, errors, fit = reidentified(extended, model.errors, kept_readings(data, found), start)
+    except (NotConvergedError, InputError):
+        if named:
+            raise
+        return Anew()
+    wrong = fit.runs if fit is not None and fit.state == "misfit" else ()
+    return Anew(values if named else None, errors, wrong)
 
 
 def reidentified(

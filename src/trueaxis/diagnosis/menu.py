@@ -1,30 +1,30 @@
-"""Further runs that could be taken: made from the machine and from the runs at hand, all within the travels.
+"""Further runs that could be taken: those at hand otherwise than they were, and the candidates of `plan`.
 
 Every one is set up anew: it has its own zero or its own place of the ball, and no fault of an earlier set-up is in it.
 """
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations, product
 
 import numpy as np
 
-from trueaxis.diagnosis.lines_at_hand import Line, line_anew, lines_at_hand, middle
+from trueaxis.diagnosis.at_hand import Line, Round, both_ways, is_along, lines_at_hand, motion_of, rounds_at_hand
 from trueaxis.diagnosis.result import FloatArray
-from trueaxis.diagnosis.rounds_at_hand import Round, both_ways, plane_round, rounds_at_hand, scaled_round
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.machine.machine import LINEAR
+from trueaxis.measurement.approach import approach_directions
+from trueaxis.measurement.reading_model import home_positions
 from trueaxis.measurement.setup import Run
 from trueaxis.model.model import MachineModel
+from trueaxis.planning.candidates import LENGTHS, Candidate, Kit, candidates
 
 HOUR = 3600.0
 SWING, WARMER = 3.0, 5.0  # K
 READING_S = 6.0  # of a laser or probe, with the way to the target
-SHARES = (0.1, 0.9)  # of the travels: where a line is put that is not where the others are
 IRREGULAR = 0.4  # of the distance of two targets, by which each is moved at most
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 FEEDS = 4.0  # ratio of another feed to the one at hand
-DIAMETERS = (0.5, 1.5)  # the same of diameters
+DIAMETERS = (1.0, 0.5, 1.5)  # of circles, in those at hand
 FASTEST = 6000.0  # mm/min, of a ball bar
 GAUGE = 1000.0  # mm, the longest step gauge
 USUAL_FEED = 1000.0  # mm/min, of circles where the readings have no feed
@@ -35,8 +35,8 @@ class FurtherRun:
     """One run of the menu.
 
     what: in words, what to do; positions, directions: (n_axes, n), mm or deg and -1, 0, +1; feed: mm/min, NaN where
-    the axes stand; after: s between the last reading at hand and its first; lasts: s; warmer: (n,) K above the mean of
-    the readings at hand.
+    the axes stand; after: s between the last reading at hand and its first; lasts: s; warmer: (n,) K above the
+    course of the readings at hand.
     """
 
     what: str
@@ -51,8 +51,8 @@ class FurtherRun:
 
 def menu(model: MachineModel, rows: Rows) -> tuple[FurtherRun, ...]:
     """The runs considered, the easiest first."""
-    lines, rounds = lines_at_hand(model, rows), rounds_at_hand(model, rows)
-    found = [*_rounds(model, rows, rounds), *_lines(model, rows, lines)]
+    rounds = rounds_at_hand(model, rows)
+    found = [*_rounds(rows, rounds), *_lines(model, rows, lines_at_hand(model, rows)), *_anew(model, rows, rounds)]
     return tuple(_numbered(one, number) for number, one in enumerate(found))
 
 
@@ -69,54 +69,18 @@ def _of_line(line: Line, what: str, **more: object) -> FurtherRun:
 
 
 def _lines(model: MachineModel, rows: Rows, lines: Sequence[Line]) -> Iterator[FurtherRun]:
-    linear = [axis for axis in model.axes if axis in LINEAR]
     first = {line.axis: line for line in reversed(lines)}
     for line in first.values():
         yield _of_line(line, f"line {line.run.id} again, aligned anew")
-    for axis in linear:
-        if axis not in first:
-            what = f"a laser line of {axis} in the middle of the other travels"
-            yield _of_line(line_anew(model, axis, middle(model)), what)
-    for axis in linear:
-        yield from _elsewhere(model, axis, [line for line in lines if line.axis == axis])
     for line in first.values():
         regular = _irregular(model, line)
         if regular is not None:
             yield _of_line(regular, f"line {line.run.id} with targets at irregular distances")
-    for axis in linear:
-        yield from _across(first.get(axis) or line_anew(model, axis, middle(model)))
     for line in first.values():
         yield from _warm(rows, line)
         if rows.time is not None:
             later = 4.0 * float(np.ptp(rows.time)) + HOUR
             yield _of_line(line, f"line {line.run.id} again {later / HOUR:.0f} h later", after=later)
-    yield from _diagonals(model, linear)
-    for axis in linear:
-        gauge = line_anew(model, axis, middle(model), instrument="probe", longest=GAUGE)
-        length = float(np.ptp(gauge.positions[model.axes.index(axis)]))
-        yield _of_line(gauge, f"a probe on a calibrated step gauge of {length:.0f} mm along {axis}")
-
-
-def _elsewhere(model: MachineModel, axis: str, lines: Sequence[Line]) -> Iterator[FurtherRun]:
-    """The line at the two corners of the other travels that are farthest from all lines there are."""
-    others = [other for other in model.axes if other in LINEAR and other != axis]
-    if not lines or not others:
-        return
-    taken = [[_share(model, other, line.run.home[other]) for other in others] for line in lines]
-    corners = list(product(SHARES, repeat=len(others)))
-    distance = [min(float(np.hypot.reduce(np.subtract(corner, one))) for one in taken) for corner in corners]
-    for place in np.argsort(-np.array(distance), kind="stable")[:2]:
-        at = dict(lines[0].run.home)
-        for other, share in zip(others, corners[place], strict=True):
-            low, high = model.travel[other]
-            at[other] = round(low + share * (high - low), 3)
-        where = ", ".join(f"{other} {at[other]:g}" for other in others)
-        yield _of_line(line_anew(model, axis, at, like=lines[0]), f"a laser line of {axis} at {where}")
-
-
-def _share(model: MachineModel, axis: str, position: float) -> float:
-    low, high = model.travel[axis]
-    return (position - low) / (high - low) if high > low else 0.0
 
 
 def _irregular(model: MachineModel, line: Line) -> Line | None:
@@ -133,15 +97,6 @@ def _irregular(model: MachineModel, line: Line) -> Line | None:
     return replace(line, positions=positions)
 
 
-def _across(line: Line) -> Iterator[FurtherRun]:
-    """Straightness along the line, in the two frame directions across its motion."""
-    along = line.motion
-    for letter, unit in zip("XYZ", np.eye(3), strict=True):
-        if abs(float(unit @ along)) < 1e-6:
-            run = replace(line.run, instrument="laser", direction=(float(unit[0]), float(unit[1]), float(unit[2])))
-            yield _of_line(replace(line, run=run), f"straightness of {line.axis} in {letter} (laser across the line)")
-
-
 def _warm(rows: Rows, line: Line) -> Iterator[FurtherRun]:
     if rows.temperature is None:
         return
@@ -153,17 +108,7 @@ def _warm(rows: Rows, line: Line) -> Iterator[FurtherRun]:
     yield _of_line(line, what, warmer=np.full(size, WARMER))
 
 
-def _diagonals(model: MachineModel, linear: Sequence[str]) -> Iterator[FurtherRun]:
-    """Laser lines along the diagonals of all travels, and of each two of them."""
-    for count in range(len(linear), 1, -1):
-        for moved in combinations(linear, count):
-            for signs in product((1.0, -1.0), repeat=count - 1):
-                way = dict(zip(moved, (1.0, *signs), strict=True))
-                said = " ".join(f"{'+' if sign > 0.0 else '-'}{axis}" for axis, sign in way.items())
-                yield _of_line(line_anew(model, moved[0], middle(model), way=way), f"a laser diagonal along {said}")
-
-
-def _rounds(model: MachineModel, rows: Rows, rounds: Sequence[Round]) -> Iterator[FurtherRun]:
+def _rounds(rows: Rows, rounds: Sequence[Round]) -> Iterator[FurtherRun]:
     for one in {each.plane: each for each in reversed(rounds)}.values():
         alike = [each for each in rounds if each.plane == one.plane]
         if not both_ways(alike):
@@ -174,20 +119,37 @@ def _rounds(model: MachineModel, rows: Rows, rounds: Sequence[Round]) -> Iterato
             feed = one.feed * FEEDS if one.feed * FEEDS <= FASTEST else one.feed / FEEDS
             if all(abs(feed - each) > 0.2 * feed for each in feeds):
                 yield _of_round(one, feed, f"circle {one.run.id} at {feed:.0f} mm/min")
-    linear = [axis for axis in model.axes if axis in LINEAR]
-    for plane in combinations(linear, 2):
-        if all(frozenset(plane) != frozenset(each.plane) for each in rounds):
-            circle = plane_round(model, plane, rounds)
-            if circle is not None:
-                feed = rounds[0].feed if rounds else USUAL_FEED
-                what = f"a circle of {2.0 * float(circle.run.length or 0.0):.0f} mm diameter in {''.join(plane)}"
-                yield _of_round(circle, feed, what)
-    for one in {each.plane: each for each in reversed(rounds)}.values():
-        for ratio in DIAMETERS:
-            other = scaled_round(model, one, ratio)
-            if other is not None:
-                what = f"circle {one.run.id} with a bar of {other.run.length:g} mm"
-                yield _of_round(other, one.feed, what)
+
+
+def _anew(model: MachineModel, rows: Rows, rounds: Sequence[Round]) -> Iterator[FurtherRun]:
+    """Candidates with the points in the tool frame and the bars at hand, and lines along the axes on a step gauge."""
+    ends = [end for index in rows.present for end in (rows.runs[index].target, rows.runs[index].reference)]
+    tools = tuple(dict.fromkeys(end.point for end in ends if end.on == "tool"))[:1] or ((0.0, 0.0, 0.0),)
+    at_hand = next((one.run.length for one in rounds if one.run.length is not None), None)
+    lengths = LENGTHS if at_hand is None else tuple(at_hand * ratio for ratio in DIAMETERS)
+    found = candidates(model, Kit(instruments=("laser", "ballbar"), tools=tools, lengths=lengths, everywhere=False))
+    feed = rounds[0].feed if rounds else USUAL_FEED
+    for one in found:
+        yield _of_candidate(model, one, feed)
+    for axis in (one for one in model.axes if one in LINEAR):
+        row = model.axes.index(axis)
+        lines = [one for one in found if [*np.flatnonzero(np.ptp(one.positions, axis=1))] == [row]]
+        line = next(one for one in lines if is_along(one.run, motion_of(model, one.run, one.positions)))
+        at = line.positions[row]
+        kept = np.abs(at - 0.5 * (at.min() + at.max())) <= 0.5 * GAUGE
+        positions = np.ascontiguousarray(line.positions[:, kept])
+        what = f"a probe on a calibrated step gauge of {np.ptp(positions[row]):.0f} mm along {axis}"
+        yield _of_candidate(model, Candidate(replace(line.run, instrument="probe"), positions, what), feed)
+
+
+def _of_candidate(model: MachineModel, one: Candidate, feed: float) -> FurtherRun:
+    size = one.positions.shape[1]
+    home = home_positions(one.run, model.axes)
+    start = None if home is None or one.run.length is not None else home[:, 0]
+    directions = approach_directions(np.arange(size), one.positions, start).astype(np.float64)
+    if one.run.length is not None:
+        return _of_round(Round("", 1, feed, one.run, one.positions, directions), feed, one.what)
+    return FurtherRun(one.what, one.run, one.positions, directions, np.nan, HOUR, READING_S * size, np.zeros(size))
 
 
 def _of_round(one: Round, feed: float, what: str) -> FurtherRun:

@@ -1,7 +1,7 @@
 """Runs that no errors of the machine fit: of the wrong sign, swapped, or set up elsewhere.
 
-Each run is judged by what all others expect of it. The worst is given up, and the others are judged anew, until all
-fit. Where many would have to go it is no run that is wrong, but the model.
+A run, all runs of a set-up, or of a session is a candidate like a cause: what it explains is what all readings come
+nearer to the others when it is left out. Errors of the machine are by chance as large as [prior] may be wrong.
 """
 
 from collections.abc import Sequence
@@ -10,115 +10,163 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.linalg import solve_triangular
 
+from trueaxis.diagnosis.by_run import ByRun
+from trueaxis.diagnosis.gain import VAGUE
+from trueaxis.diagnosis.instruments import WIDE
 from trueaxis.diagnosis.noise import noise_of_runs
 from trueaxis.diagnosis.null import Null, lent
 from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.search import FALSE_ALARMS
 from trueaxis.diagnosis.tails import log_f_tail
+from trueaxis.diagnosis.verdict import PRACTICALLY_ALL
 from trueaxis.diagnosis.whiten import whitening
 
-FALSE_ALARMS = 1e-4  # share of sound data in which one run or other is taken for wrong
-WIDE = 4.0  # times what is expected of errors of the machine: by that factor [prior] may be wrong
-MISFIT = 2.0  # times its noise, of what a wrong run differs by: causes are not quite of the forms of the library
-NOISIER = 3.0  # times the noise of others that a run may have: beyond it what it reads is no noise
-MOST = 0.25  # share of the runs that may be wrong
-FAR = 3.0  # times the median of what runs differ by from what the others expect, from where one stands out
-MOST_ALIKE = 5  # runs that are tried as the wrong one
+MISFIT = 2.0  # times its noise, RMS of what a wrong run differs by: noise is not quite of the form that it is taken for
+CLOSE = 0.5  # share of the squares of the farthest from which a group may be the wrong one in its place
+MOST = 0.25  # share of the runs that may be wrong: beyond it the model is
 
-Group = tuple[int, ...]
+Group = tuple[int, ...]  # places of runs in the base
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Known:
+    """Causes beside which runs are judged. signals: (n, k), mm, free in size; besides: (n, m), mm, what they may do
+    besides, one standard deviation.
+    """
+
+    signals: FloatArray
+    besides: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Against:
-    """A group of runs against what all others expect. far: squares per direction, over its noise; log_p: logarithm of
-    the p value; excess: squares beyond those of noise.
+    """A group of runs against what all others expect. squares: of what it differs by, over its noise; log_p: logarithm
+    of the p value.
     """
 
     group: Group
-    far: float
+    squares: float
     log_p: float
-    excess: float
 
 
-def misfits(null: Null, signal: FloatArray) -> tuple[str, ...]:
+def misfits(null: Null, known: Known) -> tuple[str, ...]:
     """Ids of these runs, the worst first; where several are as likely to be the wrong one, all of these.
 
-    A run, or all of a set-up, which agree with one another. signal: (n,), mm, of causes.
+    Repeats that differ are noise, unless one of them is farther from what the others expect than noise takes it: the
+    noise is what is left without the likeliest.
     """
-    runs = [one.rows.run.id for one in null.base.runs]
-    null = replace(null, values=null.values - signal)
-    setup = [int(null.rows.setup[one.rows.at[0]]) for one in null.base.runs]
-    same = [tuple(k for k, one in enumerate(setup) if one == number) for number in dict.fromkeys(setup)]
-    groups = [*((place,) for place in range(len(runs))), *(one for one in same if len(one) > 1)]
-    given_up: Group = ()
-    found: list[int] = []
-    while wrong := _wrong(null, groups, given_up):
+    if MOST * len(null.base.runs) < 1.0:
+        return ()
+    signal = np.split(null.whitening(known.signals.sum(axis=1)), null.base.columns.starts[1:-1])
+    caused = np.array([float(one @ one) for one in signal])
+    judged, given_up = _Judged(null, caused, _columns(null, known), _groups(null)), Group()
+    found = list[int]()
+    while True:
+        against = judged.against(given_up)
+        likeliest = min(against, key=lambda one: one.log_p, default=None)
+        if likeliest is None or likeliest.log_p > -np.log(len(judged.groups)):
+            break
+        wrong = judged.sure(against)
+        if not wrong:
+            judged = replace(judged, null=_without(null, given_up + likeliest.group))
+            wrong = judged.sure(judged.against(given_up))
+        if not wrong:
+            break
         # what is as far from a wrong run as that is from it is no worse: the wrong one is that without which all fit
-        left = {one: sum(_wrong(null, groups, given_up + one).values()) for one in list(wrong)[:MOST_ALIKE]}
+        close = [one.group for one in wrong if one.squares > CLOSE * wrong[0].squares]
+        left = {one: sum(each.squares for each in judged.sure(judged.against(given_up + one))) for one in close}
         worst = min(left, key=lambda one: (left[one], len(one)))
         alike = [one for one in left if left[one] == left[worst] == 0.0 and len(one) == len(worst)]
         found += [*worst, *(place for one in alike for place in one)]
         given_up += worst
-        if len(given_up) > MOST * len(runs):
+        if len(given_up) > MOST * len(null.base.runs):
             return ()
-    return tuple(dict.fromkeys(runs[place] for place in found))
+        judged = replace(judged, null=_without(null, given_up))
+    return tuple(dict.fromkeys(null.base.runs[place].rows.run.id for place in found))
 
 
-def _wrong(null: Null, groups: Sequence[Group], given_up: Group) -> dict[Group, float]:
-    """Groups that do not fit, with their excess, the worst first.
+@dataclass(frozen=True, slots=True, eq=False)
+class _Judged:
+    """caused: (n_runs,), whitened squares of what causes do; columns: see `_columns`."""
 
-    Repeats that differ are noise, unless one of them is farther from what the others expect than all others are: then
-    the noise is what is left without it.
-    """
-    against = against_others(_without(null, given_up), groups, given_up)
-    farthest = max(against, key=lambda one: one.far, default=None)
-    if farthest is not None and farthest.far > FAR**2 * float(np.median([one.far for one in against])):
-        against = against_others(_without(null, given_up + farthest.group), groups, given_up)
-    limit = float(np.log(FALSE_ALARMS / max(len(against), 1)))
-    sure = [one for one in against if one.log_p < limit and one.far > MISFIT**2]
-    return {one.group: one.excess for one in sorted(sure, key=lambda one: -one.excess)}
+    null: Null
+    caused: FloatArray
+    columns: ByRun
+    groups: Sequence[Group]
+
+    def against(self, given_up: Group) -> list[Against]:
+        return against_others(self.null, self.columns, self.groups, given_up)
+
+    def sure(self, against: Sequence[Against]) -> list[Against]:
+        """Groups that do not fit, the worst first."""
+        limit = np.log(FALSE_ALARMS / len(self.groups))
+        sure = [one for one in against if one.log_p < limit and one.squares > self._least(one)]
+        return sorted(sure, key=lambda one: -one.squares)
+
+    def _least(self, one: Against) -> float:
+        """What noise and causes that are not quite of their forms may come to."""
+        group = list(one.group)
+        readings = np.diff(self.columns.starts)[group].sum()
+        return float(MISFIT**2 * readings + (1.0 - PRACTICALLY_ALL) * self.caused[group].sum())
+
+
+def _groups(null: Null) -> list[Group]:
+    """Each run, and all of a set-up or a session, which agree with one another."""
+    runs = [one.rows for one in null.base.runs]
+    keys = [
+        [("run", k), ("set-up", int(null.rows.setup[run.at[0]])), ("session", run.run.session)]
+        for k, run in enumerate(runs)
+    ]
+    found: dict[object, list[int]] = {}
+    for place, of_run in enumerate(keys):
+        for key in of_run:
+            found.setdefault(key, []).append(place)
+    return list(dict.fromkeys(tuple(one) for one in found.values() if len(one) <= MOST * len(runs) or len(one) == 1))
+
+
+def _columns(null: Null, known: Known) -> ByRun:
+    """Of all that readings vary by beside their noise, one standard deviation each."""
+    base = null.base
+    wide = np.where(np.arange(base.expected.size) < base.of_machine, WIDE, 1.0) * base.expected
+    free = known.signals * (VAGUE / np.maximum(np.abs(known.signals).max(axis=0, initial=0.0), 1e-300))
+    return base.columns.times(np.diag(wide)).beside(np.hstack([base.by_chance, known.besides, free]))
 
 
 def _without(null: Null, given_up: Group) -> Null:
     """With the noise that the other runs tell."""
-    kept = [one for place, one in enumerate(null.base.runs) if place not in given_up]
-    names = {one.instrument for one in kept}
-    left_out = [place for place in given_up if null.base.runs[place].instrument in names]
-    if not left_out or null.found is None:
+    if null.found is None:
         return null
-    some = null.only(~np.isin(null.rows.run, [null.base.runs[place].rows.index for place in left_out]))
-    noises, _, _ = noise_of_runs(some.rows, some.base, some.values, None, None)
+    some = null.only(~np.isin(null.rows.run, [null.base.runs[place].rows.index for place in given_up]))
+    noises, _, _ = noise_of_runs(some.rows, some.base, some.values, None, null.found)
     return lent(null, replace(some, whitening=whitening(some.rows.run, noises, some.base.own)))
 
 
-def against_others(null: Null, groups: Sequence[Group], given_up: Group = ()) -> list[Against]:
-    """Of groups none of whose runs is given up.
+def against_others(null: Null, columns: ByRun, groups: Sequence[Group], given_up: Group = ()) -> list[Against]:
+    """Of groups none of whose runs is given up. columns: one standard deviation each.
 
     With r what an estimate from all runs leaves of whitened readings, and A the part of their variance that it takes,
-    r' (1 - A)^-1 r are the squares of what a group differs by from what the others expect. From directions that errors
-    of the machine have no part in its own noise is told.
+    r' (1 - A)^-1 r are the squares of what a group differs by from what the others expect.
     """
     base = null.base
-    wide = np.where(np.arange(base.expected.size) < base.of_machine, WIDE, 1.0) * base.expected
-    white = base.columns.times(np.diag(wide)).beside(base.by_chance).whitened(null.whitening)
+    white = columns.whitened(null.whitening)
     read = np.split(null.whitening(null.values), white.starts[1:-1])
-    inside = [few.T @ one for few, one in zip(white.few, read, strict=True)]
-    outside = [float(one @ one - few @ few) for one, few in zip(read, inside, strict=True)]
-    run = np.repeat(np.arange(len(read)), [one.size for one in inside])
-    kept, every = ~np.isin(run, given_up), np.concatenate(inside)
+    every = np.concatenate([few.T @ one for few, one in zip(white.few, read, strict=True)])
+    run = np.repeat(np.arange(len(read)), [few.shape[1] for few in white.few])
+    kept = ~np.isin(run, given_up)
     r = np.linalg.qr(np.vstack([white.weights[kept], np.eye(white.weights.shape[1])]), mode="r")
     half = solve_triangular(r, white.weights.T, trans="T")
     rest = every - half.T @ (half[:, kept] @ every[kept])
-    of_noise = {one.instrument: one.freedom for one in null.noise}
+    freedom = {one.instrument: one.freedom for one in null.noise}
     found = []
     for group in groups:
-        mine = np.isin(run, group)
-        k = int(mine.sum())
-        freedom = sum(read[place].size - int(null.whitening.own_count[place]) for place in group)
-        if k == 0 or freedom <= k or set(group) & set(given_up):
+        own = np.isin(run, group)
+        k = int(own.sum())
+        if k == 0 or set(group) & set(given_up):
             continue
-        squares = float(rest[mine] @ np.linalg.solve(np.eye(k) - half[:, mine].T @ half[:, mine], rest[mine]))
-        apart = sum(outside[place] for place in group)
-        noise = min(max(apart / (freedom - k), 1.0), NOISIER**2)
-        log_p = log_f_tail(squares / k / noise, k, min(of_noise[base.runs[place].instrument] for place in group))
-        found.append(Against(group, squares / k / noise, log_p, squares + apart - freedom))
+        strength, turned = np.linalg.eigh(np.eye(k) - half[:, own].T @ half[:, own])
+        told = strength > 1e-9
+        squares = float(np.sum((turned.T @ rest[own])[told] ** 2 / strength[told]))
+        least = min(freedom[base.runs[place].instrument] for place in group)
+        k = int(told.sum())
+        found.append(Against(group, squares, log_f_tail(squares / k, k, least)))
     return found

@@ -9,16 +9,18 @@ import numpy as np
 from trueaxis.diagnosis.audit import Audit, size_of
 from trueaxis.diagnosis.grids import grid_of
 from trueaxis.diagnosis.noise import REPEATS, STATED
-from trueaxis.diagnosis.prospect import Placed, Prospect, outlooks_of
+from trueaxis.diagnosis.prospect import Outlook, Placed, Prospect, outlooks_of
 from trueaxis.diagnosis.result import Check, Limit, NextRun, NoiseOf, Separating, Told
 from trueaxis.diagnosis.search import Found
-from trueaxis.diagnosis.separation import Separation, isolable, separation
+from trueaxis.diagnosis.separation import Separation, isolable, largest_reading, separation
 from trueaxis.effects.kind import Effect, Kind
+from trueaxis.estimation.effects.planned import ASSUMED
 
 MOST_FAMILIES = 12  # of confounded candidates that are looked at
 MOST = 5  # runs proposed for them
 MOST_NAMED = 3
 FARTHEST_POINT = 5.0  # mm, by which a point that somebody has set up may be off
+MOST_TAKEN = 10  # times that a run is taken: beyond it nobody does
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,7 +77,7 @@ def next_runs(
 def _for_causes(kinds: Mapping[str, Kind], ahead: Sequence[Ahead]) -> Iterator[NextRun]:
     for one in ahead:
         best = one.separation
-        if best is not None:
+        if best is not None and _needed(kinds[one.effect.kind], best, one.size) <= MOST_TAKEN:
             apart = tuple(one.rivals[place] for place in best.told)
             told = _told(kinds[one.effect.kind], one.effect, best)
             yield NextRun(run=best.further.what, times=best.times, pairs=((one.effect, apart),), told=told)
@@ -108,7 +110,7 @@ def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
     for one, outlook, rival in zip(looked_at, outlooks[: len(mine)], outlooks[len(mine) :], strict=True):
         best = separation(prospect, outlook, [rival])
         kind = kinds[one.effect.kind]
-        if best is not None and not (kind.place == "point" and isolable(kind, best.after) > FARTHEST_POINT):
+        if best is not None and is_of_use(kind, outlook, best):
             by_run.setdefault((best.further.what, best.times), []).append((one, best))
     found = []
     for (run, times), members in sorted(by_run.items(), key=lambda item: -len(item[1]))[:MOST]:
@@ -117,6 +119,13 @@ def _for_alike(prospect: Prospect, audit: Audit) -> list[NextRun]:
         told = _told(kinds[first.effect.kind], first.effect, best)
         found.append(NextRun(run=run, times=times, pairs=pairs, told=told))
     return found
+
+
+def is_of_use(kind: Kind, outlook: Outlook, best: Separation) -> bool:
+    """Whether an effect of the size from which it is told apart is one that a set-up or a machine may have."""
+    if kind.place == "point" and isolable(kind, best.after) > FARTHEST_POINT:
+        return False
+    return largest_reading(outlook, best.after) <= ASSUMED
 
 
 def _middle(prospect: Prospect, effect: Effect) -> Placed:

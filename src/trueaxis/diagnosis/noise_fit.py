@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import cholesky, solve_triangular
+from scipy.linalg import LinAlgError, cholesky, solve_triangular
 from scipy.linalg.lapack import dpotri
 from scipy.optimize import minimize
 
@@ -30,6 +30,7 @@ FARTHEST = 2.0  # of this logarithm
 STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
 LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
 STEPS = 200  # of a standard deviation that is averaged
+ROUNDING = 1e-13  # of a variance: a misfit a million times the noise is positive definite only with it
 FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
 
 
@@ -176,7 +177,11 @@ class Likelihood:
 
 def _precision(covariance: FloatArray, own: FloatArray) -> tuple[FloatArray, float]:
     """Inverse of a covariance less what own columns take, and half the log determinants."""
-    factor = cholesky(covariance, lower=True, check_finite=False, overwrite_a=True)
+    try:
+        factor = cholesky(covariance, lower=True, check_finite=False)
+    except LinAlgError:
+        covariance[np.diag_indices(len(covariance))] *= 1.0 + ROUNDING
+        factor = cholesky(covariance, lower=True, check_finite=False)
     root = float(np.log(np.diag(factor)).sum())
     inverse, _ = dpotri(factor, lower=1, overwrite_c=1)  # its lower triangle: zeros are above that of the factor
     inverse += np.tril(inverse, -1).T

@@ -9,6 +9,7 @@ from trueaxis.diagnosis.base import Base, base_of
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.noise import noise_of_runs
 from trueaxis.diagnosis.noise_fit import Found
+from trueaxis.diagnosis.projection import Projection, spanned
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray, NoiseOf, Outlier
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import RANK, RunNoise, Whitening, whitening
@@ -141,6 +142,13 @@ def _with_noise(
     return Null(
         rows=rows, values=values, base=base, whitening=white, noise=noise, outliers=(), found=found, given=given
     )
+
+
+def what_is_free(null: Null, free: FloatArray) -> Projection:
+    """What is no news before any cause is known. free: (n, k), mm, columns that are free besides."""
+    columns = null.base.columns.beside(free) if free.size else null.base.columns
+    basis = Projection(spanned(columns.whitened(null.whitening)))
+    return basis.softened(null.whitening(null.base.by_chance))
 
 
 def fitted(whiten: Whitening, columns: ByRun, values: FloatArray) -> FloatArray:

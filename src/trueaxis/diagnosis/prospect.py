@@ -73,12 +73,13 @@ class Prospect:
 @dataclass(frozen=True, slots=True, eq=False)
 class Outlook:
     """A candidate: left: (n, k) whitened, what the base leaves of it in the readings at hand; whole: its squared size
-    with base and unknowns of all runs, in standard deviations of the readings; added: for each further run and each of
-    TIMES the whitened innovation (m, k).
+    with base and unknowns of all runs, in standard deviations of the readings; largest: of any reading, mm per unit;
+    added: for each further run and each of TIMES the whitened innovation (m, k).
     """
 
     left: FloatArray
     whole: float
+    largest: float
     added: tuple[tuple[FloatArray, ...], ...]
 
 
@@ -137,6 +138,7 @@ def outlooks_of(prospect: Prospect, candidates: Sequence[Placed]) -> list[Outloo
         Outlook(
             left[:, mine],
             float(np.sum(by_noise[:, mine] ** 2)),
+            float(np.abs(columns[:size, mine]).max(initial=0.0)),
             tuple(tuple(two[:, mine] for two in one) for one in added),
         )
         for mine in (slice(*pair) for pair in pairwise(ends))
@@ -154,7 +156,6 @@ def _with_further(rows: Rows, further: Sequence[FurtherRun]) -> Rows:
     time = last + np.concatenate(
         [one.after + np.linspace(0.0, one.lasts, count) for count, one in zip(counts, further, strict=True)]
     )
-    mean = 0.0 if rows.temperature is None else float(np.nanmean(rows.temperature))
     new = Rows(
         runs=tuple(one.run for one in further),
         axes=rows.axes,
@@ -165,7 +166,9 @@ def _with_further(rows: Rows, further: Sequence[FurtherRun]) -> Rows:
         directions=np.hstack([one.directions for one in further]),
         reading=np.zeros(size),
         time=None if rows.time is None else time,
-        temperature=None if rows.temperature is None else mean + np.concatenate([one.warmer for one in further]),
+        temperature=None
+        if rows.temperature is None
+        else _usual_temperature(rows, time) + np.concatenate([one.warmer for one in further]),
         feed=None if rows.feed is None else feed,
         setup=run,
         target=np.arange(size, dtype=np.int64),
@@ -174,6 +177,19 @@ def _with_further(rows: Rows, further: Sequence[FurtherRun]) -> Rows:
     )
     new = replace(new, context=context_of(new.runs, new))
     return _joined(rows, new)
+
+
+def _usual_temperature(rows: Rows, time: FloatArray) -> FloatArray:
+    """(n,), degC, at later times: as the straight course of the readings at hand goes on. What goes with the time does
+    so later, too, unless somebody sees to it.
+    """
+    assert rows.temperature is not None
+    known = np.isfinite(rows.temperature) & (np.isfinite(rows.time) if rows.time is not None else True)
+    mean = float(np.mean(rows.temperature[known])) if known.any() else 0.0
+    if rows.time is None or not known.any() or np.ptp(rows.time[known]) == 0.0:
+        return np.full(time.size, mean)
+    slope = np.cov(rows.time[known], rows.temperature[known])[0, 1] / np.var(rows.time[known], ddof=1)
+    return np.asarray(mean + slope * (time - np.mean(rows.time[known])))
 
 
 def _joined(rows: Rows, new: Rows) -> Rows:

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.effects.kind import Effect
-from trueaxis.model.errors import Determined
+from trueaxis.model.errors import Determined, ErrorValues
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
@@ -358,7 +358,8 @@ class Diagnosis:
     """Everything that was found. correlation: (g, g), R^2 between the candidates of `isolability`, base projected out;
     threshold: evidence that a candidate had to reach; absences: what the data lack; report: what
     setup.toml says of the measurement in free words; errors: all of the machine, as `identify` has them from these
-    readings beside the causes; none where its fit did not stand still; misfits: runs that no errors fit, worst first.
+    readings beside the causes; none where its fit did not stand still; misfits: runs that no errors fit, worst first;
+    values: of the machine with the causes named, None where none extends it.
     """
 
     machine: str
@@ -384,3 +385,4 @@ class Diagnosis:
     report: Mapping[str, str]
     errors: tuple[ErrorNow, ...] = ()
     misfits: tuple[str, ...] = ()
+    values: ErrorValues | None = None

@@ -48,6 +48,8 @@ def told(mine: Outlook, rival: Outlook, run: int | None = None, times: int = 0) 
     other = sum((two.T @ two for _, two in blocks), np.zeros((rival.left.shape[1],) * 2))
     cross = sum((one.T @ two for one, two in blocks), np.zeros((own.shape[0], other.shape[0])))
     strength = float(np.trace(own)) / own.shape[0]
+    if strength <= UNOBSERVABLE * mine.whole:  # the base holds it, and rounding is left
+        strength = 0.0
     alike = _inverse_root(own, mine.whole) @ cross @ _inverse_root(other, rival.whole)
     r2 = min(1.0, float(np.linalg.norm(alike, 2)) ** 2)
     return Told(strength, strength * (1.0 - r2), r2)
@@ -89,6 +91,11 @@ def separation(prospect: Prospect, mine: Outlook, rivals: Sequence[Outlook]) -> 
 def isolable(kind: Kind, strength: float) -> float:
     """The amplitude that is told from a rival, by lambda (1 - R^2); infinite where none is."""
     return _size(kind, ISOLATION, strength)
+
+
+def largest_reading(mine: Outlook, strength: float) -> float:
+    """mm: what an effect of that amplitude changes a reading at hand by at most."""
+    return float(np.sqrt(ISOLATION / strength)) * mine.largest if strength > 0.0 else np.inf
 
 
 def _size(kind: Kind, threshold: float, strength: float) -> float:

@@ -58,12 +58,15 @@ class _Asked:
         return np.asarray(found)
 
     def log_p(self, name: str, others: Sequence[str]) -> float:
-        """Logarithm of the p value of its values being right, beside any change of the others."""
+        """Logarithm of the p value of its values being right, beside any change of the others.
+
+        By directions of which the readings say more than what is expected of the largest change: in any other a change
+        that readings ask for would be far larger than its own uncertainty has it, and the others' remainder no change.
+        """
         held = orthonormal(self.r[:, np.concatenate([np.zeros(0, np.int64), *(self.at[one] for one in others)])])
         columns = self.r[:, self.at[name]]
-        rest = columns - held @ (held.T @ columns)
-        kept = np.linalg.norm(rest, axis=0) > RANK * np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
-        basis = orthonormal(rest[:, kept])
+        left, strength, _ = np.linalg.svd(columns - held @ (held.T @ columns), full_matrices=False)
+        basis = left[:, strength > 1.0 / max(SIZES)]
         k, inside = basis.shape[1], basis.T @ self.r[:, -1]
         return log_f_tail(float(inside @ inside) / k, k, self.freedom[name]) if k else 0.0
 

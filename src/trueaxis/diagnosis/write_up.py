@@ -1,15 +1,16 @@
 """From what was computed to the record that report and diagnosis.json are made of; the verdict is reached here."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 
 from trueaxis.diagnosis.absences import absences
 from trueaxis.diagnosis.audit import Audit
-from trueaxis.diagnosis.circles import circles_of
 from trueaxis.diagnosis.gain import Left, fit, predicted
 from trueaxis.diagnosis.instruments import Off
+from trueaxis.diagnosis.judgement import Judged
 from trueaxis.diagnosis.linearisation import second_order_of
 from trueaxis.diagnosis.measured import measured_with
 from trueaxis.diagnosis.next_runs import Ahead, ahead_of, next_runs, separating_run
@@ -17,89 +18,91 @@ from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.prospect import Prospect
 from trueaxis.diagnosis.refit import Fitted
 from trueaxis.diagnosis.result import (
-    AmplitudeOf,
     BoolArray,
     Cause,
-    Check,
+    Circle,
     Diagnosis,
     Estimate,
     Evidence,
     Gain,
     Residuals,
-    Stale,
-    Verdict,
 )
 from trueaxis.diagnosis.scan import Scanned
-from trueaxis.diagnosis.search import Found, Ground, Search
+from trueaxis.diagnosis.search import Found, Ground
+from trueaxis.diagnosis.signatures import Readings
+from trueaxis.diagnosis.stale import Changes
+from trueaxis.diagnosis.verdict import verdict_of
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.latex import effect_latex
 from trueaxis.estimation.effects.unknowns import unit_in
+from trueaxis.measurement.circularity import circularity
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
-    """All that the procedure has computed. causes, groups: those that
-    are named, with their amplitudes by group and the p value of their being one; held: (n,), rows held back.
-    """
+    """All that the procedure has found in the readings. held: (n,), rows held back."""
 
     ground: Ground
     null: Null
-    search: Search
-    causes: tuple[Fitted, ...]
-    groups: tuple[tuple[tuple[AmplitudeOf, ...], float], ...]
-    verdict: Verdict
-    off: tuple[Off, ...]
-    audit: Audit
-    prospect: Prospect
-    checks: tuple[Check, ...]
+    judged: Judged
+    changes: Changes
     held: BoolArray
     left: Left
     gain: Gain
-    stale: tuple[Stale, ...]
-    stale_p: float
-    report: Mapping[str, str]
-    misfits: tuple[str, ...]
 
 
-def diagnosis_of(outcome: Outcome) -> Diagnosis:
-    """The record."""
-    ground = outcome.ground
-    prospect = outcome.prospect
-    ahead = tuple(ahead_of(prospect, _found(outcome, one), float(one.values[0])) for one in outcome.causes)
+def diagnosis_of(outcome: Outcome, audited: Audit, prospect: Prospect, report: Mapping[str, str]) -> Diagnosis:
+    """The record. audited, prospect: of what the runs can show; report: what setup.toml says in free words."""
+    ground, judged = outcome.ground, outcome.judged
+    verdict = verdict_of(judged.search, judged.stand, judged.checks, outcome.changes.stale, judged.off, judged.misfits)
+    ahead = tuple(ahead_of(prospect, _found(judged, one), float(one.values[0])) for one in judged.causes)
     causes = tuple(_cause(outcome, index, one) for index, one in enumerate(ahead))
-    if outcome.verdict != "unexplained_structure":
-        causes += tuple(_of_instrument(ground, one) for one in outcome.off)
+    if verdict != "unexplained_structure":
+        causes += tuple(_of_instrument(ground, one) for one in judged.off)
     return Diagnosis(
         machine=ground.readings.model.name,
-        verdict=outcome.verdict,
+        verdict=verdict,
         noise=outcome.null.noise,
         causes=causes,
-        limits=outcome.audit.limits,
-        isolability=outcome.audit.isolable,
-        correlation=outcome.audit.correlation,
-        scan=tuple(_evidence(one) for one in outcome.search.first),
-        threshold=outcome.search.threshold,
-        checks=outcome.checks,
+        limits=audited.limits,
+        isolability=audited.isolable,
+        correlation=audited.correlation,
+        scan=tuple(_evidence(one) for one in judged.search.first),
+        threshold=judged.search.threshold,
+        checks=judged.checks,
         outliers=outcome.null.outliers,
-        stale=outcome.stale,
+        stale=outcome.changes.stale,
         gain=outcome.gain,
-        circles=circles_of(ground.readings, outcome.left),
-        recalibration_p=outcome.stale_p,
-        next_runs=next_runs(prospect, outcome.audit, ahead, outcome.checks, outcome.null.noise),
-        absences=absences(ground.readings, outcome.audit),
+        circles=_circles(ground.readings, outcome.left),
+        recalibration_p=outcome.changes.p_value,
+        next_runs=next_runs(prospect, audited, ahead, judged.checks, outcome.null.noise),
+        absences=absences(ground.readings, audited),
         second_order=second_order_of(ground),
         residuals=_residuals(outcome),
         measured=measured_with(ground.readings.rows),
-        report=outcome.report,
-        misfits=outcome.misfits,
+        report=report,
+        misfits=judged.misfits,
     )
 
 
+def _circles(readings: Readings, left: Left) -> tuple[Circle, ...]:
+    """Circular deviation of each ball-bar run, and what each stage of the model leaves of it."""
+    rows, found = readings.rows, []
+    for index in (one for one in rows.present if rows.runs[one].instrument == "ballbar"):
+        mine = rows.of_run(index)
+        theta = readings.reading.theta[mine]
+        parts = (rows.reading, left.given, left.refitted, left.extended)
+        with suppress(ValueError):  # too few of its readings count
+            found.append(Circle(rows.runs[index].id, *(circularity(theta, part[mine]).deviation for part in parts)))
+    return tuple(found)
+
+
 def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
-    ground, fitted = outcome.ground, outcome.causes[index]
-    found = _found(outcome, fitted)
-    groups, homogeneous_p = outcome.groups[index]
-    others = tuple(one for place, one in enumerate(outcome.causes) if place != index)
+    ground, judged = outcome.ground, outcome.judged
+    fitted = judged.causes[index]
+    found = _found(judged, fitted)
+    groups, homogeneous_p = judged.groups[index]
+    others = tuple(one for place, one in enumerate(judged.causes) if place != index)
     without = outcome.gain.held_out.refitted
     if others:
         null = outcome.null
@@ -118,7 +121,7 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
         rivals=rivals,
         amplitudes=groups,
         homogeneous_p=homogeneous_p,
-        remainder=any(check.fired for check in outcome.checks),
+        remainder=any(check.fired for check in judged.checks),
         separating=separating_run(ground.readings.model.machine.kinds, ahead),
     )
 
@@ -149,8 +152,8 @@ def _parameters(kind: Kind, found: Fitted | Off) -> tuple[Estimate, ...]:
     )
 
 
-def _found(outcome: Outcome, fitted: Fitted) -> Found:
-    return next(one for one in outcome.search.causes if one.scan.effect == fitted.effect)
+def _found(judged: Judged, fitted: Fitted) -> Found:
+    return next(one for one in judged.search.causes if one.scan.effect == fitted.effect)
 
 
 def _evidence(one: Scanned) -> Evidence:
@@ -160,8 +163,9 @@ def _evidence(one: Scanned) -> Evidence:
 def _residuals(outcome: Outcome) -> Residuals:
     readings = outcome.ground.readings
     rows, left = readings.rows, outcome.left
-    named = bool(outcome.causes) or not outcome.search.causes
-    ground_left = outcome.search.residual if named else outcome.ground.base.rest(outcome.ground.values)
+    judged = outcome.judged
+    named = bool(judged.causes) or not judged.search.causes
+    ground_left = judged.search.residual if named else outcome.ground.base.rest(outcome.ground.values)
     return Residuals(
         runs=tuple(run.id for run in rows.runs),
         instruments=tuple(run.instrument for run in rows.runs),

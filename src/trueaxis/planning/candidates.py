@@ -17,7 +17,6 @@ from trueaxis.measurement.reading_model import column
 from trueaxis.measurement.setup import Device, Instrument, PointOn, Run, Vector
 from trueaxis.planning.paths import (
     at_share,
-    follow,
     follow_circle,
     follow_turn,
     grid,
@@ -30,8 +29,6 @@ from trueaxis.planning.paths import (
     tilted,
     turn,
 )
-
-__all__ = ["Candidate", "Kit", "candidates", "follow"]
 
 LENGTHS = (150.0, 300.0)  # mm: of ball bars, where the plan has none (ISO 230-4 tests use such)
 CIRCLE = 36  # readings of a circle, one way
@@ -49,7 +46,8 @@ class Candidate:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kit:
     """What is at hand. tools: points in the tool frame at which optics, balls and styli sit, mm; lengths: of ball bars,
-    mm; devices: of instruments, where they are known; session: of the new runs.
+    mm; devices: of instruments, where they are known; session: of the new runs; everywhere: whether circles and turns
+    are wanted at all places of the travels, or in the middle alone.
     """
 
     instruments: tuple[Instrument, ...]
@@ -57,6 +55,11 @@ class Kit:
     lengths: tuple[float, ...] = LENGTHS
     devices: Mapping[str, Device] = field(default_factory=dict)
     session: str = ""
+    everywhere: bool = True
+
+    def places(self, machine: IdentifiedMachine) -> list[FloatArray]:
+        """(n_axes, 1) each, at which circles and turns are."""
+        return places(machine)[: None if self.everywhere else 1]
 
 
 def candidates(machine: IdentifiedMachine, kit: Kit) -> list[Candidate]:
@@ -120,7 +123,7 @@ def _grids(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 
 def _sphere_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """A probe follows a sphere on the workpiece while a rotary axis turns; read in x, y, z of the bed."""
-    for tool, axis, place in product(kit.tools, rotary_axes(machine), places(machine)):
+    for tool, axis, place in product(kit.tools, rotary_axes(machine), kit.places(machine)):
         for at in tilted(machine, axis, place):
             centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
             turning = turn(machine, axis, at)
@@ -139,7 +142,7 @@ def _circles(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """The tool ball on circles about a workpiece ball, in the planes of the workpiece; arcs where travels end."""
     angle = 2.0 * np.pi * np.arange(CIRCLE) / CIRCLE
     planes = combinations(range(3), 2)
-    for tool, place, plane, length in product(kit.tools, places(machine), planes, kit.lengths):
+    for tool, place, plane, length in product(kit.tools, kit.places(machine), planes, kit.lengths):
         centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
         way = np.repeat(centre, angle.size, axis=1)
         way[plane[0]] += length * np.cos(angle)
@@ -153,7 +156,7 @@ def _circles(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
 def _bar_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
     """A rotary axis turns, the tool ball follows beside the workpiece ball: along x, y or z of the workpiece."""
     length = min(kit.lengths)
-    for tool, axis, place, side in product(kit.tools, rotary_axes(machine), places(machine), range(3)):
+    for tool, axis, place, side in product(kit.tools, rotary_axes(machine), kit.places(machine), range(3)):
         for at in tilted(machine, axis, place):
             centre = machine.view_ideal("tool_in_workpiece", place, column(tool))
             turning = turn(machine, axis, at)

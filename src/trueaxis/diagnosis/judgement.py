@@ -1,0 +1,111 @@
+"""What may be said of what was found: which names stand, what is stale, which runs no errors of the machine fit."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trueaxis.diagnosis.amplitudes import amplitudes_of
+from trueaxis.diagnosis.checks import run_checks
+from trueaxis.diagnosis.contest import contest
+from trueaxis.diagnosis.imperfection import imperfections
+from trueaxis.diagnosis.instruments import Off, instruments_off
+from trueaxis.diagnosis.misfit import Known, misfits
+from trueaxis.diagnosis.null import Null, what_is_free
+from trueaxis.diagnosis.projection import Projection
+from trueaxis.diagnosis.refit import Fitted, refit
+from trueaxis.diagnosis.result import AmplitudeOf, Check, FloatArray
+from trueaxis.diagnosis.search import Ground, Search, whitened_columns, with_rivals, without
+from trueaxis.diagnosis.stale import Changes, stale_values
+from trueaxis.diagnosis.verdict import HOMOGENEOUS, explained_share, names_stand, size_is_significant
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Judged:
+    """search: with the rivals of causes that are named; causes, groups: those, with their amplitudes; stand: whether
+    what was found may be named.
+    """
+
+    search: Search
+    causes: tuple[Fitted, ...]
+    groups: tuple[tuple[tuple[AmplitudeOf, ...], float], ...]
+    checks: tuple[Check, ...]
+    stand: bool
+    off: tuple[Off, ...] = ()
+    misfits: tuple[str, ...] = ()
+
+
+def judged_causes(
+    ground: Ground, null: Null, found: Search, causes: tuple[Fitted, ...], standing: Sequence[Fitted]
+) -> Judged:
+    """Whether causes found may be named, by what all of them together leave."""
+    groups = _amplitudes(ground, causes)
+    while len(causes) > 1 and min(p for _, p in groups) < HOMOGENEOUS:
+        # a further cause that is not one everywhere is none, and says nothing against the others
+        found = without(ground, found, max(k for k, (_, p) in enumerate(groups) if p < HOMOGENEOUS))
+        causes = refit(ground, found.causes)
+        groups = _amplitudes(ground, causes)
+    checks = _checks(ground, found.projection, found.residual)
+    hard = what_is_free(null, np.zeros((null.rows.size, 0))) if standing else ground.plain
+    homogeneous_p = [p for _, p in groups]
+    share = explained_share(ground, found, causes, checks, homogeneous_p, standing, hard)
+    if names_stand(share, (*standing, *causes), checks, homogeneous_p) and all(map(size_is_significant, causes)):
+        return Judged(with_rivals(ground, found), causes, groups, checks, stand=True)
+    return without_names(ground, Judged(found, causes, groups, checks, stand=False))
+
+
+def without_names(ground: Ground, judged: Judged) -> Judged:
+    """With what all checks see beside no cause."""
+    checks = _checks(ground, ground.base, ground.base.rest(ground.values)) if judged.causes else judged.checks
+    return Judged(judged.search, (), (), checks, stand=False)
+
+
+def judged_values(ground: Ground, null: Null, judged: Judged, standing: Sequence[Fitted]) -> tuple[Judged, Changes]:
+    """Instruments that are off, and values given that are stale: or the effect that takes their place."""
+    known = (*standing, *judged.causes)
+    signals = [one.signal for one in known]
+    besides = [column for one in known for column in imperfections(ground.readings, one)]
+    off = instruments_off(null, np.sum([*signals, np.zeros(null.rows.size)], axis=0))
+    signals += [one.signal for one in off]
+    judged = replace(judged, off=off)
+    changes = stale_values(null, signals, besides, ground.freedom)
+    if not changes.stale or judged.search.causes or any(one.fired for one in judged.checks):
+        return judged, changes
+    named, left = contest(ground, null, changes, signals)
+    if named is None:
+        return judged, left
+    projection = ground.base.extended(whitened_columns(ground, named.found.signature))
+    residual = projection.rest(ground.values)
+    checks = _checks(ground, projection, residual)
+    if any(one.fired for one in checks):
+        return judged, changes
+    search = replace(judged.search, causes=(named.found,), projection=projection, residual=residual)
+    return replace(judged, search=search, causes=(named.cause,), groups=(((), 1.0),), checks=checks, stand=True), left
+
+
+def judged_runs(
+    ground: Ground, null: Null, judged: Judged, changes: Changes, standing: Sequence[Fitted]
+) -> tuple[Judged, Changes]:
+    """Runs that no errors of the machine fit."""
+    known, nothing = (*standing, *judged.causes), np.zeros((null.rows.size, 0))
+    signals = [*(one.signal for one in known), *(one.signal for one in judged.off)]
+    besides = [column for one in known for column in imperfections(ground.readings, one)]
+    causes = Known(np.column_stack([nothing, *signals]), np.column_stack([nothing, *besides]))
+    return beside_misfits(ground, judged, changes, misfits(null, causes))
+
+
+def beside_misfits(ground: Ground, judged: Judged, changes: Changes, runs: Sequence[str]) -> tuple[Judged, Changes]:
+    """Without names and stale values where there are such runs: what these read belongs to another machine."""
+    if not runs:
+        return judged, changes
+    wrong = tuple(dict.fromkeys([*judged.misfits, *runs]))
+    return replace(without_names(ground, judged), misfits=wrong), replace(changes, stale=())
+
+
+def _checks(ground: Ground, projection: Projection, residual: FloatArray) -> tuple[Check, ...]:
+    rows, theta = ground.readings.rows, ground.readings.reading.theta
+    return run_checks(rows, theta, ground.whitening, projection, residual, ground.freedom)
+
+
+def _amplitudes(ground: Ground, causes: Sequence[Fitted]) -> tuple[tuple[tuple[AmplitudeOf, ...], float], ...]:
+    return tuple(amplitudes_of(ground, causes, index) for index in range(len(causes)))
