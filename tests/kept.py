@@ -15,7 +15,7 @@ import sympy as sp
 from trueaxis.cli.main import main
 
 ROOT = Path(__file__).resolve().parent.parent
-DERIVING = ("spec", "derive", "emit", "effects")
+DERIVING = ("machine", "derivation", "codegen", "effects", "io")
 KEPT = Path(tempfile.gettempdir()) / f"trueaxis-tests-{getattr(os, 'getuid', int)()}"
 
 

@@ -52,7 +52,8 @@ def test_two_reversed_runs_are_named(readings: Observations) -> None:
 
 @pytest.mark.parametrize(
     ("run", "factor", "how"),
-    [("circle", -1.0, "reversed"), ("circle", 1e-3, "small"), ("Y-5", 1e-3, "small"), ("Z-8", 1e3, "large")],
+    # a run that reads 1000 times too large is refused before, by the sizes of [prior] (test_believable_setup.py)
+    [("circle", -1.0, "reversed"), ("circle", 1e-3, "small"), ("Y-5", 1e-3, "small")],
 )
 def test_a_sign_or_unit_is_named_of_any_instrument(readings: Observations, run: str, factor: float, how: str) -> None:
     """Ball bars were not looked at, nor units: the estimate took the run for slow noise and ended with exit 0."""

@@ -55,10 +55,12 @@ def _of_runs(sure: Mapping[str, Misread]) -> str:
 
 def _of_all(found: Estimate) -> str:
     """Why all readings together are too small to be in mm; empty where they are not."""
-    off = {name: found.factors[name] for name, odds in found.likelier.items() if odds > 0.0}
-    if sum(found.likelier[name] for name in off) <= SURE or max(off.values()) > 1.0:
+    off = [(found.factors[name], odds) for name, odds in found.likelier.items() if odds > 0.0]
+    factors, odds = np.array(off).reshape(-1, 2).T
+    if odds.sum() <= SURE or factors.max() > 1.0:
         return ""
-    size = float(np.exp(np.mean(np.log(list(off.values())))))
+    # each class counts by what the readings tell of its size
+    size = float(np.exp(np.average(np.log(factors), weights=odds)))
     # not the noise that is estimated, which is no less than a stated resolution
     left = float(np.sqrt(np.mean(found.readings.residual[~found.readings.outliers] ** 2)))
     if size > LEAST_MACHINE or left > LEAST_NOISE:
