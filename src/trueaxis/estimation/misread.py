@@ -101,7 +101,9 @@ def log_ratios(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) 
     """
     found: dict[tuple[int, How], float] = {}
     for place, one in enumerate(state.runs):
-        each = {how: reading for how in UNDONE if (reading := undone_reading(one, how)) is not None}
+        # without a prior readings of any unit are as likely: more of one unit than of another tells nothing
+        hows = [how for how, factor in UNDONE.items() if not (sizes.flat and abs(factor) != 1.0)]
+        each = {how: reading for how in hows if (reading := undone_reading(one, how)) is not None}
         columns = np.column_stack([state.residual[place], one.reading, *each.values()])[one.good]
         residual, *white = state.whitening(place, one.kept())(columns).T
         readings = np.stack(white, axis=1)
