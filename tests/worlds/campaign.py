@@ -17,6 +17,7 @@ from pathlib import Path
 
 from tests.worlds.campaign_tables import tables
 from tests.worlds.estimates import GIVEN, Outcome, World, outcome, world
+from trueaxis.estimation.evidence import LIKELIER
 
 CURVES = ("smooth", "prior")
 # machines of a design in turn: half of them draws of a prior; [prior] as nobody has touched it, right, or wrong
@@ -85,6 +86,7 @@ def line_of(one: World, number: int) -> dict[str, object]:
         "given": given,
         **{name: float(f"{getattr(found, name):.6g}") for name in figures},
         "sizes": {kind: [float(f"{size:.4g}") for size in sizes] for kind, sizes in found.sizes.items()},
+        "said": sorted(kind for kind, odds in found.found.likelier.items() if odds > LIKELIER),
         "converged": found.found.iteration.converged,
         "rounds": found.found.iteration.rounds,
         "steps": found.found.iteration.steps,

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from tests.worlds.design import Design, draw_design
-from trueaxis.estimation.evidence import SAID
 
 Line = Mapping[str, Any]
 NEAR = 2.0  # factor within which a size counts as estimated
@@ -197,16 +196,17 @@ def _sizes(lines: Sequence[Line]) -> Iterator[str]:
     )  # fmt: skip
     for kind in dict.fromkeys(kind for line in lines for kind in line["sizes"]):
         every = np.array([line["sizes"][kind] for line in lines if kind in line["sizes"]])
+        told = np.array([kind in line["said"] for line in lines if kind in line["sizes"]])
         off = np.exp(np.abs(np.log(every[:, 0] / every[:, 1])))
         for low, high in pairwise(OFF):
-            stated, true, estimated = every[(off >= low) & (off < high)].T
+            among = (off >= low) & (off < high)
+            _, true, estimated = every[among].T
             if not true.size:
                 continue
             spread = ", ".join(f"{value:.2f}" for value in np.quantile(estimated / true, [0.16, 0.5, 0.84]))
             near = np.mean(np.abs(np.log(estimated / true)) < np.log(NEAR))
-            said = np.mean(np.abs(np.log(estimated / stated)) > np.log(SAID))
             beyond = f"{low:g} to {high:g}" if np.isfinite(high) else f"more than {low:g}"
-            yield row(kind, beyond, true.size, f"{near:.0%}", spread, f"{said:.0%}")
+            yield row(kind, beyond, true.size, f"{near:.0%}", spread, f"{told[among].mean():.0%}")
 
 
 def head(*names: str) -> Iterator[str]:
