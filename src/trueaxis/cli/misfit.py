@@ -23,8 +23,8 @@ def uncertain_option(parser: argparse.ArgumentParser, what: str) -> None:
     parser.add_argument(
         ACCEPT_U,
         action="store_true",
-        help=f"write {what} also where the tool point is more uncertain than the correction is large (root mean "
-        "squares); so does --max-u, which then decides alone",
+        help=f"write {what} also where the noise of the readings is larger than the correction (root mean squares); so "
+        "does --max-u, which then decides alone",
     )
 
 

@@ -23,7 +23,7 @@ PRIOR_SIZES = 3.0
 class Limits:
     """max_u: largest standard uncertainty of the tool point, mm, None: any. max_correction: largest correction, mm;
     None: `PRIOR_SIZES` times what errors of the prior's sizes make of the tool point there. accept_u: whether values
-    are taken that are more uncertain than the corrections are large.
+    are taken in which the noise of the readings is larger than the corrections.
     """
 
     max_u: float | None = None

@@ -28,8 +28,9 @@ class UncertaintyExtent:
     unknown: positions at which an uncertainty is not known; open: those of them that rest on what nothing determines;
     largest_open: by how much that moves the tool at the size of the prior, mm; components: those that are open there,
     and location errors.
-    u_rms, correction_rms: root mean squares of the length of the uncertainty and of the deviation from home, which a
-    compensation takes away, over the positions where the first is known, mm; both 0 where it is nowhere.
+    u_readings_rms, correction_rms: root mean squares of the length of the uncertainty that the readings bring in (all
+    of it where the prior's part is not known) and of the deviation from home, which a compensation takes away, over
+    the positions where the first is known, mm; both 0 where it is nowhere.
     shift: by how much what nothing determines may displace this tool point against the origin of the tool frame, the
     same everywhere, at the size of the prior, mm.
     """
@@ -41,7 +42,7 @@ class UncertaintyExtent:
     open: int
     largest_open: float
     components: tuple[str, ...]
-    u_rms: float = 0.0
+    u_readings_rms: float = 0.0
     correction_rms: float = 0.0
     shift: float = 0.0
     largest_at: tuple[float, ...] = ()
@@ -53,8 +54,10 @@ class UncertaintyExtent:
 
     @property
     def worth_nothing(self) -> bool:
-        """Whether a compensation would change the tool point by less than it is uncertain by."""
-        return self.u_rms > self.correction_rms
+        """Whether what a compensation would take away is less than the noise of the readings brings in. What rests on
+        the prior does not count: it is as large without a compensation.
+        """
+        return self.u_readings_rms > self.correction_rms
 
     def refused(self, max_u: float | None, accepted: bool) -> bool:
         """Whether nothing may be written: an uncertainty is above max_u, mm; without one, where the values are worth
@@ -74,6 +77,7 @@ def uncertainty_extent(
     rests = (uncertainty.open > 0.0).any(axis=0)
     moved = model.deviation(positions, tool) - model.deviation(home_of(model), tool)
     told = ~np.isnan(uncertainty.u).any(axis=0)
+    of_readings = np.sqrt(np.clip(known**2 - np.nan_to_num(uncertainty.u_prior) ** 2, 0.0, None))
     return UncertaintyExtent(
         points=positions.shape[1],
         largest_u=float(known.max(initial=0.0)),
@@ -84,7 +88,7 @@ def uncertainty_extent(
         open=int(rests.sum()),
         largest_open=float(uncertainty.open.max(initial=0.0)),
         components=open_names(model, covariance, positions[:, rests][:, :MOST_NAMED], tool),
-        u_rms=_length_rms(known[:, told]),
+        u_readings_rms=_length_rms(of_readings[:, told]),
         correction_rms=_length_rms(moved[:, told]),
         shift=float(at_home.open.max()),
         largest_at=tuple(positions[:, int(known.max(axis=0, initial=0.0).argmax())].tolist()) if known.size else (),

@@ -164,12 +164,13 @@ def uncertain_sentence(extent: UncertaintyExtent, max_u: float | None) -> str:
 
 
 def worth_nothing_sentences(extent: UncertaintyExtent) -> list[str]:
-    """Where values are more uncertain than what they correct."""
+    """Where the noise in values is larger than what they correct."""
     if not extent.worth_nothing:
         return []
     return [
-        f"the corrections are {_um(extent.correction_rms)}, and the standard uncertainty of the tool point is "
-        f"{_um(extent.u_rms)} (root mean squares where it is known, from home): no better than doing nothing"
+        f"the corrections are {_um(extent.correction_rms)}, and the noise of the readings makes "
+        f"{_um(extent.u_readings_rms)} of them (root mean squares where it is known, from home): no better than doing "
+        "nothing"
     ]
 
 
