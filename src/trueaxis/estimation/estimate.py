@@ -164,7 +164,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
     misread = _misread(setting, state, sizes, x, posterior)
-    told = likelier(sizes, found, x) if setting.options.prior else {}
+    ratios = likelier(sizes, found, x) if setting.options.prior else {}
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
     left, outliers = np.zeros(setting.observed.reading.size), np.zeros(setting.observed.reading.size, dtype=bool)
@@ -179,7 +179,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         open=left_open * layout.sizes[:, np.newaxis],
         scale=posterior.scale * layout.sizes,
         factors=sizes.factors(x),
-        likelier=told,
+        likelier=ratios,
         ideal=setting.options.ideal,
         own={one.rows.index: own for one, own in zip(state.runs, state.own, strict=True)},
         noise=InstrumentNoise(

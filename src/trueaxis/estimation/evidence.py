@@ -31,7 +31,7 @@ PAIRS = 8  # of sizes over which the posterior is averaged, a power of 2
 # make nearly all: 6.8 times the middle one for a factor of 4, where 4.2 times holds 95 %).
 NODE = 1.2
 SAID = 3.0  # times what was expected of a size, from where on the contract has it reported
-# Logarithm of how much likelier it must be than one that is SAID times off: half the square of 1.96, as 95 % ask
+# Logarithm of how much likelier it must be than the size that was expected: half the square of 1.96, as 95 % ask
 LIKELIER = 1.92
 
 
@@ -226,18 +226,18 @@ def evidence_at(sizes: Sizes, reduced: Reduced, x: FloatArray) -> float:
 
 def likelier(sizes: Sizes, reduced: Reduced, x: FloatArray) -> dict[str, float]:
     """Of every class of the machine's errors whose size, x, is further than SAID from what was expected: the logarithm
-    of how much likelier the readings make it than the size that is SAID times off, all other sizes being free.
+    of how much likelier the readings make it than the size that was expected, all other sizes being free.
     """
     best = evidence_at(sizes, reduced, x)
-    told = {}
+    ratios = {}
     for place, name in enumerate(sizes.of_errors):
         limit = float(np.log(SAID) / sizes.spread[place]) if sizes.spread[place] > 0.0 else np.inf
         if abs(x[place]) > limit:
             start = x.copy()
-            start[place] = np.copysign(limit, x[place])
+            start[place] = 0.0
             there, _ = best_sizes(sizes, reduced, start, held=[place])
-            told[name] = best - evidence_at(sizes, reduced, there)
-    return told
+            ratios[name] = best - evidence_at(sizes, reduced, there)
+    return ratios
 
 
 def averaged(sizes: Sizes, reduced: Reduced, x: FloatArray) -> Posterior:

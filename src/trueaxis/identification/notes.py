@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trueaxis.estimation.evidence import LIKELIER, SAID
+from trueaxis.estimation.evidence import LIKELIER
 from trueaxis.estimation.instruments import CLASSES, SET_UP_FACTOR, own_kinds, states_line
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.estimation.observations import Observations
@@ -112,10 +112,9 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
         # a size of which readings tell little may come out far from the expected one without meaning it
         if found.likelier.get(kind, 0.0) > LIKELIER:
             factor = found.factors[kind]
-            limit = size * (SAID if factor > 1.0 else 1.0 / SAID)
             notes.append(
                 f"[prior] says {key} = {size:g}, the readings show errors of about {size * factor:.3g}; "
-                f"{limit:.3g} is {_times(found.likelier[kind])} less likely: more than a factor of {SAID:g} apart; the "
+                f"{size:g} is {_times(found.likelier[kind])} less likely; the "
                 "estimate takes the size that the readings show"
             )
     if found.readings.outliers.any():
