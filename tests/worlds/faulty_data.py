@@ -1,14 +1,15 @@
 """What `identify` says of faulty data on random designs: python -m tests.worlds.faulty_data 60 9601 --faults 20
 
-Every design is measured as it should be; the first --faults of them also with each fault, in one run of each kind that
-is drawn at random, and in all readings. Noise is neither stated nor repeated on purpose. One line per data set, then
-the table.
+Every design is measured as it should be; the first --faults of them also with each fault: of readings, in one run of
+each kind that is drawn at random, and in all readings; of the set-up as setup.toml has it, in a run drawn at random.
+Noise is neither stated nor repeated on purpose. One line per data set, then the table.
 """
 
 import argparse
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -18,52 +19,109 @@ from tests.worlds.machine import Array
 from tests.worlds.readings import measure
 from tests.worlds.truth import draw_machine
 from trueaxis.estimation.misread import How, undone_reading
+from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.set_up import is_straightness
 from trueaxis.identification.believable_setup import setup_faults
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.measurement.data import MeasuredData, read_data
+from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.errors import ErrorValues
 
 FACTORS = {"sign reversed": -1.0, "1000 times too small": 1e-3, "1000 times too large": 1e3}
 MIRRORED = "targets from the other end"
 ALL = "all readings"
 KINDS = ("laser", "straightness", "ballbar", "probe")
+ELSEWHERE, BALL, LENGTH = 200.0, 3.0, 0.05  # mm: a home or target point, a ball, the length of a bar
+
+
+@dataclass(frozen=True)
+class Faulty:
+    """A data set: its fault, the kind of run and the run or runs that have it, or `ALL`."""
+
+    fault: str
+    kind: str
+    of: tuple[str, ...]
+    plan: Observations
 
 
 @dataclass(frozen=True)
 class Said:
-    """Of a data set: fault and run or `ALL`, "" where there is none; end: refused, misfit, note or nothing; named:
-    whether the faulty run is among those that are named, or the fault is of all.
+    """Of a data set: fault and runs or `ALL`, none where there is none; end: refused, misfit, note or nothing; named:
+    whether a faulty run is among those that are named, or the fault is of all.
     """
 
     fault: str
-    of: str
+    of: tuple[str, ...]
     end: str
     named: bool
     words: str
 
 
-def faulty(one: World, reading: Array, seed: int) -> Iterator[tuple[str, str, str, Array]]:
-    """Fault, kind of run, run or `ALL`, readings."""
+def faulty(one: World, reading: Array, seed: int) -> Iterator[Faulty]:
     source = np.random.default_rng([seed, 31])
-    yield "1000 times too small", ALL, ALL, 1e-3 * reading
-    runs = measured_runs(replace(one.plan, reading=reading))
+    plan = replace(one.plan, reading=reading)
+    yield Faulty("1000 times too small", ALL, (ALL,), replace(plan, reading=1e-3 * reading))
+    runs = measured_runs(plan)
     kinds = {run.rows.index: _kind(one, run.rows.index) for run in runs}
     for kind in KINDS:
         of_kind = [run for run in runs if kinds[run.rows.index] == kind]
         for fault, factor in FACTORS.items():
             if of_kind:
                 run = of_kind[int(source.integers(len(of_kind)))].rows
-                yield fault, kind, run.run.id, np.where(one.plan.run == run.index, factor, 1.0) * reading
+                changed = np.where(one.plan.run == run.index, factor, 1.0) * reading
+                yield Faulty(fault, kind, (run.run.id,), replace(plan, reading=changed))
         how: How = "mirrored"
         of_kind = [run for run in of_kind if undone_reading(run, how) is not None]
         if of_kind:
             chosen = of_kind[int(source.integers(len(of_kind)))]
             turned = reading.copy()
             turned[chosen.rows.at] = undone_reading(chosen, how)
-            yield MIRRORED, kind, chosen.rows.run.id, turned
+            yield Faulty(MIRRORED, kind, (chosen.rows.run.id,), replace(plan, reading=turned))
+    yield from _of_set_ups(plan, kinds, np.random.default_rng([seed, 37]))
+
+
+def _of_set_ups(plan: Observations, kinds: Mapping[int, str], source: np.random.Generator) -> Iterator[Faulty]:
+    """What setup.toml says of one run is wrong, or the readings of two are in each other's place."""
+    bars = [index for index, kind in kinds.items() if kind == "ballbar"]
+    lines = [index for index, kind in kinds.items() if kind != "ballbar"]
+
+    def changed(fault: str, among: Sequence[int], change: Callable[[Run], Run]) -> Iterator[Faulty]:
+        if among:
+            index = among[int(source.integers(len(among)))]
+            runs = list(plan.runs)
+            runs[index] = change(runs[index])
+            yield Faulty(fault, kinds[index], (runs[index].id,), replace(plan, runs=tuple(runs)))
+
+    def moved(point: PointOn, by: Array) -> PointOn:
+        return PointOn(point.on, tuple((np.array(point.point) + by).tolist()))
+
+    def elsewhere(run: Run) -> Run:
+        by = source.uniform(-ELSEWHERE, ELSEWHERE, len(run.home))
+        return replace(run, home={axis: value + far for (axis, value), far in zip(run.home.items(), by, strict=True)})
+
+    ball = BALL * np.eye(3)[source.integers(3)]
+    yield from changed("home elsewhere", lines, elsewhere)
+    by = source.uniform(-ELSEWHERE, ELSEWHERE, 3)
+    yield from changed("target elsewhere", lines, lambda run: replace(run, target=moved(run.target, by)))
+    yield from changed("ball 3 mm off", bars, lambda run: replace(run, reference=moved(run.reference, ball)))
+    yield from changed("bar 0.05 mm longer", bars, lambda run: replace(run, length=(run.length or 0.0) + LENGTH))
+    counts = np.bincount(plan.run, minlength=len(plan.runs))
+    for kind in KINDS:
+        pairs = [
+            (a, b)
+            for a, b in combinations([index for index in kinds if kinds[index] == kind], 2)
+            if counts[a] == counts[b]
+            and (plan.runs[a].direction, plan.runs[a].reference) != (plan.runs[b].direction, plan.runs[b].reference)
+        ]
+        if pairs:
+            pair = pairs[int(source.integers(len(pairs)))]
+            first, second = (np.flatnonzero(plan.run == index) for index in pair)
+            reading = plan.reading.copy()
+            reading[first], reading[second] = plan.reading[second], plan.reading[first]
+            named = tuple(plan.runs[index].id for index in pair)
+            yield Faulty("two runs swapped", kind, named, replace(plan, reading=reading))
 
 
 def _kind(one: World, index: int) -> str:
@@ -72,21 +130,23 @@ def _kind(one: World, index: int) -> str:
     return "straightness" if across and run.instrument == "laser" else run.instrument
 
 
-def said(one: World, data: MeasuredData, reading: Array, folder: Path) -> tuple[str, tuple[str, ...], str]:
+def said(one: World, data: MeasuredData, plan: Observations, folder: Path) -> tuple[str, tuple[str, ...], str]:
     """End, runs that are named, words."""
-    refused = setup_faults(one.model, replace(data, readings=replace(data.readings, reading=reading)), folder)
+    measured = MeasuredData(replace(data.setup, runs=plan.runs), replace(data.readings, reading=plan.reading))
+    refused = setup_faults(one.model, measured, folder)
     if refused:
         return "refused", tuple(fault.problem.split(",")[0].removeprefix("run ") for fault in refused), "readings"
     known = ErrorValues(one.model.name, {name: one.model.errors.parameters[name] for name in one.model.dimensions})
     try:
-        found = identify_estimated(one.model, replace(one.plan, reading=reading), IdentifyOptions(known=known))
+        found = identify_estimated(one.model, plan, IdentifyOptions(known=known))
     except NotConvergedError as failure:
         return "refused", tuple(run.run for run in failure.runs), "not converged"
     quality = found.report.quality
     if quality.fit.state == "misfit":
         return "misfit", quality.fit.runs, quality.reason
-    notes = [note for note in found.report.notes if note.startswith("run ")]
-    return "note" if notes else "nothing", tuple(note.split()[1] for note in notes), "; ".join(notes)
+    notes = [note for note in found.report.notes if note.startswith(("run ", "runs "))]
+    words = "; ".join(notes)
+    return "note" if notes else "nothing", tuple(words.replace(",", " ").split()), words
 
 
 def judged(seed: int, folder: Path, with_faults: bool) -> Iterator[tuple[str, Said]]:
@@ -94,10 +154,11 @@ def judged(seed: int, folder: Path, with_faults: bool) -> Iterator[tuple[str, Sa
     one = world(seed, folder)
     data = read_data(folder / "data", one.model)
     reading = measure(one.design, draw_machine(one.design.machine, seed + 7), seed + 7).reading
-    sets = [("", "", "", reading), *(faulty(one, reading, seed) if with_faults else ())]
-    for fault, kind, run, values in sets:
-        end, named, words = said(one, data, values, folder)
-        yield kind, Said(fault, run, end, run in named or (run == ALL and end != "nothing"), words)
+    sound = Faulty("", "", (), replace(one.plan, reading=reading))
+    for each in (sound, *(faulty(one, reading, seed) if with_faults else ())):
+        end, named, words = said(one, data, each.plan, folder)
+        whole = each.of == (ALL,) and end != "nothing"
+        yield each.kind, Said(each.fault, each.of, end, whole or bool(set(each.of) & set(named)), words)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
