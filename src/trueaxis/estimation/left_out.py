@@ -14,7 +14,7 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import block_diag, qr
+from scipy.linalg import block_diag, cho_factor, cho_solve, null_space, qr
 
 from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.instruments import own_kinds
@@ -31,9 +31,9 @@ from trueaxis.measurement.machine import FloatArray
 MOST = 0.25  # share of the runs that may contradict the others: beyond it the model does
 TRIALS = 3  # suspects that are left out on trial, each at the cost of an estimate
 ZERO = " zero"  # the end of the name of its class
-FREE = 1e3  # times its expected size: an own zero of a run that may be anything
 TOLD = 0.1  # of the noise: what an unknown changes readings by, as large as expected, from where on it counts as such
-ROUNDING = 1e-12  # of the largest: below, a variance is none
+ROUNDING = 1e-9  # of the largest variance
+MOST_DIRECTIONS = 2000  # of a group: 0.3 s and 32 MB; of larger ones the runs are judged alone
 
 Group = tuple[int, ...]  # runs, by their index
 
@@ -50,13 +50,14 @@ class Far:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Contradiction:
-    """Runs by their index. times: how far they are from what the others let expect, in units of its standard deviation,
-    where their own zeros may be anything; without: (n,), the unknowns as the others tell them, without runs that
-    contradicted them before either.
+    """Runs by their index. times: how far they are from what the others let expect, in units of its standard deviation;
+    zeros_free: the same where their own zeros may be anything; without: (n,), the unknowns as the others tell them,
+    without runs that contradicted them before either.
     """
 
     runs: Group
     times: float
+    zeros_free: float
     without: FloatArray
 
 
@@ -90,12 +91,13 @@ def contradictions(fitted: Fitted, posterior: Posterior, estimated: Without, sur
             without = estimated(_others(fitted.state.runs, wrong))
             expected = without.posterior()
             members = [one for one in fitted.state.runs if one.rows.index in wrong]
-            if beside_others(without, expected, members, fitted.scales).log_p < -sure:
+            far = beside_others(without, expected, members, fitted.scales)
+            if far.log_p < -sure:
                 break
         else:
             return found
-        far = beside_others(without, expected, members, fitted.scales, zeros_free=True)
-        found.append(Contradiction(runs=wrong, times=far.times, without=without.state.unknowns))
+        free = beside_others(without, expected, members, fitted.scales, zeros_free=True)
+        found.append(Contradiction(wrong, far.times, free.times, without.state.unknowns))
         given_up |= set(wrong)
         groups = [one for one in groups if not given_up & set(one)]
         fitted, posterior = without, expected
@@ -152,6 +154,8 @@ def beside_all(fitted: Fitted, posterior: Posterior, groups: Sequence[Group]) ->
         alone[index] = mine.own @ (own.alone / mine.sizes)
     found = {}
     for group in groups:
+        if len(group) > 1 and sum(rows[index].left.size for index in group) > MOST_DIRECTIONS:
+            continue
         spread, of_run = (
             np.vstack([by_others[index] for index in group]),
             block_diag(*(alone[index] for index in group)),
@@ -177,16 +181,16 @@ def beside_others(
     """
     layout, now = without.state.layout, without.state
     model = layout.model.with_values(layout.values(now.unknowns, now.given))
-    rows, own = [], []
+    rows, zeros = [], []
     for one in runs:
         kinds = own_kinds(one.rows.run, layout.straightness[one.rows.index])
         left = residual_of(layout, model, one, now.unknowns, np.zeros(len(kinds)))
         scale = scales[one.rows.index] if one.instrument in now.stated else 1.0
         rows.append(_rows(without, expected, one, left, scale))
-        wide = [FREE if zeros_free and kind.endswith(ZERO) else 1.0 for kind in kinds]
-        own.append(rows[-1].own * wide)
-    spread, of_run = np.vstack([one.others for one in rows]) @ expected.spread, block_diag(*own)
-    return _far(rows, spread @ spread.T + of_run @ of_run.T + np.diag(_noise(rows)))
+        zeros.append(rows[-1].own[:, [kind.endswith(ZERO) for kind in kinds]])
+    spread, of_run = np.vstack([one.others for one in rows]) @ expected.spread, block_diag(*(one.own for one in rows))
+    covariance = spread @ spread.T + of_run @ of_run.T + np.diag(_noise(rows))
+    return _far(rows, covariance, null_space(block_diag(*zeros).T) if zeros_free else None)
 
 
 def _noise(rows: Sequence[_Rows]) -> FloatArray:
@@ -217,10 +221,15 @@ def _rows(fitted: Fitted, posterior: Posterior, one: MeasuredRun, left: FloatArr
     )
 
 
-def _far(rows: Sequence[_Rows], covariance: FloatArray) -> Far:
-    """By what is left of the readings of some runs, and its covariance."""
-    variance, turned = np.linalg.eigh(covariance)
-    told = variance > ROUNDING * variance[-1:].max(initial=0.0)
-    left = turned.T @ np.concatenate([one.left for one in rows])
-    square, k = float(np.sum(left[told] ** 2 / variance[told])), max(int(told.sum()), 1)
+def _far(rows: Sequence[_Rows], covariance: FloatArray, seen: FloatArray | None = None) -> Far:
+    """By what is left of the readings of some runs, and its covariance; seen: (k, q), directions that count, else all.
+
+    Where the others let expect nothing no variance is left in `beside_all`: such a direction adds nothing.
+    """
+    left = np.concatenate([one.left for one in rows])
+    if seen is not None:
+        left, covariance = seen.T @ left, seen.T @ covariance @ seen
+    covariance = covariance + ROUNDING * np.diag(covariance).max(initial=0.0) * np.eye(left.size)
+    square = float(left @ cho_solve(cho_factor(covariance), left)) if left.size else 0.0
+    k = max(left.size, 1)
     return Far(log_f_tail(square / k, k, sum(one.freedom for one in rows)), float(np.sqrt(square / k)))

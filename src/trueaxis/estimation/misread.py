@@ -110,7 +110,7 @@ def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> li
                 for values in (reading, one.reading)
             )
             if max(undone.log_p, now.log_p) < -SURE:
-                found.append(Contradiction((one.rows.index,), now.times, without.state.unknowns))
+                found.append(Contradiction((one.rows.index,), now.times, now.times, without.state.unknowns))
     return found
 
 

@@ -63,14 +63,14 @@ def _contradicting(observed: Observations, found: Estimate) -> tuple[str, ...]:
 
 
 def _matter(found: Estimate) -> bool:
-    """Whether runs that contradict the others are far from them by more than noise of any form may be, or what is said
-    of the tool point does not hold where they are wrong.
+    """Whether runs that contradict the others do so by more than noise of any form and a zero that is far off, or what
+    is said of the tool point does not hold where they are wrong.
     """
     each = found.readings.contradicting
     if not each:
         return False
     moved, u = moved_without(found, [ORIGIN])
-    return moved > u or max(one.times for one in each) > MISFIT_OF_RUN
+    return moved > u or max(one.zeros_free for one in each) > MISFIT_OF_RUN
 
 
 def _of_contradicting(observed: Observations, found: Estimate) -> str:
