@@ -10,7 +10,7 @@ A run is judged by its own noise: what no error of a machine or a set-up could b
 which counts for AS_MANY readings as everywhere.
 """
 
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +18,7 @@ from scipy.linalg import block_diag, cho_factor, cho_solve, null_space, qr
 
 from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.instruments import own_kinds
-from trueaxis.estimation.jacobian import derivatives
+from trueaxis.estimation.jacobian import Derivative, derivatives
 from trueaxis.estimation.noise import Whitening
 from trueaxis.estimation.noise_of_residuals import AS_MANY
 from trueaxis.estimation.posterior import Posterior
@@ -149,7 +149,8 @@ def beside_all(fitted: Fitted, posterior: Posterior, groups: Sequence[Group]) ->
     state = fitted.state
     for place, one in enumerate(state.runs):
         index, own = one.rows.index, posterior.own[place]
-        mine = rows[index] = _rows(fitted, posterior, one, state.residual[place], fitted.scales[index])
+        each = state.derivatives_kept(place)
+        mine = rows[index] = _rows(fitted, posterior, one, each, state.residual[place], float(state.scales[place]))
         by_others[index] = mine.own @ (own.by_others / mine.sizes) + mine.others @ posterior.spread
         alone[index] = mine.own @ (own.alone / mine.sizes)
     found = {}
@@ -186,7 +187,7 @@ def beside_others(
         kinds = own_kinds(one.rows.run, layout.straightness[one.rows.index])
         left = residual_of(layout, model, one, now.unknowns, np.zeros(len(kinds)))
         scale = scales[one.rows.index] if one.instrument in now.stated else 1.0
-        rows.append(_rows(without, expected, one, left, scale))
+        rows.append(_rows(without, expected, one, derivatives(layout, one.kept()), left, scale))
         zeros.append(rows[-1].own[:, [kind.endswith(ZERO) for kind in kinds]])
     spread, of_run = np.vstack([one.others for one in rows]) @ expected.spread, block_diag(*(one.own for one in rows))
     covariance = spread @ spread.T + of_run @ of_run.T + np.diag(_noise(rows))
@@ -197,13 +198,22 @@ def _noise(rows: Sequence[_Rows]) -> FloatArray:
     return np.concatenate([np.full(one.left.size, one.noise) for one in rows])
 
 
-def _rows(fitted: Fitted, posterior: Posterior, one: MeasuredRun, left: FloatArray, scale: float) -> _Rows:
-    """left: (n,), of all readings, mm; scale: of the noise of the run by which its readings are whitened."""
+def _rows(
+    fitted: Fitted,
+    posterior: Posterior,
+    one: MeasuredRun,
+    each: Iterable[Derivative],
+    left: FloatArray,
+    scale: float,
+) -> _Rows:
+    """each: derivatives of the readings that count; left: (n,), of all readings, mm; scale: of the noise of the run by
+    which its readings are whitened.
+    """
     state, kept = fitted.state, one.kept()
     kinds = own_kinds(kept.run, state.layout.straightness[kept.index])
     whiten = Whitening(state.noise[one.instrument], kept.steps, scale)
     counts = len(kinds), state.layout.count
-    triangle = run_triangle(derivatives(state.layout, kept), left[one.good], whiten, counts)
+    triangle = run_triangle(each, left[one.good], whiten, counts)
     sizes = fitted.sizes.own_scale(kinds, fitted.x)
     by_size = triangle[:, :-1] * np.concatenate([sizes, posterior.scale])
     turned, root, _ = qr(by_size, mode="economic", pivoting=True)
