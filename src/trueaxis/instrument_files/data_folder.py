@@ -72,7 +72,7 @@ def readings_bytes(runs: Sequence[DataRun], axes: tuple[str, ...]) -> bytes:
         feed=_column(runs, lambda source: source.feed),
         temperature=_column(runs, lambda source: source.temperature),
     )
-    return dump_readings(readings)
+    return dump_readings(readings, [item.run for item in runs])
 
 
 def _directions(item: DataRun, seq: "np.ndarray", axes: Sequence[str]) -> "np.ndarray":
