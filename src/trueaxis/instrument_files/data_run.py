@@ -7,10 +7,12 @@ from typing import cast
 
 import numpy as np
 
+from trueaxis.instrument_files.angles import about, in_angles
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Fault
 from trueaxis.io.plain_text import escaped
 from trueaxis.machine.machine import BED, LINEAR, Machine
+from trueaxis.measurement.instrument_kinds import ANGLE, ARM, small_unit, unit_of_file
 from trueaxis.measurement.instrument_run import DirectionArray, FloatArray, InstrumentRun
 from trueaxis.measurement.limits import COLDEST, FARTHEST_POINT, FASTEST, LONGEST_ID, LONGEST_TIME, WARMEST
 from trueaxis.measurement.readings_reader import LARGEST_READING
@@ -48,6 +50,11 @@ def data_run(source: InstrumentRun, machine: Machine, keys: UserKeys, view: Tool
     before = len(keys.questions) + len(keys.faults)
     run_id = escaped(own.text("id", "its name", "X1", default=source.id) or "")[:LONGEST_ID].strip() or "run"
     instrument: Instrument | None = source.instrument
+    if instrument == ANGLE:
+        angles = in_angles(source, own)
+        if angles is None:
+            return None
+        source = angles
     if instrument is None:
         among = ("laser", "probe")
         instrument = cast("Instrument | None", own.text("instrument", "", "laser", among=among, default="laser"))
@@ -61,7 +68,7 @@ def data_run(source: InstrumentRun, machine: Machine, keys: UserKeys, view: Tool
 def _along(
     source: InstrumentRun, machine: Machine, own: RunKeys, _: ToolView, run_id: str, instrument: Instrument | None
 ) -> DataRun | None:
-    """A run of a laser or a probe."""
+    """A run of a laser, a probe or an angle instrument."""
     axis = source.axis if source.axis in machine.axes else None
     if source.targets is not None and axis is None:
         right = machine.axes[0]
@@ -74,10 +81,11 @@ def _along(
     side: Carrier = "tool" if mover is None or _carries_tool(machine, mover) else "workpiece"
     on = cast("Carrier | None", own.text("target", "", "tool", among=("tool", "workpiece"), default=side))
     frame_of = cast("Frame | None", own.text("frame", "", "bed", among=("bed", "workpiece"), default="bed"))
-    direction = _direction(machine, own, mover)
+    angle = instrument == ANGLE
+    direction = _direction(machine, own, mover, angle=angle)
     meaning = f"where the moving optic or sensor is, in the frame of the {on or side}, mm"
-    target = own.vector("target.point", meaning, "X,Y,Z")
-    reference = _reference(own)
+    target = (0.0, 0.0, 0.0) if angle else own.vector("target.point", meaning, "X,Y,Z")  # all points turn alike
+    reference = _reference(own, angle=angle)
     home, reading, remark = _home(source, machine, own, positions, mover)
     if on is None or frame_of is None or direction is None or target is None or reference is None or reading is None:
         return None
@@ -175,12 +183,15 @@ def _carries_tool(machine: Machine, axis: str) -> bool:
     return False
 
 
-def _direction(machine: Machine, own: RunKeys, axis: str | None) -> Vector | None:
+def _direction(machine: Machine, own: RunKeys, axis: str | None, *, angle: bool) -> Vector | None:
     default: Vector | None = None
-    if axis is not None and axis in LINEAR:
+    meaning, right = "the direction in which it reads positive, in `frame`", "1,0,0"
+    if angle:
+        meaning, right, default = about(machine, axis)
+    elif axis is not None and axis in LINEAR:
         sense = float(machine.mover(axis).sense)
         default = cast(Vector, tuple(sense if name == axis else 0.0 for name in LINEAR))
-    given = own.vector("direction", "the direction in which it reads positive, in `frame`", "1,0,0", default=default)
+    given = own.vector("direction", meaning, right, default=default)
     if given is None:
         return None
     size = math.hypot(*given)
@@ -190,10 +201,10 @@ def _direction(machine: Machine, own: RunKeys, axis: str | None) -> Vector | Non
     return cast(Vector, tuple(value / size for value in given))
 
 
-def _reference(own: RunKeys) -> PointOn | None:
+def _reference(own: RunKeys, *, angle: bool) -> PointOn | None:
     on = cast("Carrier | None", own.text("reference", "", "bed", among=("bed", "tool", "workpiece"), default="bed"))
-    if on is None or on == "bed":
-        return None if on is None else PointOn("bed")
+    if on is None or on == "bed" or angle:
+        return None if on is None else PointOn(on)
     point = own.vector("reference.point", f"where the resting optic is, in the frame of the {on}, mm", "X,Y,Z")
     return None if point is None else PointOn(on, point)
 
@@ -221,7 +232,8 @@ def _home(
         return home, None, ()
     if zero == "mean":
         off = float(readings.mean())
-        said = f"the mean of the {readings.size} readings at home, {off * 1e3:.6g} um, was taken off every reading"
+        unit = small_unit(source.instrument or "laser")
+        said = f"the mean of the {readings.size} readings at home, {off * 1e3:.6g} {unit}, was taken off every reading"
         return home, source.reading - off, (said,)
     return home, None if zero is None else source.reading, ()
 
@@ -241,8 +253,10 @@ def _check(found: DataRun, machine: Machine, own: RunKeys) -> None:
             own.wrong(key, str(list(point)), f"coordinates in mm, at most {FARTHEST_POINT:g}")
     largest = float(np.abs(found.reading).max(initial=0.0))
     if not largest <= LARGEST_READING:
-        problem = f"has a reading of {largest:.6g} mm"
-        remedy = f"deviations of at most {LARGEST_READING:g} mm: unit.reading, length"
+        unit = unit_of_file(run.instrument)
+        per_unit = ARM if unit == "rad" else 1.0
+        problem = f"has a reading of {largest / per_unit:.6g} {unit}"
+        remedy = f"deviations of at most {LARGEST_READING / per_unit:g} {unit}: unit.reading, length"
         own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, remedy))
     for name, values, low, high in (
         ("time", source.time, -LONGEST_TIME, LONGEST_TIME),

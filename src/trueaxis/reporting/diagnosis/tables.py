@@ -5,8 +5,9 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from trueaxis.diagnosis.result import Cause, Diagnosis
+from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.reporting.diagnosis.further import proposals
-from trueaxis.reporting.diagnosis.quantity import NBSP, UM, micrometres, percent, probability, quantity, written
+from trueaxis.reporting.diagnosis.quantity import NBSP, UM, URAD, micrometres, percent, probability, quantity, written
 from trueaxis.reporting.diagnosis.structures import check_meaning, check_name
 from trueaxis.reporting.diagnosis.words import ESTIMATED, effect_title, in_words, noise_origin, stale_range
 
@@ -183,7 +184,7 @@ def noise(diagnosis: Diagnosis) -> Table:
     """Noise of each instrument: correlation is that of the slow part from one reading to the next."""
     rows = tuple(
         (
-            one.instrument,
+            one.instrument if small_unit(one.instrument) == "um" else f"{one.instrument}, {URAD}",
             micrometres(one.sigma),
             micrometres(one.white),
             micrometres(one.correlated),
