@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.kept import derived
 from tests.worlds import angles
 from tests.worlds.__main__ import main
 from tests.worlds.angles import draw_angles
 from tests.worlds.design import draw_design
-from tests.worlds.estimates import derived
 from tests.worlds.truth import draw_machine
 from trueaxis.jobs.load import load_data, load_model
 from trueaxis.measurement.instrument_kinds import ARM
@@ -26,9 +26,9 @@ def test_a_world_stays_what_it_is(tmp_path: Path) -> None:
     for file in ("machine.toml", "errors.json", "truth/deviations.csv"):
         assert (tmp_path / "plain" / file).read_bytes() == (tmp_path / "angles" / file).read_bytes()
     for file in ("data/setup.toml", "data/readings.csv"):
-        plain, more = ((tmp_path / name / file).read_text() for name in ("plain", "angles"))
-        assert more.startswith(plain)
-        assert len(more) > len(plain)
+        before, beside = ((tmp_path / name / file).read_text() for name in ("plain", "angles"))
+        assert beside.startswith(before)
+        assert len(beside) > len(before)
 
 
 def test_readings_are_those_of_the_exact_model(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,11 +12,11 @@ from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Fault
 from trueaxis.io.plain_text import escaped
 from trueaxis.machine.machine import BED, LINEAR, Machine
-from trueaxis.measurement.instrument_kinds import ANGLE, ARM, small_unit, unit_of_file
+from trueaxis.measurement.instrument_kinds import ANGLE, ARM, Instrument, small_unit, unit_of_file
 from trueaxis.measurement.instrument_run import DirectionArray, FloatArray, InstrumentRun
 from trueaxis.measurement.limits import COLDEST, FARTHEST_POINT, FASTEST, LONGEST_ID, LONGEST_TIME, WARMEST
 from trueaxis.measurement.readings_reader import LARGEST_READING
-from trueaxis.measurement.setup import Instrument, PointOn, Run, Vector
+from trueaxis.measurement.setup import PointOn, Run, Vector
 from trueaxis.measurement.setup_reader import LONGEST_BAR
 from trueaxis.view import Carrier, Frame
 

@@ -11,10 +11,10 @@ from trueaxis.io.input_files import input_bytes, utf8_text
 from trueaxis.io.toml_lines import complainer, key_lines, parse_toml, place
 from trueaxis.machine.fields import Fields, shown
 from trueaxis.measurement.devices import check_devices, check_label, read_devices
-from trueaxis.measurement.instrument_kinds import ANGLE, INSTRUMENTS
+from trueaxis.measurement.instrument_kinds import ANGLE, INSTRUMENTS, Instrument
 from trueaxis.measurement.limits import FARTHEST_POINT
 from trueaxis.measurement.machine import MachineAxes
-from trueaxis.measurement.setup import CompensationKey, Device, Instrument, PointOn, Run, Setup, Vector
+from trueaxis.measurement.setup import CompensationKey, Device, PointOn, Run, Setup, Vector
 from trueaxis.view import Carrier, Frame
 
 UNIT_TOLERANCE = 1e-6  # a unit vector written with seven digits or more is one

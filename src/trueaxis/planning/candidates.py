@@ -12,9 +12,10 @@ from typing import cast
 import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.measurement.instrument_kinds import Instrument
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import column
-from trueaxis.measurement.setup import Device, Instrument, PointOn, Run, Vector
+from trueaxis.measurement.setup import Device, PointOn, Run, Vector
 from trueaxis.planning.paths import (
     at_share,
     follow_circle,
