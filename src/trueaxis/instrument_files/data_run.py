@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
 
 from trueaxis.instrument_files.angles import about, in_angles
+from trueaxis.instrument_files.expansion import normalised
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Fault
 from trueaxis.io.plain_text import escaped
@@ -21,6 +22,7 @@ from trueaxis.measurement.setup_reader import LONGEST_BAR
 from trueaxis.view import Carrier, Frame
 
 PLANES = {"XY": ("X", "Y"), "YZ": ("Y", "Z"), "ZX": ("Z", "X")}
+SLANTED = 1e-3  # by which the cosine of a direction along an axis may be less than 1
 SMALLEST = 1e-9  # length of a direction that can be made a unit vector
 
 # the tool point in the workpiece frame at axis positions (n_axes, 1), for a point (3, 1) of the tool, mm
@@ -86,6 +88,10 @@ def _along(
     meaning = f"where the moving optic or sensor is, in the frame of the {on or side}, mm"
     target = (0.0, 0.0, 0.0) if angle else own.vector("target.point", meaning, "X,Y,Z")  # all points turn alike
     reference = _reference(own, angle=angle)
+    warm = _normalised(source, machine, own, positions, (mover, on, frame_of, direction))
+    if warm is None:
+        return None
+    source, expansion, warmth = warm
     home, reading, remark = _home(source, machine, own, positions, mover)
     if on is None or frame_of is None or direction is None or target is None or reference is None or reading is None:
         return None
@@ -94,7 +100,7 @@ def _along(
         return None
     run = Run(
         id=run_id, instrument=instrument or "laser", target=PointOn(on, target), reference=reference,
-        frame=frame_of, home=home, direction=direction,
+        frame=frame_of, home=home, direction=direction, normalised=expansion,
     )  # fmt: skip
     directions = None
     if source.directions is not None and mover is not None:
@@ -102,7 +108,7 @@ def _along(
         directions[machine.axes.index(mover)] = source.directions
     return DataRun(
         run=run, source=source, positions=positions, directions=directions, reading=reading,
-        assumed=own, remarks=(*source.assumed, *remark),
+        assumed=own, remarks=(*source.assumed, *warmth, *remark),
     )  # fmt: skip
 
 
@@ -209,6 +215,28 @@ def _reference(own: RunKeys, *, angle: bool) -> PointOn | None:
     return None if point is None else PointOn(on, point)
 
 
+def _normalised(
+    source: InstrumentRun,
+    machine: Machine,
+    own: RunKeys,
+    positions: FloatArray,
+    seen: tuple[str | None, Carrier | None, Frame | None, Vector | None],
+) -> tuple[InstrumentRun, float | None, tuple[str, ...]] | None:
+    """See `normalised`. seen: axis that moved, what carries the target, frame and direction of the run."""
+    axis, on, frame, direction = seen
+    if axis is None or axis not in LINEAR or source.instrument == ANGLE or on is None or direction is None:
+        return source, None, ()
+    row = machine.axes.index(axis)
+    along = machine.mover(axis).sense * direction[LINEAR.index(axis)]
+    if own.said(f"expansion.{axis}") is not None:
+        carried = _carries_tool(machine, axis) == (on == "tool")
+        if frame != "bed" or not carried or abs(along) < 1.0 - SLANTED or own.said("reference") not in (None, "bed"):
+            right = "a run along the axis, of what the axis carries against the bed"
+            own.wrong(f"expansion.{axis}", own.values[f"expansion.{axis}"], right)
+            return None
+    return normalised(source, own, axis, along * (positions[row] - positions[row, 0]))
+
+
 def _home(
     source: InstrumentRun, machine: Machine, own: RunKeys, positions: FloatArray, axis: str | None
 ) -> tuple[dict[str, float], FloatArray | None, tuple[str, ...]]:
@@ -267,18 +295,3 @@ def _check(found: DataRun, machine: Machine, own: RunKeys) -> None:
         if wrong.size:
             problem = f"{name} {wrong[0]:.6g} is outside what can be"
             own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, f"from {low:g} to {high:g}"))
-
-
-def renamed(runs: tuple[DataRun, ...]) -> tuple[DataRun, ...]:
-    """The runs with ids of their own: files of different folders may have one name."""
-    seen: set[str] = set()
-    result = []
-    for item in runs:
-        name, number = item.run.id, 1
-        while name in seen:
-            number += 1
-            ending = f"-{number}"
-            name = item.run.id[: LONGEST_ID - len(ending)] + ending
-        seen.add(name)
-        result.append(replace(item, run=replace(item.run, id=name)))
-    return tuple(result)

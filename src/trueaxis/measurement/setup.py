@@ -47,7 +47,8 @@ class Run:
     home: axis -> position (mm, deg) at which the reading was set to zero, every axis of the machine named;
     length: nominal length of the ball bar, mm (None for the others). A distance has neither frame nor zero
     point: `frame` and `home` say nothing about a ball-bar run. device: None where the file names none: all runs of one
-    instrument are then of one device; session: from one set-up of the machine to the next, empty where nothing is said.
+    instrument are then of one device; normalised: coefficient by which the readings are normalised to 20 degC, 1e-6/K,
+    None where nothing is said; session: from one set-up of the machine to the next, empty where nothing is said.
     """
 
     id: str
@@ -60,6 +61,7 @@ class Run:
     length: float | None = None
     device: Device | None = None
     session: str = ""
+    normalised: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,7 @@ from trueaxis.view import Carrier, Frame
 UNIT_TOLERANCE = 1e-6  # a unit vector written with seven digits or more is one
 LONGEST_BAR = 1e4  # mm; beyond this the length is no length of a ball bar
 NO_COMPENSATION = "none"
+LARGEST_EXPANSION = 100.0  # 1e-6/K: four times that of aluminium
 
 _CARRIERS = ("tool", "workpiece", "bed")
 
@@ -104,6 +105,7 @@ def _run(fields: Fields, machine: MachineAxes, devices: Mapping[str, Device]) ->
         length=_length(fields, instrument),
         device=_device(fields, devices),
         session=_label(fields, "session"),
+        normalised=_normalised(fields),
     )
     fields.refuse_others()
     return run
@@ -138,6 +140,20 @@ def _label(fields: Fields, key: str) -> str:
 def _device(fields: Fields, devices: Mapping[str, Device]) -> Device | None:
     name = _label(fields, "device")
     return devices.get(name, Device(id=name)) if name else None
+
+
+def _normalised(fields: Fields) -> float | None:
+    """Coefficient of expansion by which the readings are normalised, 1e-6/K; None where nothing is said."""
+    key = "normalised_ppm_k"
+    if key not in fields.raw:
+        fields.known.add(key)
+        return None
+    right = f"a coefficient of expansion in 1e-6/K, from 0 to {LARGEST_EXPANSION:g}"
+    value = fields.number(key, right)
+    if value is not None and not 0.0 <= value <= LARGEST_EXPANSION:
+        fields.fault(key, f"is {value:g}", right)
+        return None
+    return value
 
 
 def _direction(fields: Fields, instrument: str | None) -> Vector | None:
