@@ -166,7 +166,7 @@ def test_it_is_read_and_written_in_radians(tmp_path: Path) -> None:
         ("resolution_urad = 0.05", "resolution_um = 0.05", "device.A.resolution_um: is in um"),
         ("resolution_urad = 0.05", "resolution_urad = 0.05\nresolution_um = 0.05", "given beside resolution_um"),
         ('target = { on = "tool" }', 'target = { on = "tool" }\nreference = { on = "tool" }', "does not turn against"),
-        ('target = { on = "tool" }', 'target = { on = "tool" }\nlength = 3.0', "a angle has no length"),
+        ('target = { on = "tool" }', 'target = { on = "tool" }\nlength = 3.0', "an angle has no length"),
     ],
 )
 def test_what_is_wrong_is_named(tmp_path: Path, old: str, new: str, told: str) -> None:

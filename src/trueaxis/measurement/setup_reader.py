@@ -178,7 +178,7 @@ def _length(fields: Fields, instrument: str | None) -> float | None:
     right = "the nominal length of the ball bar, mm"
     if instrument != "ballbar":
         if given is not None and instrument is not None:
-            fields.fault("length", f"a {instrument} has no length", "no length")
+            fields.fault("length", f"{'an' if instrument == ANGLE else 'a'} {instrument} has no length", "no length")
         return None
     if given is None:
         fields.fault("length", "is missing", right)
