@@ -12,6 +12,7 @@ from trueaxis.effects.kind import Effect
 from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.reporting.diagnosis.further import absences, proposals, separating_run, warnings
 from trueaxis.reporting.diagnosis.structures import check_meaning, check_name
+from trueaxis.reporting.diagnosis.tables import units_of_runs
 from trueaxis.reporting.diagnosis.words import ESTIMATED
 
 SCHEMA = 1
@@ -23,7 +24,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
     extended_machine, extended_errors: the files of the extended model, as a reader of diagnosis.json finds them.
     Lengths whose key does not say otherwise are in the unit beside them (mm, rad, ...).
     """
-    gain = diagnosis.gain
+    gain, units = diagnosis.gain, units_of_runs(diagnosis)
     content = {
         "schema": SCHEMA,
         "machine": diagnosis.machine,
@@ -71,7 +72,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
             for one in diagnosis.checks
         ],
         "outliers": [
-            {"run": one.run, "seq": one.seq, "deviation_um": _um(one.deviation), "z": one.z}
+            {"run": one.run, "seq": one.seq, f"deviation_{units[one.run]}": _um(one.deviation), "z": one.z}
             for one in diagnosis.outliers
         ],
         "threshold": diagnosis.threshold,
