@@ -11,8 +11,8 @@ from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import BoolArray, Check, FloatArray, StructureClass
 from trueaxis.diagnosis.rows import Rows, plane_of
-from trueaxis.diagnosis.tails import log_f_tail
 from trueaxis.diagnosis.whiten import Whitening
+from trueaxis.estimation.tails import log_f_tail
 
 DEGREE = 6
 LOBES = 10

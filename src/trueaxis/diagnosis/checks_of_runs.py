@@ -6,7 +6,7 @@ from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import Check, FloatArray, StructureClass
 from trueaxis.diagnosis.rows import Rows
-from trueaxis.diagnosis.tails import log_f_tail
+from trueaxis.estimation.tails import log_f_tail
 
 FALSE_ALARMS = 1e-3  # share of clean data sets in which one check or other may fire
 TELLING = 0.2  # share of a reading's variance that the model leaves, below which its residual is no measure of noise

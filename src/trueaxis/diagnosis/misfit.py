@@ -17,9 +17,9 @@ from trueaxis.diagnosis.noise import noise_of_runs
 from trueaxis.diagnosis.null import Null, lent
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.search import FALSE_ALARMS
-from trueaxis.diagnosis.tails import log_f_tail
 from trueaxis.diagnosis.verdict import PRACTICALLY_ALL
 from trueaxis.diagnosis.whiten import whitening
+from trueaxis.estimation.tails import log_f_tail
 
 MISFIT = 2.0  # times its noise, RMS of what a wrong run differs by: noise is not quite of the form that it is taken for
 CLOSE = 0.5  # share of the squares of the farthest from which a group may be the wrong one in its place

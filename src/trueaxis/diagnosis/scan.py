@@ -10,10 +10,10 @@ from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import FloatArray
 from trueaxis.diagnosis.rows import as_slice
 from trueaxis.diagnosis.signatures import Signature
-from trueaxis.diagnosis.tails import log_chi2_tail, log_f_tail
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE, explained
+from trueaxis.estimation.tails import log_chi2_tail, log_f_tail
 
 ENTRIES = 1 << 18  # of a signature's columns at a time: 2 MB, which stay in the processor's cache
 FAR = 100.0  # a statistic from which the number of tries does not matter

@@ -17,8 +17,8 @@ from trueaxis.diagnosis.null import Null
 from trueaxis.diagnosis.projection import Projection, orthonormal, spanned
 from trueaxis.diagnosis.result import FloatArray, IntArray, Stale
 from trueaxis.diagnosis.rows import Rows
-from trueaxis.diagnosis.tails import log_f_tail
 from trueaxis.diagnosis.whiten import RANK
+from trueaxis.estimation.tails import log_f_tail
 
 FALSE_ALARMS = 1e-5  # share of data with true values in which one component or other is taken for stale
 CHANGED = 2.0  # standard uncertainties: from where to where a curve has changed

@@ -11,10 +11,12 @@ from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.estimation.effects.start import below_zero, sought_effects, with_locations, with_searched, with_zeros
 from trueaxis.estimation.effects.unknowns import EffectUnknowns
 from trueaxis.estimation.evidence import averaged, best_sizes, likelier, posterior_at
+from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.giving_way import giving_way
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.least_norm import least_norm
-from trueaxis.estimation.misread import Misread, mean_square, misread_runs
+from trueaxis.estimation.left_out import Contradiction, contradictions
+from trueaxis.estimation.misread import SURE, Misread, mean_square, misread_runs, unexplained
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.result import Estimate, InstrumentNoise, Iteration, ReadingsLeft
@@ -163,7 +165,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    misread = _misread(setting, state, sizes, x, posterior)
+    misread, contradicting = _wrong(setting, Fitted(state=state, sizes=sizes, x=x), posterior)
     ratios = likelier(sizes, found, x) if setting.options.prior else {}
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
@@ -191,24 +193,39 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
             residual=left,
             outliers=outliers,
             misread=misread,
+            contradicting=tuple(contradicting),
             freedom=float((~outliers).sum()) - posterior.told,
         ),
         iteration=Iteration(rounds=rounds, steps=steps, last_step=last, last_change=change, converged=converged),
     )
 
 
-def _misread(setting: _Setting, state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> dict[int, Misread]:
-    """As `misread_runs`; where residuals are far from a noise that is stated, by one that is estimated."""
-    layout, kept, noise = state.layout, state.kept, setting.options.noise
+def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dict[int, Misread], list[Contradiction]]:
+    """Runs that were misread, and those that contradict the others whatever is wrong with them.
 
-    def refit(runs: Sequence[MeasuredRun]) -> tuple[FloatArray, State]:
-        return _rounds(started(layout, tuple(runs), setting.given, noise, kept), sizes, MOST_ROUNDS)[:2]
+    Where residuals are far from a noise that is stated, by one that is estimated.
+    """
+    state, noise, options = fitted.state, setting.options.noise, setting.options
+    kept = dict(zip((one.rows.index for one in state.runs), state.kept, strict=False))
+
+    def refit(runs: Sequence[MeasuredRun]) -> Fitted:
+        of_runs = tuple(kept[one.rows.index] for one in runs) if kept else ()
+        begun = started(state.layout, tuple(runs), setting.given, noise, of_runs)
+        sizes = Sizes(state.layout, begun.own_kinds, flat=not options.prior, ideal=options.ideal)
+        x, found, _ = _rounds(begun, sizes, MOST_ROUNDS)
+        return Fitted(state=found, sizes=sizes, x=x)
 
     if noise and not LEAST_SQUARE < mean_square(state) <= 1.0:
         noise = {}
-        x, state = refit(setting.runs)
-        posterior = posterior_at(sizes, linearised(state), x)
-    return misread_runs(state, sizes, x, posterior, refit)
+        fitted = refit(setting.runs)
+        posterior = fitted.posterior()
+    misread = misread_runs(fitted, posterior, refit)
+    sure = {index: one for index, one in misread.items() if one.sure}
+    if not sure:
+        return misread, contradictions(fitted, posterior, refit, SURE)
+    others = unexplained(fitted, sure, refit)
+    elsewise = {index for one in others for index in one.runs}
+    return {index: one for index, one in misread.items() if index not in elsewise}, others
 
 
 def _determined(sizes: Sizes, posterior: Posterior) -> tuple[Posterior, FloatArray]:

@@ -81,6 +81,7 @@ def expected(
             residual=np.zeros(readings),
             outliers=np.zeros(readings, dtype=bool),
             misread={},
+            contradicting=(),
             freedom=readings - posterior.told,
         ),
         iteration=Iteration(rounds=0, steps=0, last_step=0.0, last_change=0.0, converged=True),

@@ -12,13 +12,14 @@ from typing import Literal
 
 import numpy as np
 
-from trueaxis.estimation.evidence import evidence_at, posterior_at
+from trueaxis.estimation.evidence import evidence_at
+from trueaxis.estimation.fitted import Fitted
+from trueaxis.estimation.left_out import Contradiction, beside_others
 from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.noise_of_residuals import SMALLEST
 from trueaxis.estimation.own_part import by_shared, own_part_of
 from trueaxis.estimation.posterior import Posterior
 from trueaxis.estimation.runs import MeasuredRun
-from trueaxis.estimation.sizes import Sizes
 from trueaxis.estimation.state import DISPLAY, State, linearised
 from trueaxis.measurement.columns import BoolArray
 from trueaxis.measurement.machine import FloatArray
@@ -39,7 +40,7 @@ DECIMALS = 9  # of mm: readings that differ by less are the same
 FEWEST_TARGETS = 3
 TARGETS = 6  # decimals of mm or deg, within which targets are the same
 
-Refit = Callable[[Sequence[MeasuredRun]], tuple[FloatArray, State]]  # sizes and state, of runs from the beginning
+Refit = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of runs, from the beginning
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,24 +56,25 @@ class Misread:
         return bool(self.log_odds > SURE)
 
 
-def misread_runs(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior, refit: Refit) -> dict[int, Misread]:
+def misread_runs(fitted: Fitted, posterior: Posterior, refit: Refit) -> dict[int, Misread]:
     """Runs by index that are likelier with a fault undone.
 
     One after the other: the next beside those that were undone before. Where several runs are as likely as each other
-    to be the one that is misread, each is there. posterior: at the sizes x, of the state.
+    to be the one that is misread, each is there. posterior: of what is fitted.
     """
     found: dict[int, Misread] = {}
     undone: set[int] = set()
     while True:
-        odds = {key: odd for key, odd in log_ratios(state, sizes, x, posterior).items() if key[0] not in undone}
+        state = fitted.state
+        odds = {key: odd for key, odd in log_ratios(fitted, posterior).items() if key[0] not in undone}
         likeliest = sorted((key for key in odds if odds[key] > 0.0), key=lambda key: -odds[key])
         gains: dict[tuple[int, How], float] = {}
-        following = (x, state)
+        following = fitted
         for place, how in likeliest[:MOST_TRIALS]:
             runs = _with_undone(state.runs, place, how)
             if runs is not None:
                 trial = refit(runs)
-                gain = _gain(sizes, (x, state), trial, place, how)
+                gain = _gain(fitted, trial, place, how)
                 if gain > max([SURE, *gains.values()]):
                     following = trial
                 gains[place, how] = gain
@@ -85,11 +87,34 @@ def misread_runs(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior
         if best <= SURE:
             return found
         undone |= {place for place, _ in alike}
-        x, state = following
-        posterior = posterior_at(sizes, linearised(state), x)
+        fitted = following
+        posterior = fitted.posterior()
 
 
-def log_ratios(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) -> dict[tuple[int, How], float]:
+def unexplained(fitted: Fitted, sure: Mapping[int, Misread], refit: Refit) -> list[Contradiction]:
+    """Runs that contradict the others with their fault undone, too: something else is wrong with them.
+
+    sure: runs by index that are misread; refit: of the other runs.
+    """
+    others = [one for one in fitted.state.runs if one.rows.index not in sure]
+    if not {one.instrument for one in fitted.state.runs} <= {one.instrument for one in others}:
+        return []
+    without = refit(others)
+    expected = without.posterior()
+    found = []
+    for one in fitted.state.runs:
+        reading = undone_reading(one, sure[one.rows.index].how) if one.rows.index in sure else None
+        if reading is not None:
+            undone, now = (
+                beside_others(without, expected, [replace(one, reading=values)], fitted.scales)
+                for values in (reading, one.reading)
+            )
+            if max(undone.log_p, now.log_p) < -SURE:
+                found.append(Contradiction((one.rows.index,), now.times, without.state.unknowns))
+    return found
+
+
+def log_ratios(fitted: Fitted, posterior: Posterior) -> dict[tuple[int, How], float]:
     """Of each run, by its place, and each fault: logarithm of how much likelier it is undone, by the noise and sizes of
     the state.
 
@@ -100,6 +125,7 @@ def log_ratios(state: State, sizes: Sizes, x: FloatArray, posterior: Posterior) 
     unknowns and those that runs share are taken out, and S^-1 (y - p) is the residual of the estimate of all runs.
     """
     found: dict[tuple[int, How], float] = {}
+    state, sizes, x = fitted.state, fitted.sizes, fitted.x
     for place, one in enumerate(state.runs):
         # without a prior readings of any unit are as likely: more of one unit than of another tells nothing
         hows = [how for how, factor in UNDONE.items() if not (sizes.flat and abs(factor) != 1.0)]
@@ -169,11 +195,11 @@ def _with_undone(runs: Sequence[MeasuredRun], place: int, how: How) -> list[Meas
     return whole
 
 
-def _gain(sizes: Sizes, one: tuple[FloatArray, State], other: tuple[FloatArray, State], place: int, how: How) -> float:
+def _gain(one: Fitted, other: Fitted, place: int, how: How) -> float:
     """Logarithm of how much likelier readings are by the other estimate: those that count in both."""
-    good = [a.good & b.good for a, b in zip(one[1].runs, other[1].runs, strict=True)]
-    before, after = (_counting(state, good) for _, state in (one, other))
-    value = evidence_at(sizes, linearised(after), other[0]) - evidence_at(sizes, linearised(before), one[0])
+    good = [a.good & b.good for a, b in zip(one.state.runs, other.state.runs, strict=True)]
+    before, after = (_counting(each.state, good) for each in (one, other))
+    value = evidence_at(other.sizes, linearised(after), other.x) - evidence_at(one.sizes, linearised(before), one.x)
     return value + _of_factor(replace(before, noise=after.noise, scales=after.scales), place, how)
 
 

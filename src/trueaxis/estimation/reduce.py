@@ -69,16 +69,9 @@ def reduced(
     for place, (rows, whiten, values) in enumerate(zip(runs, whitenings, readings, strict=True)):
         kinds = own_kinds(rows.run, layout.straightness[rows.index])
         k = len(kinds)
-        triangle, start = np.zeros((k + n + 1, k + n + 1)), 0
-        for one in derivatives(layout, rows) if kept is None else kept[place]:
-            whole = values[start : start + one.place.size]
-            start += one.place.size
-            if scaled is not None and own_unknowns is not None:
-                whole = whole + one.change(own_unknowns[place], scaled)
-            if one.others.shape[0] <= n and one.place.size == rows.at.size:
-                triangle = _by_places(one, whole, whiten)
-            else:
-                triangle = with_rows(triangle, whiten(np.hstack([one.own, one.by_others, whole[:, np.newaxis]])))
+        known = None if scaled is None or own_unknowns is None else (own_unknowns[place], scaled)
+        each = derivatives(layout, rows) if kept is None else kept[place]
+        triangle = run_triangle(each, values, whiten, (k, n), known)
         if triangle.shape[0] < k:
             triangle = np.vstack([triangle, np.zeros((k - triangle.shape[0], k + n + 1))])
         blocks.append(OwnBlock(kinds=kinds, own=triangle[:k, :k], others=triangle[:k, k:-1], readings=triangle[:k, -1]))
@@ -94,6 +87,32 @@ def reduced(
         blocks=tuple(blocks),
         log_root=log_root,
     )
+
+
+def run_triangle(
+    each: Iterable[Derivative],
+    readings: FloatArray,
+    whiten: Whitening,
+    counts: tuple[int, int],
+    known: tuple[FloatArray, FloatArray] | None = None,
+) -> FloatArray:
+    """(r, k + n + 1): what the whitened readings (m,) of a run say, r at most m and k + n + 1: by its own unknowns, by
+    the others, and readings.
+
+    counts: k and n; known: the unknowns, own and scaled, with which the readings were less; see `reduced`.
+    """
+    k, n = counts
+    triangle, start = np.zeros((k + n + 1, k + n + 1)), 0
+    for one in each:
+        whole = readings[start : start + one.place.size]
+        start += one.place.size
+        if known is not None:
+            whole = whole + one.change(*known)
+        if one.others.shape[0] <= n and one.place.size == readings.size:
+            triangle = _by_places(one, whole, whiten)
+        else:
+            triangle = with_rows(triangle, whiten(np.hstack([one.own, one.by_others, whole[:, np.newaxis]])))
+    return triangle
 
 
 def _by_places(one: Derivative, readings: FloatArray, whiten: Whitening) -> FloatArray:

@@ -9,6 +9,7 @@ import numpy as np
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.gauge import exactly_level, levelling
 from trueaxis.estimation.layout import Layout
+from trueaxis.estimation.left_out import Contradiction
 from trueaxis.estimation.misread import Misread
 from trueaxis.estimation.noise import Noise
 from trueaxis.measurement.columns import BoolArray
@@ -37,12 +38,14 @@ class ReadingsLeft:
     """What the estimate leaves of the readings.
 
     residual: (n_readings,), mm; outliers: (n_readings,), those that are left out; misread: runs, by index, that are
-    likelier with a fault undone, surest first; freedom: degrees of freedom that are left.
+    likelier with a fault undone, surest first; contradicting: those that contradict all others, without what
+    would explain it; freedom: degrees of freedom that are left.
     """
 
     residual: FloatArray
     outliers: BoolArray
     misread: Mapping[int, Misread]
+    contradicting: tuple[Contradiction, ...]
     freedom: float
 
 

@@ -79,9 +79,10 @@ class Sizes:
         return dict(zip(self.names, np.exp(x * self.spread).tolist(), strict=True))
 
     def own_scale(self, kinds: Sequence[str], x: FloatArray) -> FloatArray:
-        """(k,): prior standard deviations of a run's own unknowns, mm or rad."""
+        """(k,): prior standard deviations of a run's own unknowns, mm or rad; as expected where no run has such."""
         whole = IDEAL if self._ideal else 1.0
-        logs = [x[self._own_at[kind]] * self.spread[self._own_at[kind]] for kind in kinds]
+        value = x * self.spread
+        logs = [value[self._own_at[kind]] if kind in self._own_at else 0.0 for kind in kinds]
         return np.array([whole * CLASSES[kind].size * np.exp(log) for kind, log in zip(kinds, logs, strict=True)])
 
     def own_scales(self, x: FloatArray) -> list[FloatArray]:

@@ -19,6 +19,7 @@ from trueaxis.model.uncertainty import derivative, home_of
 from trueaxis.model.volume import volume_points
 
 Datum = Literal["home", "best-fit"]
+ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that reports are about
 POINTS = 200  # of the volume; a mean over them is good to some percent
 
 
@@ -94,6 +95,20 @@ def moved_by(layout: Layout, positions: FloatArray, tools: Sequence[Vector], dat
 def _length(rows: FloatArray, count: int) -> FloatArray:
     """(count,): of vectors whose coordinates are rows, in the order of `moved_by`."""
     return np.asarray(np.sqrt(np.sum((rows**2).sum(axis=1).reshape(-1, count), axis=0)))
+
+
+def moved_without(found: Estimate, tools: Sequence[Vector]) -> tuple[float, float]:
+    """RMS over the volume, from home, mm: by how much the tool point moves when runs that contradict the others are
+    left out, and its u; zero and u where none does.
+    """
+    positions = volume(found.layout.model)
+    u = _rms(tool_point(found, positions, tools).u)
+    if not found.readings.contradicting:
+        return 0.0, u
+    machine = slice(found.layout.of_machine)
+    change = (found.unknowns - found.readings.contradicting[-1].without)[machine, np.newaxis]
+    moved = moved_by(found.layout, positions, tools, "home") @ change
+    return _rms(_length(moved, positions.shape[1])), u
 
 
 def tool_summary(found: Estimate, tools: Sequence[Vector], covariance: Covariance | None = None) -> ToolSummary:

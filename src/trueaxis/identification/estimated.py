@@ -13,7 +13,7 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import copied_runs
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.runs import measured_runs
-from trueaxis.estimation.tool_point import tool_summary
+from trueaxis.estimation.tool_point import ORIGIN, tool_summary
 from trueaxis.identification.estimated_effects import covariance_with_effects, with_uncertainty
 from trueaxis.identification.estimated_report import estimated_report
 from trueaxis.identification.fit_quality import (
@@ -39,7 +39,6 @@ SILENT = {
     True: "the readings do not determine them; values and u rest on [prior]",
     False: "the readings leave combinations of them open, which are zero here",
 }
-ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame: the tool point that the report is about
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,9 @@ import numpy as np
 from trueaxis.estimation.misread import SURE, How, Misread
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
-from trueaxis.identification.fit_quality import FitQuality
+from trueaxis.estimation.tool_point import ORIGIN, moved_without
+from trueaxis.identification.fit_quality import MISFIT_OF_RUN, FitQuality
+from trueaxis.identification.words import enumerated
 from trueaxis.model.errors import Fit
 
 READS: Mapping[How, str] = {
@@ -25,17 +27,19 @@ LEAST_NOISE = 2e-5
 
 
 def with_misread(judged: FitQuality, observed: Observations, found: Estimate) -> FitQuality:
-    """A misfit where runs are misread for sure: the values follow them, too."""
+    """A misfit where runs are misread for sure, or contradict the others by much: the values follow them, too."""
     sure = {observed.runs[index].id: one for index, one in found.readings.misread.items() if one.sure}
-    reason = _of_runs(sure) if sure else _of_all(found)
-    if not reason:
-        return judged
-    return replace(judged, fit=Fit("misfit", judged.fit.chi2, tuple(sure)), reason=reason)
+    reasons, named = [_of_runs(sure) if sure else _of_all(found)], tuple(sure)
+    if _matter(found):
+        reasons, named = [*reasons, _of_contradicting(observed, found)], named + _contradicting(observed, found)
+    reason = "; ".join(filter(None, reasons))
+    return replace(judged, fit=Fit("misfit", judged.fit.chi2, named), reason=reason) if reason else judged
 
 
 def misread_notes(observed: Observations, found: Estimate) -> tuple[str, ...]:
-    """Runs that may be misread, with the odds."""
-    return tuple(
+    """Runs that may be misread, with the odds, and those that contradict the others but change little."""
+    contradict = () if _matter(found) or not found.readings.contradicting else (_of_contradicting(observed, found),)
+    return contradict + tuple(
         f"run {observed.runs[index].id} may read {READS[one.how]}: by a factor of {np.exp(one.log_odds):.2g} the "
         "readings are likelier so, which is not enough to be sure"
         for index, one in found.readings.misread.items()
@@ -51,6 +55,35 @@ def _of_runs(sure: Mapping[str, Misread]) -> str:
     if len(kinds) == 1:
         return f"runs {', '.join(sure)}: one of them at least reads {READS[kinds.pop()]}"
     return "; ".join(f"run {run} reads {READS[one.how]}" for run, one in sure.items())
+
+
+def _contradicting(observed: Observations, found: Estimate) -> tuple[str, ...]:
+    """Ids of the runs, the surest first."""
+    return tuple(observed.runs[index].id for one in found.readings.contradicting for index in one.runs)
+
+
+def _matter(found: Estimate) -> bool:
+    """Whether runs that contradict the others are far from them by more than noise of any form may be, or what is said
+    of the tool point does not hold where they are wrong.
+    """
+    each = found.readings.contradicting
+    if not each:
+        return False
+    moved, u = moved_without(found, [ORIGIN])
+    return moved > u or max(one.times for one in each) > MISFIT_OF_RUN
+
+
+def _of_contradicting(observed: Observations, found: Estimate) -> str:
+    runs = _contradicting(observed, found)
+    moved, u = moved_without(found, [ORIGIN])
+    far = max(one.times for one in found.readings.contradicting)
+    verb, them = ("contradicts", "it") if len(runs) == 1 else ("contradict", "them")
+    return (
+        f"run{'s' if len(runs) > 1 else ''} {enumerated(runs)} {verb} all others, by {far:.2g} times the noise; "
+        f"without {them} the tool point moves by {moved * 1e3:.2g} um in the volume, where u is {u * 1e3:.2g} um "
+        "(are runs swapped, is a target, reference, home or ball not where setup.toml says, or does the model lack an "
+        "effect? diagnose tells more)"
+    )
 
 
 def _of_all(found: Estimate) -> str:

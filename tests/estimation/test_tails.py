@@ -3,7 +3,7 @@
 import mpmath
 import pytest
 
-from trueaxis.diagnosis.tails import log_chi2_tail, log_f_tail
+from trueaxis.estimation.tails import log_chi2_tail, log_f_tail
 
 
 def exact_f(value: float, k: int, freedom: float) -> float:

@@ -1,0 +1,226 @@
+"""Runs that contradict all others, whatever is wrong: swapped, zeroed elsewhere, a ball that stands elsewhere.
+
+With d what a run, or all runs of a set-up or a session, differs by from what the others let expect, and S its
+covariance, d' S^-1 d is chi^2 where nothing is wrong. An estimate from all readings has it already: with e its whitened
+residuals and P = 1 - J Sigma J' what it leaves of the noise, d = P^-1 e and S = P^-1. It was drawn towards the wrong
+run, in values, sizes and noise. So the likeliest run is left out on trial, all is estimated without it, and it is
+judged by what is then expected of it.
+
+A run is judged by its own noise: what no error of a machine or a set-up could be, beside the noise of its instrument,
+which counts for AS_MANY readings as everywhere.
+"""
+
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import block_diag, qr
+
+from trueaxis.estimation.fitted import Fitted
+from trueaxis.estimation.instruments import own_kinds
+from trueaxis.estimation.jacobian import derivatives
+from trueaxis.estimation.noise import Whitening
+from trueaxis.estimation.noise_of_residuals import AS_MANY
+from trueaxis.estimation.posterior import Posterior
+from trueaxis.estimation.reduce import run_triangle
+from trueaxis.estimation.residuals import residual_of
+from trueaxis.estimation.runs import MeasuredRun
+from trueaxis.estimation.tails import log_f_tail
+from trueaxis.measurement.machine import FloatArray
+
+MOST = 0.25  # share of the runs that may contradict the others: beyond it the model does
+TRIALS = 3  # suspects that are left out on trial, each at the cost of an estimate
+ZERO = " zero"  # the end of the name of its class
+FREE = 1e3  # times its expected size: an own zero of a run that may be anything
+TOLD = 0.1  # of the noise: what an unknown changes readings by, as large as expected, from where on it counts as such
+ROUNDING = 1e-12  # of the largest: below, a variance is none
+
+Group = tuple[int, ...]  # runs, by their index
+
+
+@dataclass(frozen=True, slots=True)
+class Far:
+    """How far runs are from what others let expect. log_p: logarithm of the probability that noise takes them as far;
+    times: root mean square of that, in units of its standard deviation.
+    """
+
+    log_p: float
+    times: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contradiction:
+    """Runs by their index. times: how far they are from what the others let expect, in units of its standard deviation,
+    where their own zeros may be anything; without: (n,), the unknowns as the others tell them, without runs that
+    contradicted them before either.
+    """
+
+    runs: Group
+    times: float
+    without: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Rows:
+    """A run in the r directions in which unknowns may change its readings: own (r, k), whitened derivatives by its own
+    unknowns in their sizes (k, 1), mm or rad, and others (r, n); left: (r,), what is left of the readings; noise:
+    variance of what is left in all other directions; freedom: by how many readings that is known.
+    """
+
+    own: FloatArray
+    others: FloatArray
+    sizes: FloatArray
+    left: FloatArray
+    noise: float
+    freedom: float
+
+
+Without = Callable[[Sequence[MeasuredRun]], Fitted]  # the estimate of some runs, from the beginning
+
+
+def contradictions(fitted: Fitted, posterior: Posterior, estimated: Without, sure: float) -> list[Contradiction]:
+    """Runs that contradict the others, one after the other; empty where more than MOST of all runs do.
+
+    posterior: of the fitted state; sure: minus the logarithm of the probability below which it is not noise.
+    """
+    groups, found, given_up = _groups(fitted.state.runs), list[Contradiction](), set[int]()
+    most = MOST * len(fitted.state.runs)
+    while len(given_up) <= most:
+        for wrong in _suspects(fitted, posterior, groups)[:TRIALS]:
+            without = estimated(_others(fitted.state.runs, wrong))
+            expected = without.posterior()
+            members = [one for one in fitted.state.runs if one.rows.index in wrong]
+            if beside_others(without, expected, members, fitted.scales).log_p < -sure:
+                break
+        else:
+            return found
+        far = beside_others(without, expected, members, fitted.scales, zeros_free=True)
+        found.append(Contradiction(runs=wrong, times=far.times, without=without.state.unknowns))
+        given_up |= set(wrong)
+        groups = [one for one in groups if not given_up & set(one)]
+        fitted, posterior = without, expected
+    return []
+
+
+def _suspects(fitted: Fitted, posterior: Posterior, groups: Sequence[Group]) -> list[Group]:
+    """Groups of which at most one would be as far from all others by chance, the farthest first.
+
+    Of runs that agree with one another, all are farther from the others than each alone: in place of a group stands
+    what in it is farthest by its readings.
+    """
+    every = beside_all(fitted, posterior, [one for one in groups if _others_tell(fitted.state.runs, one)])
+    suspects = {group: far for group, far in every.items() if far.log_p < -np.log(len(groups))}
+    farthest = [
+        max((one for one in suspects if set(one) <= set(group)), key=lambda one: suspects[one].times)
+        for group in sorted(suspects, key=lambda one: suspects[one].log_p)
+    ]
+    return list(dict.fromkeys(farthest))
+
+
+def _groups(runs: Sequence[MeasuredRun]) -> list[Group]:
+    """Each run, and all of a set-up or a session, which agree with one another; none beyond MOST."""
+    members: dict[Hashable, list[int]] = {}
+    for one in runs:
+        run = one.rows.run
+        home = tuple(sorted(run.home.items()))
+        set_up = (run.instrument, run.device, run.session, run.target, run.reference, run.frame, run.direction, home)
+        for key in (one.rows.index, set_up, run.session):
+            members.setdefault(key, []).append(one.rows.index)
+    return [one for one in dict.fromkeys(map(tuple, members.values())) if len(one) <= MOST * len(runs)]
+
+
+def _others(runs: Sequence[MeasuredRun], group: Group) -> list[MeasuredRun]:
+    return [one for one in runs if one.rows.index not in group]
+
+
+def _others_tell(runs: Sequence[MeasuredRun], group: Group) -> bool:
+    """Whether what is left of the runs tells the noise of the instruments of the group."""
+    instruments = {one.instrument for one in runs if one.rows.index in group}
+    return instruments <= {one.instrument for one in _others(runs, group)}
+
+
+def beside_all(fitted: Fitted, posterior: Posterior, groups: Sequence[Group]) -> dict[Group, Far]:
+    """Each group by the estimate from all runs, at its sizes and noise; posterior: of it."""
+    rows: dict[int, _Rows] = {}
+    by_others: dict[int, FloatArray] = {}
+    alone: dict[int, FloatArray] = {}
+    state = fitted.state
+    for place, one in enumerate(state.runs):
+        index, own = one.rows.index, posterior.own[place]
+        mine = rows[index] = _rows(fitted, posterior, one, state.residual[place], fitted.scales[index])
+        by_others[index] = mine.own @ (own.by_others / mine.sizes) + mine.others @ posterior.spread
+        alone[index] = mine.own @ (own.alone / mine.sizes)
+    found = {}
+    for group in groups:
+        spread, of_run = (
+            np.vstack([by_others[index] for index in group]),
+            block_diag(*(alone[index] for index in group)),
+        )
+        kept = np.eye(spread.shape[0]) - spread @ spread.T - of_run @ of_run.T
+        among = [rows[index] for index in group]
+        found[group] = _far(among, kept + (kept * (_noise(among) - 1.0)) @ kept)
+    return found
+
+
+def beside_others(
+    without: Fitted,
+    expected: Posterior,
+    runs: Sequence[MeasuredRun],
+    scales: Mapping[int, float],
+    *,
+    zeros_free: bool = False,
+) -> Far:
+    """Runs together by an estimate without them.
+
+    expected: its posterior; scales: of the noise of runs by index, by which runs of a stated noise are whitened;
+    zeros_free: whether the zero of each of them may be anything.
+    """
+    layout, now = without.state.layout, without.state
+    model = layout.model.with_values(layout.values(now.unknowns, now.given))
+    rows, own = [], []
+    for one in runs:
+        kinds = own_kinds(one.rows.run, layout.straightness[one.rows.index])
+        left = residual_of(layout, model, one, now.unknowns, np.zeros(len(kinds)))
+        scale = scales[one.rows.index] if one.instrument in now.stated else 1.0
+        rows.append(_rows(without, expected, one, left, scale))
+        wide = [FREE if zeros_free and kind.endswith(ZERO) else 1.0 for kind in kinds]
+        own.append(rows[-1].own * wide)
+    spread, of_run = np.vstack([one.others for one in rows]) @ expected.spread, block_diag(*own)
+    return _far(rows, spread @ spread.T + of_run @ of_run.T + np.diag(_noise(rows)))
+
+
+def _noise(rows: Sequence[_Rows]) -> FloatArray:
+    return np.concatenate([np.full(one.left.size, one.noise) for one in rows])
+
+
+def _rows(fitted: Fitted, posterior: Posterior, one: MeasuredRun, left: FloatArray, scale: float) -> _Rows:
+    """left: (n,), of all readings, mm; scale: of the noise of the run by which its readings are whitened."""
+    state, kept = fitted.state, one.kept()
+    kinds = own_kinds(kept.run, state.layout.straightness[kept.index])
+    whiten = Whitening(state.noise[one.instrument], kept.steps, scale)
+    counts = len(kinds), state.layout.count
+    triangle = run_triangle(derivatives(state.layout, kept), left[one.good], whiten, counts)
+    sizes = fitted.sizes.own_scale(kinds, fitted.x)
+    by_size = triangle[:, :-1] * np.concatenate([sizes, posterior.scale])
+    turned, root, _ = qr(by_size, mode="economic", pivoting=True)
+    directions = turned[:, np.abs(np.diag(root)) > TOLD]
+    rest = triangle[:, -1] - directions @ (directions.T @ triangle[:, -1])
+    further = max(int(one.good.sum()) - directions.shape[1], 0)
+    usual = 1.0 if one.instrument in state.stated else 1.0 / scale**2
+    return _Rows(
+        own=directions.T @ by_size[:, : sizes.size],
+        others=directions.T @ triangle[:, sizes.size : -1],
+        sizes=sizes[:, np.newaxis],
+        left=directions.T @ triangle[:, -1],
+        noise=(AS_MANY * usual + float(rest @ rest)) / (AS_MANY + further),
+        freedom=AS_MANY + further,
+    )
+
+
+def _far(rows: Sequence[_Rows], covariance: FloatArray) -> Far:
+    """By what is left of the readings of some runs, and its covariance."""
+    variance, turned = np.linalg.eigh(covariance)
+    told = variance > ROUNDING * variance[-1:].max(initial=0.0)
+    left = turned.T @ np.concatenate([one.left for one in rows])
+    square, k = float(np.sum(left[told] ** 2 / variance[told])), max(int(told.sum()), 1)
+    return Far(log_f_tail(square / k, k, sum(one.freedom for one in rows)), float(np.sqrt(square / k)))

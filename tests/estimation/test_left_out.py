@@ -1,0 +1,119 @@
+"""Runs that contradict the others: by the estimate from all of them, by one without them, and in data with a fault."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.worlds.estimates import World, world
+from tests.worlds.machine import Array
+from tests.worlds.readings import measure
+from tests.worlds.truth import draw_machine
+from trueaxis.estimation import estimate as room
+from trueaxis.estimation.estimate import estimate
+from trueaxis.estimation.fitted import Fitted
+from trueaxis.estimation.left_out import beside_all, beside_others
+from trueaxis.estimation.result import Estimate
+from trueaxis.estimation.sizes import Sizes
+from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
+from trueaxis.model.errors import ErrorValues
+
+SEED, MACHINE = 9732, 9739  # 37 runs, few of them thorough, 0.7 s an estimate
+
+
+@pytest.fixture(scope="module")
+def bench(tmp_path_factory: pytest.TempPathFactory) -> tuple[World, Array]:
+    one = world(SEED, tmp_path_factory.mktemp("left_out"))
+    return one, measure(one.design, draw_machine(one.design.machine, MACHINE), MACHINE).reading
+
+
+def _known(one: World) -> ErrorValues:
+    return ErrorValues(one.model.name, {name: one.model.errors.parameters[name] for name in one.model.dimensions})
+
+
+def _estimated(one: World, reading: Array) -> Estimate:
+    return estimate(one.model, replace(one.plan, reading=reading.copy()), _known(one))
+
+
+def _swapped(one: World, reading: Array, pair: tuple[int, int]) -> Array:
+    first, second = (np.flatnonzero(one.plan.run == run) for run in pair)
+    found = reading.copy()
+    found[first], found[second] = reading[second], reading[first]
+    return found
+
+
+def _pairs(one: World) -> list[tuple[int, int]]:
+    """Lines of as many readings that sense different directions."""
+    runs, counts = one.plan.runs, np.bincount(one.plan.run, minlength=len(one.plan.runs))
+    lines = [k for k, run in enumerate(runs) if run.instrument == "laser" and counts[k]]
+    return [
+        (a, b)
+        for a in lines
+        for b in lines
+        if a < b and counts[a] == counts[b] and runs[a].direction != runs[b].direction
+    ]
+
+
+def test_all_readings_say_of_a_run_what_the_others_say(
+    bench: tuple[World, Array], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """P^-1 e is what the run differs by from an estimate without it, at the same sizes and noise."""
+    one, reading = bench
+    kept: list[Fitted] = []
+
+    def keep(_: object, fitted: Fitted, *__: object) -> tuple[dict[int, object], list[object]]:
+        kept.append(fitted)
+        return {}, []
+
+    monkeypatch.setattr(room, "_wrong", keep)
+    _estimated(one, reading)
+    (fitted,) = kept
+    state = fitted.state
+    groups = [(run.rows.index,) for run in state.runs]
+    together = beside_all(fitted, fitted.posterior(), groups)
+    for place, run in enumerate(state.runs):
+        chosen = [k for k in range(len(state.runs)) if k != place]
+        rest = replace(
+            state,
+            runs=tuple(state.runs[k] for k in chosen),
+            scales=state.scales[chosen],
+            own=tuple(state.own[k] for k in chosen),
+            residual=tuple(state.residual[k] for k in chosen),
+            kept=tuple(state.kept[k] for k in chosen),
+        )
+        sizes = Sizes(state.layout, rest.own_kinds)
+        values = dict(zip(fitted.sizes.names, fitted.x.tolist(), strict=True))
+        others = Fitted(state=rest, sizes=sizes, x=np.array([values[name] for name in sizes.names]))
+        expected = others.posterior()
+        moved = replace(others, state=room.moved(rest, expected, sizes.own_scales(others.x)))
+        alone = beside_others(moved, expected, [run], fitted.scales)
+        assert together[run.rows.index,].times == pytest.approx(alone.times, rel=0.02)
+
+
+def test_readings_as_they_should_be_contradict_nothing(bench: tuple[World, Array]) -> None:
+    one, reading = bench
+    assert _estimated(one, reading).readings.contradicting == ()
+
+
+def test_swapped_runs_are_named_and_decide(bench: tuple[World, Array]) -> None:
+    one, reading = bench
+    pairs = _pairs(one)
+    named = 0
+    for number in np.random.default_rng(3).choice(len(pairs), 3, replace=False).tolist():
+        pair = pairs[number]
+        swapped = replace(one.plan, reading=_swapped(one, reading, pair))
+        found = identify_estimated(one.model, swapped, IdentifyOptions(known=_known(one)))
+        said = found.report.quality.fit.runs or " ".join(found.report.notes)
+        named += any(one.plan.runs[run].id in said for run in pair)
+        if found.report.quality.fit.state == "misfit":
+            assert "all others" in found.report.quality.reason or "reads as if" in found.report.quality.reason
+    assert named == 3
+
+
+def test_a_zero_of_a_run_that_is_far_off_decides_nothing(bench: tuple[World, Array]) -> None:
+    """It is an unknown of the instrument: the values hardly depend on it."""
+    one, reading = bench
+    line = next(k for k, run in enumerate(one.plan.runs) if run.instrument == "laser" and run.id.startswith("X"))
+    shifted = reading + np.where(one.plan.run == line, 0.05, 0.0)
+    found = identify_estimated(one.model, replace(one.plan, reading=shifted), IdentifyOptions(known=_known(one)))
+    assert found.report.quality.fit.state == "converged"
