@@ -100,7 +100,10 @@ def test_wrong_usage_is_2_on_standard_error(words: list[str], capsys: pytest.Cap
     [
         (["diagnose", "m.toml", "--dat", "d", "--out", "o"], "there is no option --dat, did you mean --data?"),
         (["diagnose", "m.toml", "--data=d", "--outt=o"], "there is no option --outt, did you mean --out?"),
-        (["identify", "m.toml", "--noise", "1"], "there is no option --noise, did you mean --noise-um?"),
+        (
+            ["identify", "m.toml", "--noise", "1"],
+            "there is no option --noise, did you mean --noise-um or --noise-urad?",
+        ),
     ],
 )
 def test_options_are_typed_in_full_and_the_nearest_is_named(

@@ -27,7 +27,7 @@ def values(folder: Path, **more: object) -> Path:
     tree = {
         "schema": 1,
         "machine": "gantry_mill",
-        "parameters": {"EC0Y": 2e-5},
+        "parameters": {"EC0Y": -2e-5},
         "u": {"EC0Y": 1e-6, "EA0Z": 1e-6, "EB0Z": 1e-6},
         "motion_errors": {
             "EXX": curve | {"coefficients": [1e-5], "u": [1e-7]},
@@ -53,6 +53,26 @@ def test_every_format_is_written_the_same_each_time(
     assert (tmp_path / "one").is_dir() == (name in ("heidenhain-com", "linuxcnc-comp"))
     for file in files or [Path()]:
         assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes()
+
+
+def test_tables_that_make_the_machine_worse_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """EXX and EXY of opposite slopes make up for one another; a table of EXX alone takes that away."""
+    line = {"basis": "polynomial", "powers": [1], "u": [1e-9]}
+    curves = {"EXX": line | {"coefficients": [2e-2 / 3000.0]}, "EXY": line | {"coefficients": [-2e-2 / 1500.0]}}
+    errors = values(tmp_path, motion_errors=curves, parameters={}, u={"EC0Y": 1e-9, "EA0Z": 1e-9, "EB0Z": 1e-9})
+    for name in ("siemens-enc", "linuxcnc-comp"):
+        out = tmp_path / name
+        assert export(name, out, machine=GANTRY, errors=errors) == 1
+        shown = capsys.readouterr().out
+        assert not out.exists()
+        assert "not written: with these tables" in shown
+        assert ("siemens-cec loaded beside" in shown) == (name == "siemens-enc")
+        assert export(name, out, "--accept-worse", machine=GANTRY, errors=errors) == 0
+        shown = capsys.readouterr().out
+        assert "warning: more is left with these tables than without them" in shown
+        assert out.exists()
+    assert export("isg-csv", tmp_path / "whole.csv", machine=GANTRY, errors=errors) == 0
+    assert "warning" not in capsys.readouterr().out
 
 
 def test_the_files_agree_with_predict(tmp_path: Path) -> None:
@@ -98,7 +118,7 @@ def test_values_that_are_more_uncertain_than_large_are_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     uncertain = {"EXX": {"basis": "polynomial", "powers": [1], "coefficients": [1e-6], "u": [1e-5]}}
-    errors = values(tmp_path, motion_errors=uncertain)
+    errors = values(tmp_path, motion_errors=uncertain, parameters={})
     assert export("siemens-enc", tmp_path / "out", machine=GANTRY, errors=errors) == 1
     assert "no better than doing nothing" in capsys.readouterr().out
     assert not (tmp_path / "out").exists()

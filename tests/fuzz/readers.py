@@ -29,8 +29,8 @@ from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
 from trueaxis.evaluation.iso230_2.read import read_positioning_test
-from trueaxis.instrument_files.data_folder import readings_bytes, setup_text
-from trueaxis.instrument_files.data_run import data_run, renamed
+from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text
+from trueaxis.instrument_files.data_run import data_run
 from trueaxis.instrument_files.read import read_instrument_file
 from trueaxis.instrument_files.user_keys import UserKeys
 from trueaxis.io.faults import Faults, InputError
@@ -134,7 +134,8 @@ def _instrument(path: Path, machine: Machine) -> object:
     """What `import` makes of the file reads back as a data folder."""
     given = {f"at.{axis}": repr(sum(machine.travel[axis]) / 2) for axis in machine.axes}
     given |= {"axis": machine.axes[0], "target.point": "0,0,0", "reference.point": "0,0,0", "direction": "1,0,0"}
-    keys = UserKeys(given | {"length": "0.5", "plane": "XY", "unit.reading": "um"})
+    unit = "urad" if path.suffix == ".rta" else "um"
+    keys = UserKeys(given | {"length": "0.5", "plane": "XY", "unit.reading": unit})
     sources = read_instrument_file(path, None, keys)
     runs = [data_run(source, machine, keys, lambda _, point: point) for source in sources]
     if faults := [*keys.faults, *(question.fault for question in keys.questions)]:
@@ -193,6 +194,7 @@ READERS = (
     Reader("iso230-table", "test.csv", _positioning_test, (*_EVALUATE, "IN/test.csv")),
     Reader("iso230-dat", "test.dat", _positioning_test, (*_EVALUATE, "IN/test.dat")),
     Reader("rtl", "laser.rtl", _instrument),
+    Reader("rta", "laser.rta", _instrument),
     Reader("laser-csv", "laser.csv", _instrument, (*_IMPORT, "--map", "target.point=0,0,0", "direction=0,0,1")),
     Reader("ballbar-csv", "bar.csv", _instrument),
 )

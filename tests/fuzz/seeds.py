@@ -90,6 +90,7 @@ def valid_files(spec: str, draw: Random) -> dict[str, bytes]:
         "test.csv": _positioning(draw).encode(),
         "test.dat": _dat(draw).encode(),
         "laser.rtl": _rtl(machine, draw),
+        "laser.rta": _rtl(machine, Random(1)),
         "laser.csv": _laser(machine, draw).encode(),
         "bar.csv": _bar(draw).encode(),
     }

@@ -16,9 +16,10 @@ from pathlib import Path
 import numpy as np
 
 from trueaxis.cli.main import main
+from trueaxis.measurement.instrument_kinds import Instrument
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import ideal_bar
-from trueaxis.measurement.setup import Instrument, PointOn, Run, Vector
+from trueaxis.measurement.setup import PointOn, Run, Vector
 from trueaxis.model.model import MachineModel, load_model
 from trueaxis.view import Carrier
 

@@ -13,9 +13,10 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.weighting import NoiseModel
+from trueaxis.measurement.instrument_kinds import Instrument
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import expected_readings
-from trueaxis.measurement.setup import Instrument, PointOn, Run, Vector
+from trueaxis.measurement.setup import PointOn, Run, Vector
 from trueaxis.model.curves import Curve, PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel, load_model

@@ -17,6 +17,7 @@ from tests.machines import DMU60P, machine_at
 from tests.real_data import linear_axis_data
 from trueaxis.cli.main import main
 from trueaxis.measurement.data import MeasuredData, read_data
+from trueaxis.measurement.instrument_kinds import ARM
 from trueaxis.measurement.setup import Device, PointOn, Run
 from trueaxis.measurement.setup_writer import run_table
 
@@ -323,9 +324,52 @@ def test_values_that_are_wrong_are_told_together(tmp_path: Path, capsys: pytest.
         assert f"run x, {key}: " in told
 
 
-def test_angles_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    (tmp_path / "x.rta").write_bytes(rtl(LONG_AXIS, SHAPE[np.newaxis], axis="X").encode())
-    assert "holds angles" in refused(tmp_path / "out", capsys, tmp_path / "x.rta")
+ANGLES = """schema = 1
+machine = "dmu60p"
+[[run]]
+id = "yaw"
+instrument = "angle"
+direction = [0.0, 0.0, 1.0]
+target = { on = "tool", point = [0.0, 0.0, 0.0] }
+home = { X = 0.0, Y = 40.0, Z = 120.0 }
+"""
+
+
+@pytest.mark.parametrize(
+    ("unit", "per_rad"), [("", 1.0), ("mrad", 1e3), ("urad", 1e6), ("arcsec", 3600.0 * 180.0 / np.pi)]
+)
+def test_angles_simulated_and_written_as_rta_come_back(tmp_path: Path, unit: str, per_rad: float) -> None:
+    plan = tmp_path / "plan"
+    plan.mkdir()
+    (plan / "setup.toml").write_text(ANGLES)
+    cycles = [sorted(LONG_AXIS, reverse=cycle % 2 == 1) for cycle in range(4)]
+    rows = [f"yaw,{k + 1},{at},40,120," for k, at in enumerate(at for cycle in cycles for at in cycle)]
+    (plan / "readings.csv").write_text("\n".join(["run,seq,X,Y,Z,reading", *rows]) + "\n")
+    words = ["simulate", DMU60P, "--errors", ERRORS, "--data", plan, "--out", tmp_path / "known", "--kernels", KERNELS]
+    assert main([*map(str, words), "--noise-urad", "2"]) == 0
+    known = read_data(tmp_path / "known", DMU)
+    values = known.readings.reading.reshape(4, -1) / ARM
+    values[1::2] = values[1::2, ::-1]
+    text = rtl(LONG_AXIS, values * per_rad, axis="X", digits=12)
+    (tmp_path / "yaw.rta").write_bytes(text.encode())
+    keys = ["direction=0,0,1", "at.Y=40", "at.Z=120", *([f"unit.reading={unit}"] if unit else []), "zero=keep"]
+    data = imported(tmp_path / "data", tmp_path / "yaw.rta", "--map", *keys)
+    assert data.setup.runs == known.setup.runs
+    np.testing.assert_allclose(data.readings.reading, known.readings.reading, atol=1e-9)
+    assert np.abs(known.readings.reading).max() > 1e-3
+    assert f"unit.reading = {unit or 'rad'}" in (tmp_path / "data" / "setup.toml").read_text()
+
+
+def test_angles_ask_about_which_axis_and_milliradians_are_not_taken_for_radians(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "x.rta").write_bytes(rtl(LONG_AXIS, 1e-2 * SHAPE[np.newaxis], axis="X").encode())
+    told = refused(tmp_path / "out", capsys, tmp_path / "x.rta", "--map", "at.Y=0", "at.Z=0")
+    assert "--map unit.reading=mrad" in told
+    assert "0.0475 rad" in told
+    told = refused(tmp_path / "out", capsys, tmp_path / "x.rta", "--map", "at.Y=0", "at.Z=0", "unit.reading=mrad")
+    assert "--map direction=0,0,1" in told
+    assert "target.point" not in told
 
 
 def test_files_of_one_name_get_ids_of_their_own(tmp_path: Path) -> None:

@@ -8,8 +8,11 @@ import numpy.typing as npt
 FloatArray = npt.NDArray[np.float64]
 
 
-def rtl(targets: Sequence[float], deviations_um: FloatArray, *, axis: str = "", machine: str = "Mill") -> str:
-    """deviations_um: (runs, targets) in the order of the targets; every second run goes back over them."""
+def rtl(
+    targets: Sequence[float], deviations_um: FloatArray, *, axis: str = "", machine: str = "Mill", digits: int = 6
+) -> str:
+    """deviations_um: (runs, targets), of a .rta angles, in the order of the targets; every second run goes back over
+    them."""
     runs, count = deviations_um.shape
     lines = ["HEADER::", "File type : LASER", "Owner : ", "Version no : 1.0", "", "TARGET DATA::", "Filetype: L"]
     lines += [f"Target-count: {count}", "Targets :"]
@@ -19,5 +22,5 @@ def rtl(targets: Sequence[float], deviations_um: FloatArray, *, axis: str = "", 
     lines.append("Run Target Data:")
     for run in range(runs):
         order = range(count) if run % 2 == 0 else reversed(range(count))
-        lines += [f"   {run + 1}   {target + 1}      {deviations_um[run, target]:.6f}" for target in order]
+        lines += [f"   {run + 1}   {target + 1}      {deviations_um[run, target]:.{digits}f}" for target in order]
     return "\r\n".join([*lines, "", "ENVIRONMENT::", "Air temp   : 20.0", "", "EOF::", ""])

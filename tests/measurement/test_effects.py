@@ -311,3 +311,22 @@ def test_a_squareness_is_told_once(spec: Path, tmp_path: Path) -> None:
 
 def test_every_kind_of_place_is_on_the_machine() -> None:
     assert {one["kind"] for one in EFFECTS} >= {"backlash", "laser_step", "point_offset", "squareness", "table_sag"}
+
+
+def test_a_sensor_at_one_pose_reads_what_time_and_temperature_do_there(spec: Path, tmp_path: Path) -> None:
+    setup = (
+        '[[run]]\nid = "warm"\ninstrument = "displacement"\ndirection = [1.0, 0.0, 0.0]\n'
+        'target = { on = "tool", point = [0.0, 0.0, 0.0] }\nhome = { X = 100.0, Y = 50.0, Z = 0.0 }\n'
+    )
+    time = np.arange(0.0, 3600.0, 300.0)
+    columns = {
+        "run": ["warm"] * time.size, "seq": list(range(time.size)), "X": np.full(time.size, 100.0),
+        "Y": np.full(time.size, 50.0), "Z": np.zeros(time.size), "time_s": time,
+        "temperature_c": 20.0 + time / 1800.0,
+    }  # fmt: skip
+    drift, growth = effect("drift", "EXX", rate=1e-6), effect("thermal_expansion", "EXX", coefficient=1e-5)
+    assert np.allclose(simulated(spec, tmp_path, setup, columns, [drift]), 1e-6 * time, atol=1e-12)
+    found = simulated(spec, tmp_path, setup, columns, [growth], EXX=[2e-5])
+    assert np.allclose(
+        found, 1e-5 * 100.0 * time / 1800.0, atol=1e-12
+    )  # since the run began; its curve cancels at home

@@ -200,7 +200,7 @@ def test_what_is_written_reads_back_bit_for_bit(
         temperature=np.where(np.arange(count) % 2, np.nan, 20.1) if extra else None,
     )
     path = tmp_path / f"readings{suffix}"
-    path.write_bytes(dump_readings(written, suffix))
+    path.write_bytes(dump_readings(written, RUNS, suffix))
     found = read_readings(path, Dmu60pAxes(), RUNS)
     for name in ("run", "seq", "positions", "directions", "reading", "time", "feed", "temperature"):
         mine, theirs = getattr(written, name), getattr(found, name)
@@ -291,7 +291,7 @@ def test_any_cells_read_or_are_refused_clearly(tmp_path: Path, text: str) -> Non
 @settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @example(at=-250, piece=b"\xff\xff\xff\xff")  # within the footer
 def test_damaged_parquet_reads_or_is_refused_clearly(tmp_path: Path, at: int, piece: bytes) -> None:
-    raw = dump_readings(read_text(tmp_path, VALID), ".parquet")
+    raw = dump_readings(read_text(tmp_path, VALID), RUNS, ".parquet")
     path = tmp_path / "damaged.parquet"
     at %= len(raw)
     path.write_bytes(raw[:at] + piece + raw[at + len(piece) :])

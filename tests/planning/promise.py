@@ -25,8 +25,8 @@ from trueaxis.estimation.residuals import residuals_of
 from trueaxis.estimation.runs import measured_runs
 from trueaxis.estimation.tool_point import Datum, moved_by, volume
 from trueaxis.identification.weighting import NoiseModel
+from trueaxis.measurement.instrument_kinds import Instrument
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.measurement.setup import Instrument
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 from trueaxis.planning.method import PlanOptions, Proposed, first_plan

@@ -11,6 +11,7 @@ errors to readings, made from generator matrices. `truth.hiding(Effect(...))` hi
 given values that are no longer true.
 
     python -m tests.worlds SEED --out DIR             # one world as files
+    python -m tests.worlds SEED --out DIR --angles    # with angle runs beside (angles.py); the rest stays as it is
     python -m tests.worlds --table N                  # designs 1 to N, their ingredients, the oracle's figures
     python -m tests.worlds --shares N                 # in how many designs each ingredient is
     python -m tests.worlds.campaign --out DIR         # the package's estimate on many designs and machines

@@ -1,6 +1,6 @@
 """Write a world as files, or print what worlds are made of.
 
-    python -m tests.worlds SEED --out DIR [--effect KIND COMPONENT SIZE] [--worn COMPONENT SIZE] [--sessions]
+    python -m tests.worlds SEED --out DIR [--effect KIND COMPONENT SIZE] [--worn COMPONENT SIZE] [--sessions] [--angles]
     python -m tests.worlds --table N [--first SEED] [--machines M] [--curves prior]
     python -m tests.worlds --shares N [--first SEED]
 
@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from tests.worlds.angles import draw_angles, write_angles
 from tests.worlds.design import Design, draw_design
 from tests.worlds.effects import OF_RUNS, ON_COMPONENTS, ON_LOCATIONS, ON_READINGS, Effect
 from tests.worlds.files import deviations_csv, points_csv, write_world
@@ -41,6 +42,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         action="store_true",
         help="say in setup.toml which runs are of one session, and what devices resolve",
     )
+    parser.add_argument("--angles", action="store_true", help="and angle runs of every axis, drawn apart from the rest")
     parser.add_argument("--table", type=int, metavar="N", help="designs FIRST to FIRST + N - 1 as a table")
     parser.add_argument("--shares", type=int, metavar="N", help="in how many of as many designs each ingredient is")
     parser.add_argument("--first", type=int, default=1, metavar="SEED")
@@ -73,6 +75,8 @@ def write(args: argparse.Namespace) -> None:
     given = worn_at(truth, args.worn[0], float(args.worn[1]), args.seed) if args.worn else None
     data = measure(design, truth, args.seed)
     write_world(args.out, design, truth, data, given, sessions=args.sessions)
+    if args.angles:
+        write_angles(args.out, design, draw_angles(design, truth, args.seed))
     points = random_points(design.machine, args.seed, POINTS)
     (args.out / "truth").mkdir(exist_ok=True)
     (args.out / "truth" / "points.csv").write_text(points_csv(design.machine, points, TOOL_POINT))

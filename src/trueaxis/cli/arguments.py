@@ -33,10 +33,16 @@ def noise(text: str) -> float:
     return _finite(text, f"a number of micrometres from {low:g} to {high:g}", lambda value: low <= value <= high)
 
 
+def noise_urad(text: str) -> float:
+    """The same of a reading of an angle, urad. Raises argparse.ArgumentTypeError otherwise."""
+    low, high = NOISE_UM
+    return _finite(text, f"a number of microradians from {low:g} to {high:g}", lambda value: low <= value <= high)
+
+
 def noise_or_none(text: str) -> float:
-    """Standard deviation of a reading, um, or 0 for none. Raises argparse.ArgumentTypeError otherwise."""
+    """Standard deviation of a reading, um or urad, or 0 for none. Raises argparse.ArgumentTypeError otherwise."""
     high = NOISE_UM[1]
-    return _finite(text, f"a number of micrometres from 0 to {high:g}", lambda value: 0.0 <= value <= high)
+    return _finite(text, f"a number from 0 to {high:g}", lambda value: 0.0 <= value <= high)
 
 
 def tool_point(text: str) -> tuple[float, float, float]:

@@ -27,15 +27,16 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Evaluate a test by what its file holds. A positioning test of a linear axis up to 2000 mm by ISO 230-2:2014 (k = 2): at
-each target mean deviations, reversal value, standard uncertainty and repeatability; of the axis B, R, E, M and A, by
-direction and for both. DATA is a table (.csv, .parquet) with columns target, cycle, direction (+1 or forward, -1 or
-backward: how the target was approached) and measured, in mm; or a .dat file with TGT_DATA[i], REF_DATA_FWD[i,j],
-REF_DATA_BWD[i,j]. A circular test by ISO 230-4: G, G(b), F, and the errors that the deviations are made of, by size:
-squareness, scale mismatch, reversal error, lateral play, reversal spikes, servo mismatch, straightness, cyclic error.
-DATA are tables of a ball bar (columns angle, and deviation or radius), a file or a column run for each sense."""
+Evaluate a test by what its file holds. A positioning test of a linear axis or, with --rotary, of a rotary one by ISO
+230-2:2014 (k = 2): at each target mean deviations, reversal value, standard uncertainty and repeatability; of the axis
+B, R, E, M and A, by direction and for both; beyond 2000 mm or 360 deg one approach of each target may do, which has no
+R and A. DATA is a table (.csv, .parquet) with columns target, cycle, direction (+1 or forward, -1 or backward: how the
+target was approached) and measured, in mm; or a .dat file with TGT_DATA[i], REF_DATA_FWD[i,j], REF_DATA_BWD[i,j]. A
+circular test by ISO 230-4: G, G(b), F, and the errors that the deviations are made of, by size: squareness, scale
+mismatch, reversal error, lateral play, reversal spikes, servo mismatch, straightness, cyclic error. DATA are tables of
+a ball bar (columns angle, and deviation or radius), a file or a column run for each sense."""
 OF_CIRCLES = ("--plane", "--radius", "--feed", "--map")
-OF_LINES = ("--repeatability", "--swap-directions")
+OF_LINES = ("--repeatability", "--swap-directions", "--rotary")
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -62,6 +63,11 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--swap-directions",
         action="store_true",
         help="what DATA labels forward was approached in the negative direction",
+    )
+    parser.add_argument(
+        "--rotary",
+        action="store_true",
+        help="DATA is of a rotary axis, targets and readings in deg; figures are in arc seconds and microradians",
     )
     parser.add_argument(
         "--plane", choices=tuple(map("".join, permutations("XYZ", 2))),
@@ -112,7 +118,10 @@ def _positioning(args: argparse.Namespace) -> _Evaluated:
     if unfit:
         problem = f"{path} is a positioning test"
         raise InputError([Fault(option, "", problem, "leave it out: it is of circular tests") for option in unfit])
-    test = read_positioning_test(path)
+    test = read_positioning_test(path, "deg" if args.rotary else "mm")
+    if args.picture is not None and test.positive.shape[1] == 1:
+        problem = f"{path} has one cycle, which tells no bands"
+        raise InputError([Fault("--picture", "", problem, "leave it out: a picture needs two cycles or more")])
     evaluation = evaluate(test.swapped() if args.swap_directions else test, args.repeatability)
     contents: dict[Path, bytes | str] = {}
     if args.out is not None:
@@ -131,7 +140,7 @@ def _circular(args: argparse.Namespace) -> _Evaluated:
         if value is None:
             right = "--plane XY" if option == "--plane" else "--radius 150"
             found.append(Fault(source, "", f"does not say the {option.removeprefix('--')} of the circle", right))
-    for option, value in zip(OF_LINES, (args.repeatability != "iso", args.swap_directions), strict=True):
+    for option, value in zip(OF_LINES, (args.repeatability != "iso", args.swap_directions, args.rotary), strict=True):
         if value:
             found.append(Fault(option, "", f"{source} is a circular test", "leave it out: it is of positioning tests"))
     keys = UserKeys(dict(args.map))

@@ -20,7 +20,7 @@ from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertain
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel, load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty, prior_size
-from trueaxis.reporting.control_tables import export_sentences, head_lines
+from trueaxis.reporting.control_tables import ACCEPT_WORSE, export_sentences, head_lines, worse_sentence
 from trueaxis.reporting.reliance import (
     error_free_sentences,
     extent_sentences,
@@ -43,8 +43,8 @@ def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser(
         "export", help="error values as compensation tables of a control", description=DESCRIPTION,
-        epilog="exit code: 0 done; 1 refused for its uncertainty or by --max-correction, nothing is written; "
-        "2 the input is wrong",
+        epilog="exit code: 0 done; 1 refused for its uncertainty, by --max-correction, or since more would be left "
+        "with the tables than without, nothing is written; 2 the input is wrong",
     )  # fmt: skip
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
@@ -63,6 +63,11 @@ def add_parser(subparsers: "Subparsers") -> None:
     )  # fmt: skip
     misfit_option(parser)
     uncertain_option(parser, "the tables")
+    parser.add_argument(
+        ACCEPT_WORSE, action="store_true",
+        help="write tables with which more is left over the travel than without them, such as one of several that are "
+        "loaded together",
+    )  # fmt: skip
     parser.add_argument(
         "--max-u", type=size, metavar="MM",
         help="write nothing, exit code 1, where a standard uncertainty of the tool point within the travel, relative "
@@ -104,6 +109,8 @@ def run(args: argparse.Namespace) -> int:
     extent = uncertainty_extent(model, covariance, positions, tool)
     beyond = travel_sentences(beyond_measured(model.errors, model.axes, positions))
     refusals = _refusals(args, model, tool, positions, extent)
+    if export.remaining.worse and not args.accept_worse:
+        refusals.append(worse_sentence(args.format, export.remaining))
     if not refusals:
         write_files(contents)
     notes = export_sentences(args.format, model, export)
@@ -120,6 +127,8 @@ def run(args: argparse.Namespace) -> int:
     if refusals:
         return 1
     left = export.remaining
+    if left.worse:
+        print(f"warning: more is left with these tables than without them ({ACCEPT_WORSE})")
     print(
         f"RMS of the tool point over the travel, from home: {left.before * 1e3:.3g} um, {left.after * 1e3:.3g} um left"
     )

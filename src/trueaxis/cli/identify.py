@@ -11,6 +11,7 @@ from trueaxis.cli.identify_options import (
     FROM_ANGLES,
     GLOBAL,
     STEPWISE,
+    add_noise_urad,
     degree_option,
     method_option,
     noise_option,
@@ -93,6 +94,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         "runs, which weigh the readings), or repeats, repeats-by-run: from repeated readings of each instrument, of "
         "each run (else from what is left over, all readings equal)",
     )
+    add_noise_urad(parser)
     parser.add_argument(
         "--curves",
         choices=("table", "polynomial", "held-out"),
@@ -181,6 +183,7 @@ def _identify(args: argparse.Namespace, model: MachineModel, data: DataFolder, k
         data,
         known=known,
         noise_um=args.noise_um,
+        noise_urad=args.noise_urad,
         squareness=args.squareness,
         prior=args.prior == "spec",
         ideal_instruments=args.instruments == "ideal",
@@ -205,6 +208,7 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     if args.method == STEPWISE:
         of_global = {
             "--noise-um": bool(args.noise_um.by_group or args.noise_um.repeats),
+            "--noise-urad": args.noise_urad is not None,
             "--degree": args.degree is not None,
             "--instruments": args.instruments != "real",
             "--prior": args.prior != "spec",

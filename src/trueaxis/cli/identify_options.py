@@ -3,7 +3,7 @@
 import argparse
 from typing import Literal
 
-from trueaxis.cli.arguments import noise, whole
+from trueaxis.cli.arguments import noise, noise_urad, whole
 from trueaxis.identification.weighting import NoiseModel, Repeats
 
 HIGHEST_DEGREE = 30
@@ -36,6 +36,16 @@ def noise_option(text: str) -> NoiseModel:
             raise argparse.ArgumentTypeError(f"{name.strip()} is given more than once")
         found[name.strip()] = noise(value)
     return NoiseModel(by_group=found)
+
+
+def add_noise_urad(parser: argparse.ArgumentParser) -> None:
+    """The option --noise-urad."""
+    parser.add_argument(
+        "--noise-urad",
+        type=noise_urad,
+        metavar="S",
+        help="standard deviation of a reading of angle instruments, urad (default: as that of lengths)",
+    )
 
 
 def squareness_option(text: str) -> str:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import file_to_write, positive, tool_point, whole
-from trueaxis.cli.identify_options import noise_option
+from trueaxis.cli.identify_options import add_noise_urad, noise_option
 from trueaxis.cli.measured import read_measured
 from trueaxis.cli.paths import named, overwritten
 from trueaxis.cli.plan_faults import RETIRED, faults_of_options
@@ -26,6 +26,7 @@ from trueaxis.model.curves import Curve, PolynomialCurve
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel, load_errors, load_model
+from trueaxis.planning.candidates import WITH_CANDIDATES
 from trueaxis.planning.extended import new_setup, setup_text
 from trueaxis.planning.method import PlanOptions, Proposed, first_plan, judged_plan, proposed
 from trueaxis.planning.propose import VOLUME
@@ -45,7 +46,6 @@ spec, what is known only in combination, whether repeats tell the noise, the ord
 nothing. Exit code 1 where the runs tell nothing."""
 
 MOST_PROPOSED = 100
-INSTRUMENTS = ("laser", "ballbar", "probe")
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -54,8 +54,8 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--data", type=Path, metavar="DIR", help="folder with setup.toml, readings.csv: the plan")
     parser.add_argument(
-        "--with", nargs="+", choices=INSTRUMENTS, default=[], metavar="NAME", dest="instruments",
-        help="without --data: a first plan with laser, ballbar, probe, written to --out",
+        "--with", nargs="+", choices=WITH_CANDIDATES, default=[], metavar="NAME", dest="instruments",
+        help="without --data: a first plan with laser, ballbar, probe, angle, written to --out",
     )  # fmt: skip
     parser.add_argument(
         "--hours", type=positive, metavar="H",
@@ -69,6 +69,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="standard deviation of a reading, um, or of those of instruments or runs: laser=0.3,ballbar=0.5 (default: "
         "as [device] tables say, else 1)",
     )  # fmt: skip
+    add_noise_urad(parser)
     parser.add_argument(
         "--known", type=Path, metavar="E.json", help="values known beforehand: dimensions, location errors, components"
     )
@@ -89,8 +90,8 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="choose the N runs that add most per minute; with --out, write them",
     )  # fmt: skip
     parser.add_argument(
-        "--propose-with", nargs="+", choices=INSTRUMENTS, default=[], metavar="NAME",
-        help="of the runs to propose: laser, ballbar, probe (default: those of the plan)",
+        "--propose-with", nargs="+", choices=WITH_CANDIDATES, default=[], metavar="NAME",
+        help="of the runs to propose: laser, ballbar, probe, angle (default: those of the plan)",
     )  # fmt: skip
     parser.add_argument(
         "--for", default=VOLUME, metavar="NAME", dest="wanted",
@@ -215,7 +216,12 @@ def _options(
         raise InputError([Fault("--for", args.wanted, problem, f"{VOLUME}, or one of {', '.join(unknown)}")])
     tools = tuple(args.tool_point) or ((0.0, 0.0, 0.0),)
     return PlanOptions(
-        given=given, noise=args.noise_um, tools=tools, wanted=args.wanted, datum=args.datum, effects=effects
+        given=given,
+        noise=replace(args.noise_um, urad=args.noise_urad),
+        tools=tools,
+        wanted=args.wanted,
+        datum=args.datum,
+        effects=effects,
     )
 
 
@@ -223,7 +229,7 @@ def _written(args: argparse.Namespace, setup: str, file: Path, made: Proposed) -
     """The plan with the runs, as a folder of measured data. setup: the text that they are added to, of a file."""
     return {
         args.out / setup_file.FILE_NAME: setup_text(setup, made.runs, str(file)),
-        args.out / readings_files.FILE_NAME: dump_readings(made.planned.readings),
+        args.out / readings_files.FILE_NAME: dump_readings(made.planned.readings, made.planned.runs),
     }
 
 

@@ -42,6 +42,13 @@ def add_parser(subparsers: "Subparsers") -> None:
         metavar="S",
         help="standard deviation of the noise, micrometres (0)",
     )
+    parser.add_argument(
+        "--noise-urad",
+        type=noise_or_none,
+        default=0.0,
+        metavar="S",
+        help="the same of readings of angle instruments, microradians (0)",
+    )
     parser.add_argument("--seed", type=whole(0), default=0, metavar="N", help="seed of the noise (%(default)s)")
     parser.add_argument("--replace", action="store_true", help="replace readings that are there, too")
     parser.add_argument(
@@ -62,7 +69,15 @@ def run(args: argparse.Namespace) -> int:
         plan = load_data(args.data, machine)
     if found:
         raise InputError(found)
-    simulated = simulate(model, values, plan, noise_um=args.noise_um, seed=args.seed, replace_all=args.replace)
+    simulated = simulate(
+        model,
+        values,
+        plan,
+        noise_um=args.noise_um,
+        noise_urad=args.noise_urad,
+        seed=args.seed,
+        replace_all=args.replace,
+    )
     runs, readings = plan.data.setup.runs, plan.data.readings
     save_data(args.out, simulated)
     kept = 0 if args.replace else int((~readings.planned).sum())

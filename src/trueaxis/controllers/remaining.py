@@ -14,6 +14,7 @@ from trueaxis.model.uncertainty import home_of
 # (n_axes, n) from positions (n_axes, n) and directions of approach (n_axes,): by how much the control takes each axis
 # to be off, mm or deg
 TakenOff = Callable[[FloatArray, FloatArray], FloatArray]
+ROUNDING = 1e-6  # mm: tables have steps of 1e-6 mm and more, and so has a machine without errors with them
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +23,11 @@ class Remaining:
 
     before: float
     after: float
+
+    @property
+    def worse(self) -> bool:
+        """Whether the tables do harm, beyond what rounding makes."""
+        return self.after > self.before + ROUNDING
 
 
 def remaining(model: MachineModel, tool: FloatArray, positions: FloatArray, taken: TakenOff) -> Remaining:

@@ -6,7 +6,7 @@ held out or not, and counted.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import solve_triangular
@@ -15,9 +15,10 @@ from trueaxis.diagnosis.base import Base
 from trueaxis.diagnosis.by_run import ByRun
 from trueaxis.diagnosis.null import less_own
 from trueaxis.diagnosis.refit import Fitted
-from trueaxis.diagnosis.result import BoolArray, FloatArray, Gain, IntArray, Stage
+from trueaxis.diagnosis.result import BoolArray, FloatArray, Gain, GainOfAngles, IntArray, Stage
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import Whitening
+from trueaxis.measurement.readings import angle_rows
 
 HELD = 0.4  # share of the repeats that is held back, one at least
 EVERY = 4  # without repeats, every fourth reading
@@ -147,3 +148,29 @@ def predicted(fit: Fit, whitening: Whitening, values: FloatArray, rows: BoolArra
 def gain_of(everything: Prediction, held: Prediction, split: str, floor: float) -> Gain:
     """RMS of all rows (fitted on all) and of those held back (fitted on the others)."""
     return Gain(everything.stage(), held.stage(), split, floor, held.standardised)
+
+
+def gain_by_unit(
+    fits: tuple[Fit, Fit], whitening: Whitening, values: FloatArray, rows: Rows, chosen: tuple[BoolArray, str]
+) -> tuple[Gain, Stage]:
+    """Of readings of lengths and, by themselves, of angles; and the RMS of all rows held back.
+
+    fits: on all rows, and on those that are not held back; chosen: (n,) which these are, and how they were chosen.
+    """
+    (held, split), (on_all, on_others) = chosen, fits
+    angle = angle_rows(rows.run, rows.runs)
+
+    def parts(some: BoolArray) -> tuple[Prediction, Prediction, float]:
+        floor = float(np.sqrt(np.mean(whitening.sigma[some] ** 2))) if some.any() else np.nan
+        ends = ((on_all, some), (on_others, held & some))
+        all_of, held_of = (predicted(fitted, whitening, values, these) for fitted, these in ends)
+        return all_of, held_of, floor
+
+    everything, of_held, floor = parts(~angle)
+    gain = gain_of(everything, of_held, split, floor)
+    if not angle.any():
+        return gain, gain.held_out
+    everything, of_held, floor = parts(angle)
+    together = predicted(on_others, whitening, values, held)
+    angles = GainOfAngles(everything.stage(), of_held.stage(), floor)
+    return replace(gain, angles=angles, standardised=together.standardised), together.stage()

@@ -8,7 +8,7 @@ from trueaxis.diagnosis.audit import DETECTION
 from trueaxis.diagnosis.result import FloatArray, SecondOrder
 from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signatures import Readings
-from trueaxis.measurement.reading_geometry import column, run_terms, sensed_directions
+from trueaxis.measurement.reading_geometry import column, sensed_points
 
 
 def second_order_of(ground: Ground) -> SecondOrder:
@@ -26,11 +26,11 @@ def second_order(readings: Readings) -> FloatArray:
     for index in rows.present:
         run, mine = rows.runs[index], rows.of_run(index)
         positions = np.ascontiguousarray(rows.positions[:, mine])
-        total = np.zeros((3, positions.shape[1]))
-        for term in run_terms(run):
-            inputs = (positions, np.ascontiguousarray(errors[:, mine]), model.parameter_values, column(term.point))
-            exact = model.kernels[f"{term.view}_deviation"](*inputs)
-            total += term.sign * (exact - model.kernels[f"{term.view}_deviation_first_order"](*inputs))
-        along = np.einsum("in,in->n", sensed_directions(model, run, positions), total)
+        along = np.zeros(positions.shape[1])
+        for one in sensed_points(model, run, positions):
+            inputs = (positions, np.ascontiguousarray(errors[:, mine]), model.parameter_values, column(one.point))
+            exact = model.kernels[f"{one.view}_deviation"](*inputs)
+            dropped = exact - model.kernels[f"{one.view}_deviation_first_order"](*inputs)
+            along += np.einsum("in,in->n", one.direction, dropped)
         found[mine] = along if run.instrument == "ballbar" else along - along[0]
     return cast(FloatArray, found)

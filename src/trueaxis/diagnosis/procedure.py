@@ -9,7 +9,7 @@ from trueaxis.diagnosis.audit import audit
 from trueaxis.diagnosis.candidates import candidates
 from trueaxis.diagnosis.extend import Extend, identified_anew
 from trueaxis.diagnosis.freedom import freedom_of
-from trueaxis.diagnosis.gain import fit, gain_of, held_out, predicted
+from trueaxis.diagnosis.gain import fit, gain_by_unit, held_out, predicted
 from trueaxis.diagnosis.given import given_by_chance
 from trueaxis.diagnosis.imperfection import imperfection
 from trueaxis.diagnosis.judgement import Judged, beside_misfits, judged_causes, judged_runs, judged_values
@@ -101,10 +101,10 @@ def _outcome(ground: Ground, null: Null, judged: Judged, changes: Changes) -> Ou
     held, split = held_out(null.rows)
     every = np.ones_like(held)
     white, values, causes = null.whitening, null.values, judged.causes
-    of_all = predicted(fit(null.base, white, values, causes, every), white, values, every)
-    of_held = predicted(fit(null.base, white, values, causes, ~held), white, values, held)
-    gain = gain_of(of_all, of_held, split, float(np.sqrt(np.mean(white.sigma**2))))
-    return Outcome(ground, null, judged, changes, held, of_all.left, gain)
+    on_all, on_others = (fit(null.base, white, values, causes, rows) for rows in (every, ~held))
+    of_all = predicted(on_all, white, values, every)
+    gain, of_held = gain_by_unit((on_all, on_others), white, values, null.rows, (held, split))
+    return Outcome(ground, null, judged, changes, held, of_all.left, of_held, gain)
 
 
 def _expected(model: MachineModel, rows: Rows) -> FloatArray:

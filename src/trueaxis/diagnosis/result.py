@@ -203,9 +203,20 @@ class Stale:
 
 
 @dataclass(frozen=True, slots=True)
+class GainOfAngles:
+    """What was gained of the readings of angle instruments, mm at ARM: urad where lengths are um."""
+
+    rms: Stage
+    held_out: Stage
+    floor: float
+
+
+@dataclass(frozen=True, slots=True)
 class Gain:
-    """What was gained. split: how the held-out readings were chosen; floor: RMS of the pure error, mm; standardised:
-    root mean square of held-out residuals over their predictive standard deviations, 1 where the model is right.
+    """What was gained. rms, held_out: of readings of lengths, NaN where there are none; split: how the held-out
+    readings were chosen; floor: RMS of the pure error, mm; standardised: root mean square of held-out residuals over
+    their predictive standard deviations, 1 where the model is right; angles: of readings of angles, None where there
+    are none.
     """
 
     rms: Stage
@@ -213,6 +224,7 @@ class Gain:
     split: str
     floor: float
     standardised: float = float("nan")
+    angles: GainOfAngles | None = None
 
 
 @dataclass(frozen=True, slots=True)

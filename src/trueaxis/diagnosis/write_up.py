@@ -26,6 +26,7 @@ from trueaxis.diagnosis.result import (
     Evidence,
     Gain,
     Residuals,
+    Stage,
 )
 from trueaxis.diagnosis.scan import Scanned
 from trueaxis.diagnosis.search import Found, Ground
@@ -40,7 +41,9 @@ from trueaxis.measurement.circularity import circularity
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
-    """All that the procedure has found in the readings. held: (n,), rows held back."""
+    """All that the procedure has found in the readings. held: (n,), rows held back; left: of all rows; predicted: RMS
+    of those held back, lengths and angles (at ARM) together, mm.
+    """
 
     ground: Ground
     null: Null
@@ -48,6 +51,7 @@ class Outcome:
     changes: Changes
     held: BoolArray
     left: Left
+    predicted: Stage
     gain: Gain
 
 
@@ -103,7 +107,7 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
     found = _found(judged, fitted)
     groups, homogeneous_p = judged.groups[index]
     others = tuple(one for place, one in enumerate(judged.causes) if place != index)
-    without = outcome.gain.held_out.refitted
+    without = outcome.predicted.refitted
     if others:
         null = outcome.null
         alone = fit(null.base, null.whitening, null.values, others, ~outcome.held)
@@ -117,7 +121,7 @@ def _cause(outcome: Outcome, index: int, ahead: Ahead) -> Cause:
         p_value=found.scan.p_value,
         evidence=found.scan.evidence,
         rms=float(np.sqrt(np.mean(fitted.signal**2))),
-        held_out_gain=1.0 - outcome.gain.held_out.extended / without if without > 0.0 else 0.0,
+        held_out_gain=1.0 - outcome.predicted.extended / without if without > 0.0 else 0.0,
         rivals=rivals,
         amplitudes=groups,
         homogeneous_p=homogeneous_p,

@@ -4,7 +4,7 @@ import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
 from trueaxis.measurement.machine import FloatArray
-from trueaxis.measurement.reading_model import column, home_positions, run_terms, sensed_directions
+from trueaxis.measurement.reading_model import column, home_positions, sensed_points
 from trueaxis.measurement.setup import Run
 
 
@@ -13,7 +13,7 @@ def sensed(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> Float
 
     positions: (n_axes, n). For a ball bar the direction sensed is that of the bar on the error-free machine.
     """
-    return _projected(machine, run, positions, sensed_directions(machine, run, positions))
+    return _projected(machine, run, positions)
 
 
 def sensed_at_home(machine: IdentifiedMachine, run: Run) -> FloatArray:
@@ -21,12 +21,12 @@ def sensed_at_home(machine: IdentifiedMachine, run: Run) -> FloatArray:
     home = home_positions(run, machine.axes)
     if home is None:
         return np.zeros((len(machine.components) + len(machine.location_errors), 1))
-    return _projected(machine, run, home, sensed_directions(machine, run, home))
+    return _projected(machine, run, home)
 
 
-def _projected(machine: IdentifiedMachine, run: Run, positions: FloatArray, direction: FloatArray) -> FloatArray:
+def _projected(machine: IdentifiedMachine, run: Run, positions: FloatArray) -> FloatArray:
     total = np.zeros((len(machine.components) + len(machine.location_errors), positions.shape[1]))
-    for term in run_terms(run):
-        sensitivity = machine.view_sensitivity(term.view, positions, column(term.point))
-        total += term.sign * np.einsum("in,ijn->jn", direction, sensitivity)
+    for one in sensed_points(machine, run, positions):
+        sensitivity = machine.view_sensitivity(one.view, positions, column(one.point))
+        total += np.einsum("in,ijn->jn", one.direction, sensitivity)
     return total

@@ -3,6 +3,7 @@
 Of one run (own):
   zero     what the reading was when it was set to zero; of a straightness run the offset of its reference line
   drift    what the reading creeps by over the run
+           (of an angle instrument zero and drift are angles)
   slope    of the reference line of a straightness run, unless its device's table states how it is aligned
   centre   of a ball bar's ball on the workpiece, beyond what its runs share: it may have been set up anew
 Of several runs (shared):
@@ -29,6 +30,7 @@ from trueaxis.estimation.set_up import (
     is_straightness,
     relative_motion,
 )
+from trueaxis.measurement.instrument_kinds import ANGLE, ARM, AT_REST
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_context import along
 from trueaxis.measurement.reading_geometry import along_line
@@ -69,6 +71,11 @@ CLASSES: Mapping[str, UnknownClass] = {
         UnknownClass(name="straightness drift", unit="mm", size=1e-3),
         UnknownClass(name="probe zero", unit="mm", size=3e-3),
         UnknownClass(name="probe drift", unit="mm", size=1e-3),
+        # an autocollimator or a level is read where it stands; optics are set to zero, and creep by air and bench
+        UnknownClass(name="angle zero", unit="rad", size=3e-6),
+        UnknownClass(name="angle drift", unit="rad", size=1e-6),
+        UnknownClass(name="displacement zero", unit="mm", size=3e-3),
+        UnknownClass(name="displacement drift", unit="mm", size=0.5e-3),
         UnknownClass(name="ballbar zero", unit="mm", size=2e-3),
         UnknownClass(name="ballbar drift", unit="mm", size=1e-3),
         UnknownClass(name="ballbar centre of a run", unit="mm", size=2e-3, of_point=True),
@@ -124,7 +131,8 @@ def own_columns(
     machine: IdentifiedMachine, run: Run, straightness: bool, positions: FloatArray, passed: FloatArray
 ) -> FloatArray:
     """(n, k): derivative of the readings by each of `own_kinds`, per mm or rad; passed: (n,), share of the run."""
-    columns = [np.ones(positions.shape[1]), passed - 0.5]
+    per_unit = ARM if run.instrument == ANGLE else 1.0  # mm of reading per mm, or per rad of an angle
+    columns = [np.full(positions.shape[1], per_unit), per_unit * (passed - 0.5)]
     if run.instrument == "ballbar":
         columns += list(ball_columns(machine, run, positions).T)
     elif straightness and not states_line(run):
@@ -150,6 +158,8 @@ def shared_unknowns(runs: Sequence[Run], present: Sequence[int], straightness: S
                 keys += [("probe sphere", (run.session, sphere), k) for k in range(3)]
         elif straightness[index]:
             keys = [("stated slope", index, 0)] if states_line(run) else []
+        elif run.instrument in (ANGLE, AT_REST):
+            keys = []  # an angle has no length that a scale could be off by, a sensor at rest hardly any
         else:
             scale = "laser scale" if run.device is None or run.device.scale_u is None else "stated scale"
             keys = [(scale, (run.session, run.device), 0)]

@@ -13,6 +13,7 @@ from trueaxis.estimation.set_up import is_straightness, relative_motion
 from trueaxis.identification.expected_size import expected_size
 from trueaxis.io.faults import Fault
 from trueaxis.measurement.data import MeasuredData, readings_path
+from trueaxis.measurement.instrument_kinds import ARM, unit_of_file
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_geometry import along_line
 from trueaxis.measurement.reading_model import ideal_bar, ideal_reading, measuring_frame
@@ -22,12 +23,13 @@ from trueaxis.model.model import MachineModel
 
 BELIEVED = 5.0  # times the prior standard deviation of a reading
 # mm, what instruments may be off by: a ball or sphere is set up within a millimetre, with a ruler within five; the
-# range of straightness optics; a laser's dead path and the growth of a cold machine
-SET_UP = {"ballbar": 5.0, "probe": 5.0, "straightness": 2.5, "laser": 0.5}
+# range of straightness optics; a laser's dead path and the growth of a cold machine, which a sensor at rest is to show;
+# half of the range of an electronic autocollimator, 1 mrad (mm at ARM)
+SET_UP = {"ballbar": 5.0, "probe": 5.0, "straightness": 2.5, "laser": 0.5, "displacement": 0.5, "angle": 1.0}
 BY_EYE = 5e-4  # rad, one standard deviation: what a line of straightness is off by that nobody has aligned with care
 MOST_ROWS = 5  # named of a run
 MOST_FITTED = 500  # positions that the place of a ball is sought from
-IN_MM = "is the reading in mm? [prior] of the machine's spec says what errors may be expected"
+IN_UNIT = "is the reading in {unit}? [prior] of the machine's spec says what errors may be expected"
 
 
 def setup_faults(model: MachineModel, data: MeasuredData, folder: Path) -> list[Fault]:
@@ -74,11 +76,13 @@ def _faults_of_run(model: MachineModel, run: Run, readings: Readings, rows: np.n
     named = ", ".join(str(readings.seq[rows[row]]) for row in wrong[:MOST_ROWS])
     more = f" and {wrong.size - MOST_ROWS} more" if wrong.size > MOST_ROWS else ""
     worst = int(wrong[np.argmax(np.abs(reading[wrong]))])
+    unit = unit_of_file(run.instrument)
+    off, most = (float(one[worst]) / (ARM if unit == "rad" else 1.0) for one in (reading, allowed))
     problem = (
-        f"run {run.id}, seq {named}{more}: up to {reading[worst]:.6g} mm, where errors of machine and set-up let "
-        f"expect {allowed[worst]:.2g} mm at most"
+        f"run {run.id}, seq {named}{more}: up to {off:.6g} {unit}, where errors of machine and set-up let "
+        f"expect {most:.2g} {unit} at most"
     )
-    return [Fault(str(readings_path(folder)), "column reading", problem, IN_MM)]
+    return [Fault(str(readings_path(folder)), "column reading", problem, IN_UNIT.format(unit=unit))]
 
 
 def _set_up(model: MachineModel, run: Run, positions: FloatArray) -> FloatArray | float:

@@ -21,6 +21,10 @@ from trueaxis.identification.report import (
     NoiseGroupReport,
 )
 from trueaxis.identification.words import DETERMINED_BY, enumerated
+from trueaxis.measurement.columns import BoolArray
+from trueaxis.measurement.instrument_kinds import small_unit
+from trueaxis.measurement.machine import FloatArray
+from trueaxis.measurement.readings import angle_rows
 from trueaxis.model.errors import Determined, ErrorValues
 from trueaxis.model.model import MachineModel
 
@@ -55,6 +59,9 @@ def estimated_report(
     scale = np.array([found.noise.scale_of_run.get(index, np.nan) for index in range(len(observed.runs))])
     sigma = {name: one.sigma for name, one in found.noise.of_instrument.items()}
     each = np.array([sigma.get(run.instrument, np.nan) for run in observed.runs]) * scale
+    angle = angle_rows(observed.run, observed.runs)
+    rms = _rms(found.readings.residual, good & ~angle), _rms(found.readings.residual, good & angle)
+    noise = _rms(each[observed.run], ~angle), _rms(each[observed.run], angle)
     return IdentificationReport(
         machine=model.name,
         method="global",
@@ -66,9 +73,11 @@ def estimated_report(
         blocks=(),
         iterations=found.iteration.rounds + found.iteration.steps,
         last_change=found.iteration.last_change,
-        residual_rms_um=float(np.sqrt(np.mean(found.readings.residual[good] ** 2))) * 1e3,
+        residual_rms_um=np.nan if rms[0] is None else rms[0],
+        residual_rms_urad=rms[1],
         freedom=int(found.readings.freedom),
-        noise_um=float(np.sqrt(np.mean(each[observed.run] ** 2))) * 1e3,
+        noise_um=np.nan if noise[0] is None else noise[0],
+        noise_urad=noise[1],
         noise_origin=_noise_origin(found),
         locations=tuple(
             _location(found, name, locations.get(name), unit[name], ORIGINS[prior]) for name in model.location_errors
@@ -82,6 +91,11 @@ def estimated_report(
         notes=(*remedies, *estimate_notes(model, observed, found, given)),
         caveats=dimension_notes(model, given),
     )
+
+
+def _rms(values: FloatArray, rows: BoolArray) -> float | None:
+    """Root mean square of some readings, um (of angles urad); None where there are none."""
+    return 1e3 * float(np.sqrt(np.mean(values[rows] ** 2))) if rows.any() else None
 
 
 def _location(
@@ -150,5 +164,5 @@ def _noise_groups(observed: Observations, found: Estimate) -> tuple[NoiseGroupRe
         size = one.sigma * float(np.sqrt(np.mean(np.square(scales)))) * 1e3
         slow = f" (slow part {one.slow * 1e3:.3g})" if one.slow > 0.0 else ""
         told = " (stated)" if name in found.noise.stated else slow
-        groups.append(NoiseGroupReport(name + told, size))
+        groups.append(NoiseGroupReport(name + told, size, small_unit(name)))
     return tuple(groups)

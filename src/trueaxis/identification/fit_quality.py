@@ -10,8 +10,9 @@ from trueaxis.estimation.machine import IdentifiedMachine, IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
 from trueaxis.identification.expected_size import expected_size
-from trueaxis.identification.weighting import INSTRUMENTS, LEAST_FREEDOM
+from trueaxis.identification.weighting import LEAST_FREEDOM
 from trueaxis.identification.words import enumerated
+from trueaxis.measurement.instrument_kinds import INSTRUMENTS, SmallUnit, small_unit
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.setup import Run
 from trueaxis.model.errors import Fit
@@ -39,7 +40,8 @@ MOST_RUNS = 10  # named
 class RunResidual:
     """Residuals of a run: how many readings, their rms (um), and that over the noise; None where that is unknown.
 
-    most: the ratio that noise alone reaches in `UNUSUAL` of the data sets; infinite where that is unknown.
+    unit: "urad" of an angle instrument, whose rms is in it; most: the ratio that noise alone reaches in `UNUSUAL` of
+    the data sets; infinite where that is unknown.
     """
 
     run: str
@@ -47,6 +49,7 @@ class RunResidual:
     rms_um: float
     ratio: float | None
     most: float = np.inf
+    unit: SmallUnit = "um"
 
     @property
     def unusual(self) -> bool:
@@ -176,6 +179,7 @@ def run_residuals(residuals: Residuals, runs: Sequence[Run]) -> tuple[RunResidua
             float(of_run) * 1e3,
             None if ratio is None else float(ratio[index]),
             _most(residuals.independent.get(index, float(count[index])), present.size),
+            small_unit(runs[index].instrument),
         )
         for index, of_run in zip(present.tolist(), rms, strict=True)
     ]

@@ -15,8 +15,8 @@ from trueaxis.model.errors import Fit
 
 READS: Mapping[How, str] = {
     "reversed": "as if its sign were reversed (reading, direction in setup.toml, or sense of an axis)",
-    "small": "as if it were 1000 times too small (m written for mm?)",
-    "large": "as if it were 1000 times too large (um written for mm?)",
+    "small": "as if it were 1000 times too small (m written for mm? of an angle, a file not in rad?)",
+    "large": "as if it were 1000 times too large (um written for mm? mrad for rad?)",
     "mirrored": "as if its targets were labelled from the other end (positions in readings.csv)",
 }
 # By which errors of a machine may be smaller than [prior] says, all classes of them at once: 0.7 um and 1.7 urad by the

@@ -13,8 +13,9 @@ from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.set_up import is_straightness
 from trueaxis.identification.misreadings import misread_notes
 from trueaxis.identification.report import ComponentReport
-from trueaxis.identification.words import enumerated
+from trueaxis.identification.words import enumerated, in_small
 from trueaxis.measurement.data import MeasuredData
+from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.measurement.setup import Setup
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
@@ -98,7 +99,7 @@ def estimate_notes(model: MachineModel, observed: Observations, found: Estimate,
     for name, one in found.noise.of_instrument.items():
         if one.slow > SLOW * one.white:
             notes.append(
-                f"the noise of {name} is mostly slow: its slow part, {one.slow * 1e3:.3g} um, is "
+                f"the noise of {name} is mostly slow: its slow part, {one.slow * 1e3:.3g} {small_unit(name)}, is "
                 f"{one.slow / one.white:.2g} times its white part. Drift of the instrument looks like that, and so do "
                 "a wrong sign, a wrong point in setup.toml and an effect that the model lacks; diagnose tells more"
             )
@@ -165,9 +166,10 @@ def _zeros_far_off(observed: Observations, found: Estimate) -> Iterator[str]:
         usual = max(SET_UP_FACTOR * CLASSES[kind].size, FAR_ZERO * float(np.median(np.abs([*of_run.values()]))))
         far = sorted((run for run in of_run if abs(of_run[run]) > usual), key=lambda run: -abs(of_run[run]))
         if far:
-            named = [f"{run} by {of_run[run] * 1e3:.3g} um" for run in far[:MOST_ZEROS]]
+            factor, unit = in_small(CLASSES[kind].unit)
+            named = [f"{run} by {of_run[run] * factor:.3g} {unit}" for run in far[:MOST_ZEROS]]
             rest = f" and {len(far) - MOST_ZEROS} more" if len(far) > MOST_ZEROS else ""
             yield (
-                f"{len(far)} of {len(of_run)} runs are off by their {kind}, farther than {usual * 1e3:.3g} um: "
+                f"{len(far)} of {len(of_run)} runs are off by their {kind}, farther than {usual * factor:.3g} {unit}: "
                 f"{', '.join(named)}{rest}; the estimate takes that for the instrument, not for the machine"
             )

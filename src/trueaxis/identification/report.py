@@ -8,6 +8,7 @@ from trueaxis.effects.kind import Role
 from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.tool_point import ToolSummary
 from trueaxis.identification.fit_quality import FitQuality
+from trueaxis.measurement.instrument_kinds import SmallUnit
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.errors import ErrorValues, Undetermined
 
@@ -100,10 +101,11 @@ class EffectReport:
 
 @dataclass(frozen=True, slots=True)
 class NoiseGroupReport:
-    """Noise of the readings of an instrument, and what is said of it."""
+    """Noise of the readings of an instrument (um, or as `unit` says), and what is said of it."""
 
     group: str
     noise_um: float
+    unit: SmallUnit = "um"
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,13 +127,14 @@ class IdentificationReport:
     """Everything besides the values. Lengths mm and angles rad unless a name says otherwise.
 
     readings: those used; left_out: runs that the method cannot use; iterations of the exact model and the last
-    change (mm); residual_rms_um: of all readings used; freedom: degrees of freedom left; noise_um: standard
-    deviation of a reading, None where neither given nor to be had from the data; noise_origin says which;
-    undetermined as in the error values; notes: everything else a reader must know; instruments: their unknowns;
-    noise_groups: of each instrument; curve_orders: of tables that were made polynomials; effects: those of the
-    machine; quality: how the fit ended, and the residuals of each run; combinations: errors of which the readings tell
-    a sum much better than its parts; tool: how well the tool point is known over the volume, None without a prior;
-    measurement: free text of setup.toml about it; caveats: what must be known before all else.
+    change (mm); residual_rms_um: of all readings of lengths used, NaN where there are none; freedom: degrees of freedom
+    left; noise_um: standard deviation of a reading of a length, None where neither given nor to be had from the data;
+    noise_origin says which; residual_rms_urad, noise_urad: the same of angles, None where there are none; undetermined
+    as in the error values; notes: everything else a reader must know; instruments: their unknowns; noise_groups: of
+    each instrument; curve_orders: of tables that were made polynomials; effects: those of the machine; quality: how the
+    fit ended, and the residuals of each run; combinations: errors of which the readings tell a sum much better than its
+    parts; tool: how well the tool point is known over the volume, None without a prior; measurement: free text of
+    setup.toml about it; caveats: what must be known before all else.
     """
 
     machine: str
@@ -158,6 +161,8 @@ class IdentificationReport:
     curve_orders: tuple[CurveOrderReport, ...] = ()
     effects: tuple[EffectReport, ...] = ()
     combinations: tuple[Combination, ...] = ()
+    residual_rms_urad: float | None = None
+    noise_urad: float | None = None
     tool: ToolSummary | None = None
     measurement: Mapping[str, str] = field(default_factory=dict)
     caveats: tuple[str, ...] = ()

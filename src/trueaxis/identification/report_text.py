@@ -26,11 +26,10 @@ MICRO = 1e6
 
 def report_text(report: IdentificationReport) -> str:
     """Lines of text, ending with a newline."""
-    noise = "unknown" if report.noise_um is None else f"{report.noise_um:.4g} um"
     lines = [
         f"{report.machine}: method {report.method}, {report.readings} readings, {report.iterations} iterations on the "
         f"exact model (last change {report.last_change:.1g} mm)",
-        f"residuals: rms {report.residual_rms_um:.4g} um; noise of a reading: {noise} ({report.noise_origin})",
+        _residuals(report),
         f"squareness: {report.squareness}",
         *_wrapped(fit_text(report.quality), "fit:"),
     ]
@@ -38,10 +37,10 @@ def report_text(report: IdentificationReport) -> str:
         lines[1:1] = _wrapped(caveat, "NOTE: ")
     lines += runs_table(report.quality.runs)
     if report.noise_groups:
-        said = (f"{group.group} {group.noise_um:.4g} um" for group in report.noise_groups)
+        said = (f"{group.group} {group.noise_um:.4g} {group.unit}" for group in report.noise_groups)
         lines += _wrapped(", ".join(said), "noise by group:")
     if report.left_out:
-        lines.append(f"left out (this method cannot use ball-bar runs): {', '.join(report.left_out)}")
+        lines.append(f"left out (this method uses laser and probe runs alone): {', '.join(report.left_out)}")
     if report.noise_um is None:
         lines.append("standard uncertainties are not given: the noise is unknown (--noise-um gives it)")
     if report.blocks:
@@ -68,6 +67,20 @@ def report_text(report: IdentificationReport) -> str:
     for note in report.notes:
         lines += _wrapped(note, "note: ")
     return "\n".join(lines) + "\n"
+
+
+def _residuals(report: IdentificationReport) -> str:
+    """Root mean squares of residuals and noise: of lengths, and of angles where there are such."""
+    rms, noise = [], ["unknown"] if report.noise_um is None else []
+    for unit, of_residuals, of_noise in (
+        ("um", report.residual_rms_um, report.noise_um),
+        ("urad", report.residual_rms_urad, report.noise_urad),
+    ):
+        if of_residuals is not None and math.isfinite(of_residuals):
+            rms.append(f"{of_residuals:.4g} {unit}")
+        if of_noise is not None and math.isfinite(of_noise):
+            noise.append(f"{of_noise:.4g} {unit}")
+    return f"residuals: rms {', '.join(rms)}; noise of a reading: {', '.join(noise)} ({report.noise_origin})"
 
 
 def _known_of_tool(report: IdentificationReport) -> list[str]:
@@ -112,7 +125,7 @@ def fit_text(judged: FitQuality) -> str:
 def runs_text(runs: Sequence[RunResidual]) -> str:
     """The worst runs with the rms of their residuals: `X1 12 um (40 times the noise)`, and how many more misfit."""
     said = [
-        f"{one.run} {one.rms_um:.4g} um" + ("" if one.ratio is None else f" ({one.ratio:.3g} times the noise)")
+        f"{one.run} {one.rms_um:.4g} {one.unit}" + ("" if one.ratio is None else f" ({one.ratio:.3g} times the noise)")
         for one in runs[:MOST_RUNS]
         if one.ratio is None or one.ratio > MISFIT or one is runs[0]
     ]
@@ -203,7 +216,11 @@ def _wrapped(text: str, lead: str) -> list[str]:
 
 def _plain(value: Any) -> Any:
     if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
+        urad = value.get("unit") == "urad"
+        return {
+            f"{key.removesuffix('_um')}_urad" if urad and key.endswith("_um") else key: _plain(item)
+            for key, item in value.items()
+        }
     if isinstance(value, list | tuple):
         return [_plain(item) for item in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -13,12 +13,14 @@ def runs_table(runs: Sequence[RunResidual]) -> list[str]:
         return []
     width = max(len("run"), *(len(one.run) for one in runs[:WORST]))
     known = any(one.ratio is not None for one in runs)
-    head = f"  {'run':<{width}}  readings  RMS um"
+    mixed = any(one.unit == "urad" for one in runs)  # angles among them: the unit has a column
+    head = f"  {'run':<{width}}  readings  {'unit     RMS' if mixed else 'RMS um'}"
     if known:
-        head += "  noise um  ratio  by noise up to"
+        head += f"  {'   noise' if mixed else 'noise um'}  ratio  by noise up to"
     lines = ["residuals by run, worst first:", head]
     for one in runs[:WORST]:
-        line = f"  {one.run:<{width}}  {one.readings:>8}  {one.rms_um:>6.3g}"
+        unit = f"{one.unit:<4}  " if mixed else ""
+        line = f"  {one.run:<{width}}  {one.readings:>8}  {unit}{one.rms_um:>6.3g}"
         if one.ratio is not None:
             noise = one.rms_um / one.ratio if one.ratio > 0.0 else 0.0
             line += f"  {noise:>8.3g}  {one.ratio:>5.3g}  {one.most:>14.3g}{'  unusual' if one.unusual else ''}"

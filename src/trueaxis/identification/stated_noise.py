@@ -6,8 +6,9 @@ import numpy as np
 
 from trueaxis.estimation.observations import Observations
 from trueaxis.identification.fit_quality import MISFIT, RunResidual
+from trueaxis.measurement.instrument_kinds import small_unit
 
-OPTION, DEVICE = "--noise-um states", "noise_um of the device table (setup.toml) states"
+OPTION, DEVICE = "--noise-{unit} states", "noise_{unit} of the device table (setup.toml) states"
 
 
 def noise_remedies(
@@ -26,10 +27,11 @@ def noise_remedies(
         middle = float(np.median(known)) if known else 1.0
         if 1.0 / MISFIT <= middle <= MISFIT:
             continue
-        um = 1e3 * float(np.median([stated[index] for index in runs]))
+        unit, small = small_unit(instrument), 1e3 * float(np.median([stated[index] for index in runs]))
         times = f"{middle:.2g} times" if middle > 1.0 else f"1/{1.0 / middle:.2g} of"
         found[
-            f"the residuals of {instrument} are {times} the noise that {DEVICE if by_device else OPTION} "
-            f"({um:.3g} um): leave it out and the noise is estimated, or state about {um * middle:.2g} um"
+            f"the residuals of {instrument} are {times} the noise that "
+            f"{(DEVICE if by_device else OPTION).format(unit=unit)} ({small:.3g} {unit}): leave it out and the noise "
+            f"is estimated, or state about {small * middle:.2g} {unit}"
         ] = middle
     return found

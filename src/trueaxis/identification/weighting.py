@@ -10,30 +10,34 @@ from trueaxis.estimation.machine import IntArray
 from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.repeats import pure_error
 from trueaxis.io.faults import Fault, Faults, InputError
+from trueaxis.measurement.instrument_kinds import ANGLE, INSTRUMENTS
 from trueaxis.measurement.machine import FloatArray
 
 Repeats = Literal["", "instrument", "run"]
 LEAST_FREEDOM = 5  # of a noise from repeats: with fewer it is uncertain by a third and more
-INSTRUMENTS = ("laser", "ballbar", "probe")
 
 
 @dataclass(frozen=True, slots=True)
 class NoiseModel:
     """What is known of the noise beforehand.
 
-    um: one value for every reading; by_group: instrument or run -> value, runs before instruments (micrometres);
-    repeats: from repeated readings, one value for each instrument or each run. With none of them all readings count
-    the same and the residuals set the level.
+    um: one value for every reading of a length; by_group: instrument or run -> value, runs before instruments
+    (micrometres); urad: one value for every reading of an angle (microradians, which at ARM are micrometres); repeats:
+    from repeated readings, one value for each instrument or each run. With none of them all readings count the same and
+    the residuals set the level.
     """
 
     um: float | None = None
     by_group: Mapping[str, float] = field(default_factory=dict)
     repeats: Repeats = ""
+    urad: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class GroupNoise:
-    """Noise of the readings of an instrument or run, um; freedom: degrees of freedom it is from, None: given."""
+    """Noise of the readings of an instrument or run, um (urad of angles); freedom: degrees of freedom it is from, None:
+    given.
+    """
 
     group: str
     um: float
@@ -55,12 +59,36 @@ class Weighting:
 def weighting(observed: Observations, model: NoiseModel) -> Weighting:
     """The weights of the readings. Raises InputError where a group is unknown, has no noise, or too few repeats."""
     size = observed.reading.size
-    if model.by_group:
-        return _weighted(observed, _given(observed, model.by_group), "given for each instrument or run")
+    _refuse_units(observed, model)
+    if by_group := _by_group(observed, model):
+        return _weighted(observed, _given(observed, by_group), "given for each instrument or run")
     if model.repeats:
         return _weighted(observed, _repeated(observed, model.repeats), f"from repeats of each {model.repeats}")
     sigma = None if model.um is None else model.um * 1e-3
     return Weighting(np.ones(size), sigma, "" if sigma is None else "given")
+
+
+def _by_group(observed: Observations, model: NoiseModel) -> Mapping[str, float]:
+    """Of instruments and runs, where more than one value is stated, or angles are among the readings."""
+    used = {observed.runs[index].instrument for index in np.unique(observed.run)}
+    if ANGLE not in used or not (model.by_group or model.um is not None or model.urad is not None):
+        return model.by_group
+    of_lengths = {} if model.um is None else dict.fromkeys(sorted(used - {ANGLE}), model.um)
+    of_angles = {} if model.urad is None else {ANGLE: model.urad}
+    return {**of_lengths, **model.by_group, **of_angles}
+
+
+def _refuse_units(observed: Observations, model: NoiseModel) -> None:
+    """Angles are in microradians, whose option is another one."""
+    angles = {ANGLE, *(run.id for run in observed.runs if run.instrument == ANGLE)}
+    faults = Faults("--noise-um")
+    for name in sorted(angles & set(model.by_group)):
+        faults.add(name, "reads an angle", "--noise-urad S")
+    if model.urad is not None and not any(
+        observed.runs[index].instrument == ANGLE for index in np.unique(observed.run)
+    ):
+        faults.found.append(Fault("--noise-urad", "", "no run is of an angle instrument", "leave it out"))
+    faults.raise_if_any()
 
 
 def _weighted(observed: Observations, noise: Mapping[int, GroupNoise], origin: str) -> Weighting:
@@ -88,7 +116,8 @@ def _given(observed: Observations, by_group: Mapping[str, float]) -> dict[int, G
             found[index] = GroupNoise(own, by_group[own], None)
     for instrument, ids in silent.items():
         which = f'run "{ids[0]}"' if len(ids) == 1 else f'{len(ids)} runs of the {instrument}, "{ids[0]}" first'
-        faults.add("", f"says nothing of {which}", f"{instrument}=S, or {ids[0]}=S")
+        remedy = "--noise-urad S" if instrument == ANGLE else f"{instrument}=S, or {ids[0]}=S"
+        faults.add("", f"says nothing of {which}", remedy)
     faults.raise_if_any()
     return found
 

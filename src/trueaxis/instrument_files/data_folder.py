@@ -1,6 +1,7 @@
 """Runs of instrument files as the texts of a data folder: setup.toml, with what was assumed, and readings.csv."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ from trueaxis.instrument_files.user_keys import RunKeys
 from trueaxis.io.plain_text import shown
 from trueaxis.measurement.approach import approach_directions
 from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun
+from trueaxis.measurement.limits import LONGEST_ID
 from trueaxis.measurement.reading_model import home_positions
 from trueaxis.measurement.readings import Readings, dump_readings
 from trueaxis.measurement.setup_writer import run_table, toml_text
@@ -17,6 +19,21 @@ from trueaxis.measurement.setup_writer import run_table, toml_text
 HEAD = "# Made by `trueaxis import`. What is marked `assumed` does not stand in the instrument files.\n"
 # keys of --map that stand within a key of setup.toml
 _WITHIN = {"target.point": "target", "reference.point": "reference"}
+
+
+def renamed(runs: tuple[DataRun, ...]) -> tuple[DataRun, ...]:
+    """The runs with ids of their own: files of different folders may have one name."""
+    seen: set[str] = set()
+    result = []
+    for item in runs:
+        name, number = item.run.id, 1
+        while name in seen:
+            number += 1
+            ending = f"-{number}"
+            name = item.run.id[: LONGEST_ID - len(ending)] + ending
+        seen.add(name)
+        result.append(replace(item, run=replace(item.run, id=name)))
+    return tuple(result)
 
 
 def setup_text(runs: Sequence[DataRun], machine: str, compensation: str | None) -> str:
@@ -72,7 +89,7 @@ def readings_bytes(runs: Sequence[DataRun], axes: tuple[str, ...]) -> bytes:
         feed=_column(runs, lambda source: source.feed),
         temperature=_column(runs, lambda source: source.temperature),
     )
-    return dump_readings(readings)
+    return dump_readings(readings, [item.run for item in runs])
 
 
 def _directions(item: DataRun, seq: "np.ndarray", axes: Sequence[str]) -> "np.ndarray":

@@ -2,23 +2,27 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
 
+from trueaxis.instrument_files.angles import about, in_angles
+from trueaxis.instrument_files.expansion import normalised
 from trueaxis.instrument_files.user_keys import RunKeys, UserKeys
 from trueaxis.io.faults import Fault
 from trueaxis.io.plain_text import escaped
 from trueaxis.machine.machine import BED, LINEAR, Machine
+from trueaxis.measurement.instrument_kinds import ANGLE, ARM, Instrument, small_unit, unit_of_file
 from trueaxis.measurement.instrument_run import DirectionArray, FloatArray, InstrumentRun
 from trueaxis.measurement.limits import COLDEST, FARTHEST_POINT, FASTEST, LONGEST_ID, LONGEST_TIME, WARMEST
 from trueaxis.measurement.readings_reader import LARGEST_READING
-from trueaxis.measurement.setup import Instrument, PointOn, Run, Vector
+from trueaxis.measurement.setup import PointOn, Run, Vector
 from trueaxis.measurement.setup_reader import LONGEST_BAR
 from trueaxis.view import Carrier, Frame
 
 PLANES = {"XY": ("X", "Y"), "YZ": ("Y", "Z"), "ZX": ("Z", "X")}
+SLANTED = 1e-3  # by which the cosine of a direction along an axis may be less than 1
 SMALLEST = 1e-9  # length of a direction that can be made a unit vector
 
 # the tool point in the workpiece frame at axis positions (n_axes, 1), for a point (3, 1) of the tool, mm
@@ -48,6 +52,11 @@ def data_run(source: InstrumentRun, machine: Machine, keys: UserKeys, view: Tool
     before = len(keys.questions) + len(keys.faults)
     run_id = escaped(own.text("id", "its name", "X1", default=source.id) or "")[:LONGEST_ID].strip() or "run"
     instrument: Instrument | None = source.instrument
+    if instrument == ANGLE:
+        angles = in_angles(source, own)
+        if angles is None:
+            return None
+        source = angles
     if instrument is None:
         among = ("laser", "probe")
         instrument = cast("Instrument | None", own.text("instrument", "", "laser", among=among, default="laser"))
@@ -61,7 +70,7 @@ def data_run(source: InstrumentRun, machine: Machine, keys: UserKeys, view: Tool
 def _along(
     source: InstrumentRun, machine: Machine, own: RunKeys, _: ToolView, run_id: str, instrument: Instrument | None
 ) -> DataRun | None:
-    """A run of a laser or a probe."""
+    """A run of a laser, a probe or an angle instrument."""
     axis = source.axis if source.axis in machine.axes else None
     if source.targets is not None and axis is None:
         right = machine.axes[0]
@@ -74,10 +83,15 @@ def _along(
     side: Carrier = "tool" if mover is None or _carries_tool(machine, mover) else "workpiece"
     on = cast("Carrier | None", own.text("target", "", "tool", among=("tool", "workpiece"), default=side))
     frame_of = cast("Frame | None", own.text("frame", "", "bed", among=("bed", "workpiece"), default="bed"))
-    direction = _direction(machine, own, mover)
+    angle = instrument == ANGLE
+    direction = _direction(machine, own, mover, angle=angle)
     meaning = f"where the moving optic or sensor is, in the frame of the {on or side}, mm"
-    target = own.vector("target.point", meaning, "X,Y,Z")
-    reference = _reference(own)
+    target = (0.0, 0.0, 0.0) if angle else own.vector("target.point", meaning, "X,Y,Z")  # all points turn alike
+    reference = _reference(own, angle=angle)
+    warm = _normalised(source, machine, own, positions, (mover, on, frame_of, direction))
+    if warm is None:
+        return None
+    source, expansion, warmth = warm
     home, reading, remark = _home(source, machine, own, positions, mover)
     if on is None or frame_of is None or direction is None or target is None or reference is None or reading is None:
         return None
@@ -86,7 +100,7 @@ def _along(
         return None
     run = Run(
         id=run_id, instrument=instrument or "laser", target=PointOn(on, target), reference=reference,
-        frame=frame_of, home=home, direction=direction,
+        frame=frame_of, home=home, direction=direction, normalised=expansion,
     )  # fmt: skip
     directions = None
     if source.directions is not None and mover is not None:
@@ -94,7 +108,7 @@ def _along(
         directions[machine.axes.index(mover)] = source.directions
     return DataRun(
         run=run, source=source, positions=positions, directions=directions, reading=reading,
-        assumed=own, remarks=(*source.assumed, *remark),
+        assumed=own, remarks=(*source.assumed, *warmth, *remark),
     )  # fmt: skip
 
 
@@ -175,12 +189,15 @@ def _carries_tool(machine: Machine, axis: str) -> bool:
     return False
 
 
-def _direction(machine: Machine, own: RunKeys, axis: str | None) -> Vector | None:
+def _direction(machine: Machine, own: RunKeys, axis: str | None, *, angle: bool) -> Vector | None:
     default: Vector | None = None
-    if axis is not None and axis in LINEAR:
+    meaning, right = "the direction in which it reads positive, in `frame`", "1,0,0"
+    if angle:
+        meaning, right, default = about(machine, axis)
+    elif axis is not None and axis in LINEAR:
         sense = float(machine.mover(axis).sense)
         default = cast(Vector, tuple(sense if name == axis else 0.0 for name in LINEAR))
-    given = own.vector("direction", "the direction in which it reads positive, in `frame`", "1,0,0", default=default)
+    given = own.vector("direction", meaning, right, default=default)
     if given is None:
         return None
     size = math.hypot(*given)
@@ -190,12 +207,34 @@ def _direction(machine: Machine, own: RunKeys, axis: str | None) -> Vector | Non
     return cast(Vector, tuple(value / size for value in given))
 
 
-def _reference(own: RunKeys) -> PointOn | None:
+def _reference(own: RunKeys, *, angle: bool) -> PointOn | None:
     on = cast("Carrier | None", own.text("reference", "", "bed", among=("bed", "tool", "workpiece"), default="bed"))
-    if on is None or on == "bed":
-        return None if on is None else PointOn("bed")
+    if on is None or on == "bed" or angle:
+        return None if on is None else PointOn(on)
     point = own.vector("reference.point", f"where the resting optic is, in the frame of the {on}, mm", "X,Y,Z")
     return None if point is None else PointOn(on, point)
+
+
+def _normalised(
+    source: InstrumentRun,
+    machine: Machine,
+    own: RunKeys,
+    positions: FloatArray,
+    seen: tuple[str | None, Carrier | None, Frame | None, Vector | None],
+) -> tuple[InstrumentRun, float | None, tuple[str, ...]] | None:
+    """See `normalised`. seen: axis that moved, what carries the target, frame and direction of the run."""
+    axis, on, frame, direction = seen
+    if axis is None or axis not in LINEAR or source.instrument == ANGLE or on is None or direction is None:
+        return source, None, ()
+    row = machine.axes.index(axis)
+    along = machine.mover(axis).sense * direction[LINEAR.index(axis)]
+    if own.said(f"expansion.{axis}") is not None:
+        carried = _carries_tool(machine, axis) == (on == "tool")
+        if frame != "bed" or not carried or abs(along) < 1.0 - SLANTED or own.said("reference") not in (None, "bed"):
+            right = "a run along the axis, of what the axis carries against the bed"
+            own.wrong(f"expansion.{axis}", own.values[f"expansion.{axis}"], right)
+            return None
+    return normalised(source, own, axis, along * (positions[row] - positions[row, 0]))
 
 
 def _home(
@@ -221,7 +260,8 @@ def _home(
         return home, None, ()
     if zero == "mean":
         off = float(readings.mean())
-        said = f"the mean of the {readings.size} readings at home, {off * 1e3:.6g} um, was taken off every reading"
+        unit = small_unit(source.instrument or "laser")
+        said = f"the mean of the {readings.size} readings at home, {off * 1e3:.6g} {unit}, was taken off every reading"
         return home, source.reading - off, (said,)
     return home, None if zero is None else source.reading, ()
 
@@ -241,8 +281,10 @@ def _check(found: DataRun, machine: Machine, own: RunKeys) -> None:
             own.wrong(key, str(list(point)), f"coordinates in mm, at most {FARTHEST_POINT:g}")
     largest = float(np.abs(found.reading).max(initial=0.0))
     if not largest <= LARGEST_READING:
-        problem = f"has a reading of {largest:.6g} mm"
-        remedy = f"deviations of at most {LARGEST_READING:g} mm: unit.reading, length"
+        unit = unit_of_file(run.instrument)
+        per_unit = ARM if unit == "rad" else 1.0
+        problem = f"has a reading of {largest / per_unit:.6g} {unit}"
+        remedy = f"deviations of at most {LARGEST_READING / per_unit:g} {unit}: unit.reading, length"
         own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, remedy))
     for name, values, low, high in (
         ("time", source.time, -LONGEST_TIME, LONGEST_TIME),
@@ -253,18 +295,3 @@ def _check(found: DataRun, machine: Machine, own: RunKeys) -> None:
         if wrong.size:
             problem = f"{name} {wrong[0]:.6g} is outside what can be"
             own.keys.faults.append(Fault(source.file, f"run {run.id}", problem, f"from {low:g} to {high:g}"))
-
-
-def renamed(runs: tuple[DataRun, ...]) -> tuple[DataRun, ...]:
-    """The runs with ids of their own: files of different folders may have one name."""
-    seen: set[str] = set()
-    result = []
-    for item in runs:
-        name, number = item.run.id, 1
-        while name in seen:
-            number += 1
-            ending = f"-{number}"
-            name = item.run.id[: LONGEST_ID - len(ending)] + ending
-        seen.add(name)
-        result.append(replace(item, run=replace(item.run, id=name)))
-    return tuple(result)

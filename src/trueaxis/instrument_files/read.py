@@ -8,13 +8,11 @@ from trueaxis.instrument_files.delimited import read_delimited
 from trueaxis.instrument_files.positioning_file import read_positioning
 from trueaxis.instrument_files.rtl_file import is_rtl, read_rtl
 from trueaxis.instrument_files.user_keys import UserKeys
-from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.input_files import input_bytes
 from trueaxis.measurement.instrument_run import InstrumentRun
 
 Format = Literal["rtl", "iso230-2", "ballbar-csv", "csv"]
 FORMATS: tuple[Format, ...] = ("rtl", "iso230-2", "ballbar-csv", "csv")
-ANGULAR = ".rta"
 POSITIONING_COLUMNS = b"target,cycle,direction,measured"
 _START = 100_000  # bytes in which a format shows
 
@@ -26,7 +24,6 @@ def read_instrument_file(path: Path, of: Format | None, keys: UserKeys) -> tuple
     """
     of = of or recognised(path)
     if of == "rtl":
-        _refuse_angles(path)
         return (read_rtl(path),)
     if of == "iso230-2":
         return (read_positioning(path),)
@@ -45,9 +42,3 @@ def recognised(path: Path) -> Format:
     if sorted(first.split(b",")) == sorted(POSITIONING_COLUMNS.split(b",")):
         return "iso230-2"
     return "ballbar-csv" if is_ball_bar(read_delimited(path).header) else "csv"
-
-
-def _refuse_angles(path: Path) -> None:
-    if path.suffix.lower() == ANGULAR:
-        problem = "holds angles, which no instrument of this version reads (laser, probe: mm; ball bar: mm)"
-        raise InputError([Fault(str(path), "", problem, "the .rtl file of the positions; its angles by hand")])

@@ -1,4 +1,5 @@
-"""Renishaw .rtl files: sections of text with targets in mm and deviations in um, a row per run and target.
+"""Renishaw .rtl and .rta files: sections of text with targets in mm or deg and deviations in um or of angles, a row per
+run and target.
 
     HEADER::                       DEVIATIONS::
     TARGET DATA::                  Run Target Data:
@@ -28,6 +29,7 @@ from trueaxis.measurement.instrument_run import MOST_ROWS, FloatArray, Instrumen
 MOST_FAULTS = 20  # of one kind: a file of another kind is wrong in every line
 LONGEST_SHOWN = 40  # characters of the file in a message
 UM = 1e-3  # mm
+ANGLES = ".rta"
 
 _SECTION = re.compile(r"([A-Z][A-Z0-9 -]*)::", re.IGNORECASE)
 _KEY = re.compile(r"([A-Za-z][\w -]*?)\s*:(.*)")
@@ -50,7 +52,11 @@ class _Content:
 
 
 def read_rtl(path: Path) -> InstrumentRun:
-    """Read a .rtl file. Raises InputError with every fault, each with its line."""
+    """Read a .rtl file, or by its suffix a .rta file, whose deviations are angles and stay as they are.
+
+    Raises InputError with every fault, each with its line.
+    """
+    angles = path.suffix.lower() == ANGLES
     faults = Faults(str(path))
     content = _content(decoded(input_bytes(path)), faults)
     _check(content, faults)
@@ -63,7 +69,8 @@ def read_rtl(path: Path) -> InstrumentRun:
         id=path.stem,
         axis=axis[1].upper() if axis else None,
         targets=targets,
-        reading=deviations * UM,
+        instrument="angle" if angles else None,
+        reading=deviations if angles else deviations * UM,
         directions=approach_of_passes(runs.astype(np.int64), targets),
         report={name: content.texts[key] for key, name in _REPORT.items() if content.texts.get(key)},
         assumed=(ORDER,),
@@ -137,7 +144,7 @@ def _take_row(content: _Content, line: str, number: int, faults: Faults) -> None
     words = line.split()
     deviation = decimal(words[2]) if len(words) == 3 else None
     if deviation is None or not all(re.fullmatch(r"[0-9]{1,7}", word) for word in words[:2]):
-        right = "run, target, deviation in um, such as `1  2  -0.27`"
+        right = "run, target, deviation in um (of a .rta an angle), such as `1  2  -0.27`"
         faults.add(f"line {number}", f'"{shown(line, LONGEST_SHOWN)}" is not a deviation', right)
         return
     if len(content.rows) >= MOST_ROWS:

@@ -14,7 +14,7 @@ from trueaxis.io.plain_text import shown
 # Of --map; those that end with a point have a name behind it: of an axis, a column.
 KEYS = (
     "id", "instrument", "axis", "target", "target.point", "direction", "frame", "reference", "reference.point", "zero",
-    "length", "plane", "compensation", "at.", "home.", "column.", "unit.",
+    "length", "plane", "compensation", "normalised", "temperature", "at.", "home.", "column.", "unit.", "expansion.",
 )  # fmt: skip
 Source = Literal["user", "default"]
 LONGEST_SHOWN = 60  # characters of a value in a message

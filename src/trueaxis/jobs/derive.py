@@ -127,8 +127,8 @@ def run_patterns(machine: Machine, data: MeasuredData) -> "tuple[RunPattern, ...
 
     patterns: list[RunPattern] = []
     for index, each in enumerate(data.setup.runs):
-        if each.direction is None:
-            continue  # a ball bar's reading is no linear form of the position
+        if each.instrument not in ("laser", "probe") or each.direction is None:
+            continue  # a ball bar's reading is no linear form of the position; an angle is none of a point's
         rows = data.readings.of_run(index)
         positions = data.readings.positions[:, rows]
         moves = tuple(axis for axis, row in zip(machine.axes, positions, strict=True) if (row != each.home[axis]).any())

@@ -62,6 +62,7 @@ def identify(
     *,
     known: Errors | None = None,
     noise_um: Noise = None,
+    noise_urad: float | None = None,
     squareness: Squareness = "convention",
     prior: bool = True,
     ideal_instruments: bool = False,
@@ -72,10 +73,11 @@ def identify(
     """The motion and location errors of a machine, from readings on the exact model.
 
     known: values that are taken as they are, dimensions too. noise_um: standard deviation of a reading, um, or by name
-    of an instrument or a run; None: from the readings. squareness: what parts it from straightness: level lines (ISO
-    230-1), `known`, or Sect. 3.6 of the paper. prior: whether errors of the sizes of [prior] are expected; if not,
-    what readings do not determine is zero and said. ideal_instruments: nothing is unknown of the instruments. degree:
-    highest order of the curves (14; 7 without prior). method "stepwise" is the paper's, point by point, with `curves`.
+    of an instrument or a run; noise_urad: of angle instruments; None: from the readings. squareness: what parts it from
+    straightness: level lines (ISO 230-1), `known`, or Sect. 3.6 of the paper. prior: whether errors of the sizes of
+    [prior] are expected; if not, what readings do not determine is zero and said. ideal_instruments: nothing is unknown
+    of the instruments. degree: highest order of the curves (14; 7 without prior). method "stepwise" is the paper's,
+    point by point, with `curves`.
 
     Raises InputError where the set-up contradicts the machine, or no reading holds an error; NotConvergedError where
     the fit does not stand still; UnbelievableError where its values are of no machine.
@@ -86,7 +88,7 @@ def identify(
     options = IdentifyOptions(
         "known" if squareness == "known" else "convention",
         values,
-        noise_model(noise_um),
+        noise_model(noise_um, noise_urad),
         EstimationOptions(
             prior=prior, ideal=ideal_instruments, degree=degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR)
         ),
@@ -120,15 +122,18 @@ def believed(model: MachineModel, data: DataFolder, known: ErrorValues | None) -
     return data.data if data.active is None else uncompensated(model, data.data, data.active)
 
 
-def noise_model(noise_um: Noise) -> NoiseModel:
+def noise_model(noise_um: Noise, noise_urad: float | None = None) -> NoiseModel:
     """What is known of the noise. Raises ValueError where a standard deviation is not above 0."""
+    if noise_urad is not None and not noise_urad > 0.0:
+        raise ValueError(f"noise_urad: expected microradians above 0; given {noise_urad}")
     if noise_um is None or isinstance(noise_um, NoiseModel):
-        return noise_um or NoiseModel()
+        given = noise_um or NoiseModel()
+        return given if noise_urad is None else replace(given, urad=noise_urad)
     by_group = dict(noise_um) if isinstance(noise_um, Mapping) else {}
     whole = None if isinstance(noise_um, Mapping) else float(noise_um)
     if wrong := [value for value in (*by_group.values(), *([] if whole is None else [whole])) if not value > 0.0]:
         raise ValueError(f"noise_um: expected micrometres above 0; given {wrong[0]}")
-    return NoiseModel(um=whole, by_group=by_group)
+    return NoiseModel(um=whole, by_group=by_group, urad=noise_urad)
 
 
 def _with_known(identified: Covariance, known: Errors | None) -> Covariance:

@@ -42,7 +42,7 @@ class DataFolder:
 
     def to_polars(self) -> pl.DataFrame:
         """The readings as in readings.csv: a row each; what is not measured yet has no reading."""
-        return readings.readings_frame(self.data.readings)
+        return readings.readings_frame(self.data.readings, self.data.setup.runs)
 
 
 def load_machine(path: AnyPath) -> Machine:
@@ -113,7 +113,7 @@ def data_files(out: Path, data: DataFolder) -> dict[Path, str | bytes]:
     """Content of the files of a data folder."""
     return {
         out / setup.FILE_NAME: moved_setup(data.folder, out),
-        out / readings.FILE_NAME: readings.dump_readings(data.data.readings),
+        out / readings.FILE_NAME: readings.dump_readings(data.data.readings, data.data.setup.runs),
     }
 
 

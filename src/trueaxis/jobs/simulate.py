@@ -22,17 +22,19 @@ def simulate(
     plan: DataFolder,
     *,
     noise_um: float = 0.0,
+    noise_urad: float = 0.0,
     seed: int = 0,
     replace_all: bool = False,
 ) -> DataFolder:
     """A measuring plan with its empty readings (all of them where replace_all) filled in from the exact model.
 
-    noise_um: standard deviation of Gaussian noise, um, drawn from the seed; readings are those of the compensated
-    machine where the plan names a compensation that is active. Raises ValueError where the noise is negative,
-    InputError where the set-up contradicts the machine, or an effect lacks what it depends on.
+    noise_um: standard deviation of Gaussian noise, um, drawn from the seed; noise_urad: of angle instruments; readings
+    are those of the compensated machine where the plan names a compensation that is active. Raises ValueError where the
+    noise is negative, InputError where the set-up contradicts the machine, or an effect lacks what it depends on.
     """
-    if not noise_um >= 0.0:
-        raise ValueError(f"noise_um: expected a number of micrometres, at least 0; given {noise_um}")
+    for name, unit, noise in (("noise_um", "micrometres", noise_um), ("noise_urad", "microradians", noise_urad)):
+        if not noise >= 0.0:
+            raise ValueError(f"{name}: expected a number of {unit}, at least 0; given {noise}")
     model = model.with_values(errors.values if isinstance(errors, Errors) else errors)
     runs, rows = plan.data.setup.runs, plan.data.readings
     if faults := setup_faults(model, plan.data, plan.folder):
@@ -43,9 +45,18 @@ def simulate(
         context = context_of(runs, rows)
         if faults := faults_of_readings(model, runs, rows, context, fill, file):
             raise InputError(faults)
-    filled = filled_in(model, runs, rows, noise_um=noise_um, seed=seed, replace_all=replace_all, context=context)
+    filled = filled_in(
+        model,
+        runs,
+        rows,
+        noise_um=noise_um,
+        noise_urad=noise_urad,
+        seed=seed,
+        replace_all=replace_all,
+        context=context,
+    )
     if plan.active is not None:
         taken = compensated_part(model, plan.active, runs, rows)
         filled = replace(filled, reading=np.where(fill, filled.reading - taken, filled.reading))
-    check_simulated(filled, file)
+    check_simulated(filled, runs, file)
     return replace(plan, data=replace(plan.data, readings=filled))

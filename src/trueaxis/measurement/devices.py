@@ -3,13 +3,15 @@
 from collections.abc import Mapping, Sequence
 
 from trueaxis.machine.fields import Fields, shown
+from trueaxis.measurement.instrument_kinds import ARM, small_unit
 from trueaxis.measurement.limits import LONGEST_ID
 from trueaxis.measurement.setup import Device, Run
 
 LARGEST_UM = 1e4  # um, a centimetre: no instrument is off by more
 LARGEST_PPM = 1e4  # a percent
 LARGEST_URAD = 1e4
-KEYS = "serial, resolution_um, noise_um, length_u_um, scale_u_ppm, line_u_urad"
+KEYS = "serial, resolution_um, noise_um, resolution_urad, noise_urad, length_u_um, scale_u_ppm, line_u_urad"
+OF_READINGS = ("resolution", "noise")  # keys with a unit of the readings: _um, or _urad of angle instruments
 
 
 def read_devices(top: Fields) -> dict[str, Device]:
@@ -21,8 +23,8 @@ def read_devices(top: Fields) -> dict[str, Device]:
         found[name] = Device(
             id=name,
             serial=fields.text("serial", default="") or "",
-            resolution=_size(fields, "resolution_um", 1e-3, LARGEST_UM),
-            noise=_size(fields, "noise_um", 1e-3, LARGEST_UM),
+            resolution=_of_readings(fields, "resolution"),
+            noise=_of_readings(fields, "noise"),
             length_u=_size(fields, "length_u_um", 1e-3, LARGEST_UM),
             scale_u=_size(fields, "scale_u_ppm", 1e-6, LARGEST_PPM),
             line_u=_size(fields, "line_u_urad", 1e-6, LARGEST_URAD),
@@ -38,6 +40,35 @@ def check_devices(top: Fields, devices: Mapping[str, Device], runs: Sequence[Run
     for name in devices:
         if name not in used:
             table.fault(name, "is the device of no run", f'device = "{name}" in the runs that were read with it')
+    for name, units in _units(runs).items():
+        if name in devices:
+            _check_units(table.table(name), units)
+
+
+def _units(runs: Sequence[Run]) -> dict[str, set[str]]:
+    """ID of each device -> small units of the instruments that name it."""
+    found: dict[str, set[str]] = {}
+    for run in runs:
+        if run.device is not None:
+            found.setdefault(run.device.id, set()).add(small_unit(run.instrument))
+    return found
+
+
+def _check_units(fields: Fields, units: set[str]) -> None:
+    for quantity in OF_READINGS:
+        for unit in ("um", "urad"):
+            key, other = f"{quantity}_{unit}", f"{quantity}_{'urad' if unit == 'um' else 'um'}"
+            if key in fields.raw and unit not in units:
+                fields.fault(key, f"is in {unit}, which no run of this device reads in", other)
+
+
+def _of_readings(fields: Fields, quantity: str) -> float | None:
+    """What is given in um, or of an angle instrument in urad: mm, or mm at ARM; None where it is absent or wrong."""
+    length = _size(fields, f"{quantity}_um", 1e-3, LARGEST_UM)
+    angle = _size(fields, f"{quantity}_urad", 1e-6 * ARM, LARGEST_URAD)
+    if length is not None and angle is not None:
+        fields.fault(f"{quantity}_urad", f"is given beside {quantity}_um", "one of them: a device reads one quantity")
+    return angle if length is None else length
 
 
 def check_label(fields: Fields, key: str, label: str) -> None:

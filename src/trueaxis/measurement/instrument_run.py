@@ -17,19 +17,20 @@ MOST_ROWS = 1_000_000  # of a file: more is no file of readings that were taken 
 class InstrumentRun:
     """One run as its file has it, rows in the order in which they were read.
 
-    file: as the user named it; id: the run's name; instrument: "ballbar" where the file is of a ball bar, else None.
+    file: as the user named it; id: the run's name; instrument: "ballbar" where the file is of a ball bar, "angle"
+    where it is of angles, else None.
     axis: the axis whose positions are `targets`, None where the file does not name it. targets: (n,), mm or deg, None
     where `positions` has all; positions: axis -> (n,), mm or deg; angle: (n,), polar angle of a ball bar in the plane
-    of its circle, rad. reading: (n,), mm: a deviation, or the whole length of the bar where `whole_length`. directions:
-    (n,), direction of approach of the moved axis, 0 where it follows from the order of the rows. time (s), feed
-    (mm/min), temperature (degC): (n,) where the file has them. report: free text for reports. assumed: sentences on
-    what the reader of the file takes for granted.
+    of its circle, rad. reading: (n,), mm: a deviation, or the whole length of the bar where `whole_length`; of angles
+    as the file has it, in whichever unit. directions: (n,), direction of approach of the moved axis, 0 where it follows
+    from the order of the rows. time (s), feed (mm/min), temperature (degC): (n,) where the file has them. report: free
+    text for reports. assumed: sentences on what the reader of the file takes for granted.
     """
 
     file: str
     id: str
     reading: FloatArray
-    instrument: Literal["ballbar"] | None = None
+    instrument: Literal["ballbar", "angle"] | None = None
     axis: str | None = None
     targets: FloatArray | None = None
     positions: Mapping[str, FloatArray] = field(default_factory=dict)

@@ -1,14 +1,17 @@
 """The geometry of a reading: whose coordinates it is made of, where it is zero and what it senses without errors."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import cast
 
 import numpy as np
 
+from trueaxis.measurement.instrument_kinds import ANGLE, ARM
 from trueaxis.measurement.machine import FloatArray, MeasuredMachine
 from trueaxis.measurement.setup import PointOn, Run, Vector
 from trueaxis.view import Frame, View, view_of
+
+ARM_POINTS: tuple[Vector, ...] = ((ARM, 0.0, 0.0), (0.0, ARM, 0.0), (0.0, 0.0, ARM))
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +21,15 @@ class Term:
     view: View
     sign: float
     point: Vector
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sensed:
+    """A point in a view and along what its deviation counts, sign included, (3, n)."""
+
+    view: View
+    point: Vector
+    direction: FloatArray
 
 
 def measuring_frame(run: Run) -> Frame:
@@ -33,9 +45,12 @@ def run_terms(run: Run) -> tuple[Term, ...]:
     """The views and points whose deviations make up the readings of a run, target first.
 
     With d the sensed direction, the first-order reading is d . sum(sign * D(view, point)), minus the same at home
-    for laser and probe. Points that rest in the measuring frame contribute nothing and are left out.
+    for laser and probe. Of an angle instrument, whose bodies turn, the origins stand for the bodies; `sensed_points`
+    has what it reads. Points that rest in the measuring frame contribute nothing and are left out.
     """
     frame = measuring_frame(run)
+    if run.instrument == ANGLE:
+        run = replace(run, target=PointOn(run.target.on), reference=PointOn(run.reference.on))
     return tuple(
         Term(view_of(end.on, frame), sign, end.point)
         for end, sign in ((run.target, 1.0), (run.reference, -1.0))
@@ -51,7 +66,8 @@ def home_positions(run: Run, axes: Sequence[str]) -> FloatArray | None:
 
 
 def sensed_directions(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:
-    """Unit vectors along which deviations count to first order, (3, n); for a ball bar the ideal bar's direction.
+    """Unit vectors along which deviations count to first order, (3, n); for a ball bar the ideal bar's direction, for
+    an angle instrument the axis of the rotation.
 
     positions: (n_axes, n), mm or deg.
     """
@@ -60,6 +76,33 @@ def sensed_directions(machine: MeasuredMachine, run: Run, positions: FloatArray)
     vector = ideal_bar(machine, run, positions)
     size = np.linalg.norm(vector, axis=0)
     return cast(FloatArray, np.divide(vector, size, out=np.zeros_like(vector), where=size > 0.0))
+
+
+def sensed_points(machine: MeasuredMachine, run: Run, positions: FloatArray) -> list[Sensed]:
+    """The points whose deviations make up the readings of a run: each reading is, to first order, the sum of
+    direction . D(view, point), minus the same at home where it was zeroed there. positions: (n_axes, n), mm or deg.
+
+    An angle instrument reads the rotation w of a body, its deviation being D(point) = D(origin) + w x (R point). With
+    r_i = R e_i and m_i = w x r_i, the sum of r_i x m_i over i = x, y, z is 2 w. So the points are those at ARM along x,
+    y and z, against the origin, and n . w = 1/2 sum (n x r_i) . m_i about an axis n; of the exact model this takes the
+    skew part of D's derivative by the point times R', the rotation to second order in the errors.
+    """
+    terms = run_terms(run)
+    if run.instrument != ANGLE:
+        direction = sensed_directions(machine, run, positions)
+        return [Sensed(term.view, term.point, term.sign * direction) for term in terms]
+    axis = sensed_directions(machine, run, positions)
+    found = []
+    for term in terms:
+        origin = machine.view_ideal(term.view, positions, column(term.point))
+        against = np.zeros_like(origin)
+        for point in ARM_POINTS:
+            arm = (machine.view_ideal(term.view, positions, column(point)) - origin) / ARM
+            direction = 0.5 * term.sign * np.cross(axis, arm, axis=0)
+            found.append(Sensed(term.view, point, direction))
+            against -= direction
+        found.append(Sensed(term.view, term.point, against))
+    return found
 
 
 def ideal_bar(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:

@@ -6,8 +6,11 @@ in the frame of the run
 
     reading = direction . ((D_target(h) - D_target(home)) - (D_reference(h) - D_reference(home)))
 
-without a difference of large numbers. A point that rests in the frame has D = 0. A ball bar reads |P| - length
-with P the target seen from the reference: Eqs. (5) and (6) of the paper.
+without a difference of large numbers. An angle instrument reads, times ARM, the rotation of the target's body about
+its direction, minus that of the reference's, since home, minus the same of the error-free machine: a sum of the
+deviations of points of these bodies (`sensed_points`). A displacement sensor reads as a probe, all at its home. A point
+that rests in the frame has D = 0. A ball bar reads |P| - length with P the target seen from the reference: Eqs. (5) and
+(6) of the paper.
 
 Effects, where a machine has some, act in the context of the readings: on the component errors, here as at home; on the
 points of the set-up, which then are elsewhere than said; on the reading itself.
@@ -19,6 +22,7 @@ from typing import cast
 import numpy as np
 import numpy.typing as npt
 
+from trueaxis.measurement.instrument_kinds import ANGLE
 from trueaxis.measurement.machine import EffectMachine, FloatArray, MeasuredMachine
 from trueaxis.measurement.reading_effects import placed_run, reading_effects
 from trueaxis.measurement.reading_geometry import (
@@ -30,6 +34,7 @@ from trueaxis.measurement.reading_geometry import (
     measuring_frame,
     run_terms,
     sensed_directions,
+    sensed_points,
 )
 from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
@@ -45,11 +50,12 @@ __all__ = [
     "measuring_frame",
     "run_terms",
     "sensed_directions",
+    "sensed_points",
 ]
 
 
 def ideal_reading(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:
-    """What is read on the error-free machine, (n,), mm: zero for laser and probe, distance - length for a ball bar."""
+    """What is read on the error-free machine, (n,), mm: distance - length for a ball bar, zero for the others."""
     if run.length is None:
         return np.zeros(positions.shape[1])
     return cast(FloatArray, np.linalg.norm(ideal_bar(machine, run, positions), axis=0) - run.length)
@@ -103,6 +109,9 @@ def expected_readings(
 
 def _expected(machine: MeasuredMachine, at_home: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:
     """The reading, from component errors alone; at_home: the machine in the context of the run's home."""
+    if run.instrument == ANGLE:
+        zeroed = cast(FloatArray, home_positions(run, machine.axes))
+        return _turned(machine, run, positions) - _turned(at_home, run, zeroed)
     deviation = _deviation(machine, run, positions)
     home = home_positions(run, machine.axes)
     if home is not None:
@@ -114,6 +123,16 @@ def _expected(machine: MeasuredMachine, at_home: MeasuredMachine, run: Run, posi
     total = np.linalg.norm(ideal + deviation, axis=0) + np.linalg.norm(ideal, axis=0)
     stretched = np.divide(stretch, total, out=np.zeros_like(stretch), where=total != 0.0)  # NaN stays NaN
     return cast(FloatArray, ideal_reading(machine, run, positions) + stretched)
+
+
+def _turned(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:
+    """(n,): what the rotation of an angle run's bodies makes at ARM, mm, actual minus ideal."""
+    total = np.zeros(positions.shape[1])
+    points = sensed_points(machine, run, positions)
+    each = machine.view_deviations([(one.view, column(one.point)) for one in points], positions)
+    for one, found in zip(points, each, strict=True):
+        total += np.einsum("in,in->n", one.direction, found)
+    return total
 
 
 def _deviation(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:

@@ -1,5 +1,6 @@
 """The readings of a set of measured data, as arrays."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,6 +8,8 @@ import numpy.typing as npt
 import polars as pl
 
 from trueaxis.measurement.approach import DirectionArray
+from trueaxis.measurement.instrument_kinds import ANGLE, ARM
+from trueaxis.measurement.setup import Run
 from trueaxis.measurement.table import table_bytes
 
 FloatArray = npt.NDArray[np.float64]
@@ -14,6 +17,7 @@ IntArray = npt.NDArray[np.int64]
 
 FILE_NAME = "readings.csv"
 PARQUET_NAME = "readings.parquet"
+SHORT = 15  # digits that every number keeps on its way through binary
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -23,8 +27,8 @@ class Readings:
     axes: letters in the order X Y Z A B C; run_ids: in the order of the setup; run: (n,), index into run_ids;
     seq: (n,), order within the run; positions: (n_axes, n), commanded, mm or deg; directions: (n_axes, n), approach
     directions, as given or from the order of seq; given_directions: axes whose directions the file gave; reading:
-    (n,), mm, NaN where the row is a plan; time (s), feed (mm/min), temperature (degC): (n,), None where the file
-    has no such column, NaN where a cell is empty.
+    (n,), mm, of an angle instrument mm at ARM, NaN where the row is a plan; time (s), feed (mm/min), temperature
+    (degC): (n,), None where the file has no such column, NaN where a cell is empty.
     """
 
     axes: tuple[str, ...]
@@ -50,13 +54,16 @@ class Readings:
         return rows[np.argsort(self.seq[rows], kind="stable")]
 
 
-def dump_readings(readings: Readings, suffix: str = ".csv") -> bytes:
-    """The content of readings.csv or, for the suffix `.parquet`, readings.parquet; numbers read back exactly."""
-    return table_bytes(readings_frame(readings), suffix)
+def dump_readings(readings: Readings, runs: Sequence[Run], suffix: str = ".csv") -> bytes:
+    """The content of readings.csv or, for the suffix `.parquet`, readings.parquet; numbers read back exactly.
+
+    runs: of the set-up, in the order of run_ids.
+    """
+    return table_bytes(readings_frame(readings, runs), suffix)
 
 
-def readings_frame(readings: Readings) -> pl.DataFrame:
-    """The readings as a table with the columns of readings.csv."""
+def readings_frame(readings: Readings, runs: Sequence[Run]) -> pl.DataFrame:
+    """The readings as a table with the columns of readings.csv, in its units."""
     columns: dict[str, pl.Series] = {
         "run": pl.Series(np.array(readings.run_ids, dtype=np.str_)[readings.run], dtype=pl.String),
         "seq": pl.Series(readings.seq),
@@ -72,5 +79,22 @@ def readings_frame(readings: Readings) -> pl.DataFrame:
         columns["feed"] = pl.Series(readings.feed)
     if readings.temperature is not None:
         columns["temperature_c"] = pl.Series(readings.temperature)
-    columns["reading"] = pl.Series(readings.reading)
+    columns["reading"] = pl.Series(_of_file(readings, runs))
     return pl.DataFrame(columns).fill_nan(None)
+
+
+def angle_rows(run: IntArray, runs: Sequence[Run]) -> npt.NDArray[np.bool_]:
+    """(n,): rows of angle instruments. run: (n,), index into runs, -1 for none."""
+    return np.isin(run, [index for index, one in enumerate(runs) if one.instrument == ANGLE])
+
+
+def _of_file(readings: Readings, runs: Sequence[Run]) -> FloatArray:
+    """(n,): readings in the units of the file, mm or rad: those that read back as the same number, short where it
+    is.
+    """
+    found = readings.reading.copy()
+    for row in np.flatnonzero(angle_rows(readings.run, runs)):
+        exact = float(found[row]) / ARM
+        short = float(f"{exact:.{SHORT}g}")
+        found[row] = short if short * ARM == found[row] else exact
+    return found

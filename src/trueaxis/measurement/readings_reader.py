@@ -20,16 +20,18 @@ from trueaxis.measurement.columns import (
     time_feed_temperature,
     whole_numbers,
 )
+from trueaxis.measurement.instrument_kinds import ARM, AT_REST
 from trueaxis.measurement.machine import MachineAxes
 from trueaxis.measurement.reading_model import home_positions
-from trueaxis.measurement.readings import Readings
+from trueaxis.measurement.readings import Readings, angle_rows
 from trueaxis.measurement.setup import Run
 from trueaxis.measurement.table import MOST_FAULTS, Table, read_table
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
 
-LARGEST_READING = 100.0  # mm: a deviation beyond it is in another unit
+LARGEST_READING = 100.0  # mm, of an angle at ARM: a deviation beyond it is in another unit
+DECIMALS = 6  # of mm and deg, within which positions are the same
 
 _REQUIRED = ("run", "seq", "reading")
 _OPTIONAL = ("time_s", "feed", "temperature_c")
@@ -53,7 +55,9 @@ def read_readings(path: Path, machine: MachineAxes, runs: Sequence[Run] | None) 
     seq = _seq(table, run, faults)
     optional = time_feed_temperature(table, faults)
     given = {name[4:]: approaches(table, name, faults) for name in named if name in columns}
-    reading = _reading(table, faults)
+    angle = angle_rows(run, runs or ())
+    reading = _reading(table, angle, faults)
+    check_at_rest(table, machine.axes, commanded, run, runs or (), faults)
     faults.raise_if_any()
     directions = _derived_directions(runs or (), machine.axes, (run, seq, commanded))
     for row, axis in enumerate(machine.axes):
@@ -108,13 +112,38 @@ def _seq(table: Table, run: IntArray, faults: Faults) -> IntArray:
     return seq
 
 
-def _reading(table: Table, faults: Faults) -> FloatArray:
+def _reading(table: Table, angle: npt.NDArray[np.bool_], faults: Faults) -> FloatArray:
+    """(n,), mm, of angle instruments mm at ARM; angle: (n,), their rows."""
     if "reading" not in table.frame.columns:
         return np.full(table.frame.height, np.nan)
     values = numbers(table, "reading", faults, may_be_empty=True)
+    scale = np.where(angle, ARM, 1.0)
+    large = np.abs(values) > LARGEST_READING / scale
     remedy = f"readings are deviations in mm, at most {LARGEST_READING:g}"
-    note(table, "reading", np.abs(values) > LARGEST_READING, faults, "is too large", remedy=remedy)
-    return values
+    note(table, "reading", large & ~angle, faults, "is too large", remedy=remedy)
+    remedy = f"readings of angle instruments are deviations in rad, at most {LARGEST_READING / ARM:g}"
+    note(table, "reading", large & angle, faults, "is too large", remedy=remedy)
+    return np.where(large, np.nan, values) * scale
+
+
+def check_at_rest(
+    table: Table,
+    axes: Sequence[str],
+    commanded: FloatArray,
+    run: IntArray,
+    runs: Sequence[Run],
+    faults: Faults,
+) -> None:
+    """A displacement sensor stays at the pose at which it was zeroed: note rows elsewhere.
+
+    commanded: (n_axes, n), mm or deg; run: (n,), index into runs, -1 for none.
+    """
+    for index, one in enumerate(runs):
+        if one.instrument == AT_REST:
+            for axis, at in zip(axes, commanded, strict=True):
+                away = (run == index) & (np.abs(at - one.home[axis]) > 10.0**-DECIMALS)
+                remedy = f"{one.home[axis]:g}, home of run {one.id}: a displacement sensor reads at one pose"
+                note(table, axis, away, faults, "is not at home", remedy=remedy)
 
 
 def _derived_directions(

@@ -2,11 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
 
+from trueaxis.measurement.instrument_kinds import Instrument
 from trueaxis.view import Carrier, Frame
 
-Instrument = Literal["laser", "ballbar", "probe"]
 Vector = tuple[float, float, float]
 
 FILE_NAME = "setup.toml"
@@ -24,9 +23,10 @@ class PointOn:
 class Device:
     """One instrument, by its ID; what is known of it, None where nothing is said.
 
-    resolution, noise: step of its display and standard deviation of a reading, mm; length_u: standard uncertainty of
-    the length of a ball bar, mm; scale_u: relative standard uncertainty of a laser's scale; line_u: standard
-    uncertainty of the direction of lines of straightness against the ideal axes of the machine, rad.
+    resolution, noise: step of its display and standard deviation of a reading, mm, of an angle instrument mm at ARM;
+    length_u: standard uncertainty of the length of a ball bar, mm; scale_u: relative standard uncertainty of a laser's
+    scale; line_u: standard uncertainty of the direction of lines of straightness against the ideal axes of the machine,
+    rad.
     """
 
     id: str
@@ -42,11 +42,13 @@ class Device:
 class Run:
     """One run: an instrument set up once and read at many axis positions.
 
-    direction: unit vector of the sensed direction, in `frame` (laser and probe; None for the ball bar);
+    direction: unit vector of the sensed direction, in `frame`, of an angle instrument of the axis of the rotation that
+    it reads (None for the ball bar);
     home: axis -> position (mm, deg) at which the reading was set to zero, every axis of the machine named;
-    length: nominal length of the ball bar, mm (None for laser and probe). A distance has neither frame nor zero
+    length: nominal length of the ball bar, mm (None for the others). A distance has neither frame nor zero
     point: `frame` and `home` say nothing about a ball-bar run. device: None where the file names none: all runs of one
-    instrument are then of one device; session: from one set-up of the machine to the next, empty where nothing is said.
+    instrument are then of one device; normalised: coefficient by which the readings are normalised to 20 degC, 1e-6/K,
+    None where nothing is said; session: from one set-up of the machine to the next, empty where nothing is said.
     """
 
     id: str
@@ -59,6 +61,7 @@ class Run:
     length: float | None = None
     device: Device | None = None
     session: str = ""
+    normalised: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

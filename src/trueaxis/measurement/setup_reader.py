@@ -11,16 +11,17 @@ from trueaxis.io.input_files import input_bytes, utf8_text
 from trueaxis.io.toml_lines import complainer, key_lines, parse_toml, place
 from trueaxis.machine.fields import Fields, shown
 from trueaxis.measurement.devices import check_devices, check_label, read_devices
+from trueaxis.measurement.instrument_kinds import ANGLE, INSTRUMENTS, Instrument
 from trueaxis.measurement.limits import FARTHEST_POINT
 from trueaxis.measurement.machine import MachineAxes
-from trueaxis.measurement.setup import CompensationKey, Device, Instrument, PointOn, Run, Setup, Vector
+from trueaxis.measurement.setup import CompensationKey, Device, PointOn, Run, Setup, Vector
 from trueaxis.view import Carrier, Frame
 
 UNIT_TOLERANCE = 1e-6  # a unit vector written with seven digits or more is one
 LONGEST_BAR = 1e4  # mm; beyond this the length is no length of a ball bar
 NO_COMPENSATION = "none"
+LARGEST_EXPANSION = 100.0  # 1e-6/K: four times that of aluminium
 
-_INSTRUMENTS = ("laser", "ballbar", "probe")
 _CARRIERS = ("tool", "workpiece", "bed")
 
 
@@ -79,19 +80,20 @@ def _report(top: Fields) -> dict[str, str]:
 
 def _run(fields: Fields, machine: MachineAxes, devices: Mapping[str, Device]) -> Run:
     """The run of one table; what is wrong in it has been complained of and is filled with something harmless."""
-    instrument = fields.choice("instrument", _INSTRUMENTS)
+    instrument = fields.choice("instrument", INSTRUMENTS)
     if "instrument" not in fields.raw:
-        fields.fault("instrument", "is missing", f"one of {' '.join(_INSTRUMENTS)}")
+        fields.fault("instrument", "is missing", f"one of {' '.join(INSTRUMENTS)}")
     ballbar = instrument == "ballbar"
     frame = cast(Frame, fields.choice("frame", ("bed", "workpiece")) or "bed")
-    target = _point_on(fields, "target", ("tool", "workpiece"))
+    placed = instrument != ANGLE
+    target = _point_on(fields, "target", ("tool", "workpiece"), placed=placed)
     if ballbar or "reference" in fields.raw:
-        reference = _point_on(fields, "reference", _CARRIERS)
+        reference = _point_on(fields, "reference", _CARRIERS, placed=placed)
     else:
         fields.known.add("reference")
         reference = PointOn("bed")
     if target is not None and reference is not None:
-        _check_carriers(fields, ballbar, frame, target, reference)
+        _check_carriers(fields, instrument, frame, target, reference)
     run = Run(
         id=_id(fields),
         instrument=cast(Instrument, instrument or "laser"),
@@ -103,18 +105,23 @@ def _run(fields: Fields, machine: MachineAxes, devices: Mapping[str, Device]) ->
         length=_length(fields, instrument),
         device=_device(fields, devices),
         session=_label(fields, "session"),
+        normalised=_normalised(fields),
     )
     fields.refuse_others()
     return run
 
 
-def _check_carriers(fields: Fields, ballbar: bool, frame: Frame, target: PointOn, reference: PointOn) -> None:
+def _check_carriers(fields: Fields, instrument: str | None, frame: Frame, target: PointOn, reference: PointOn) -> None:
+    ballbar, angle = instrument == "ballbar", instrument == ANGLE
     if ballbar and target.on == reference.on:
         problem = f"both balls are on the {target.on}"
         fields.fault("reference", problem, "two bodies that move against each other")
     if not ballbar and target.on == frame == reference.on:
         problem = f"target and reference both rest in the {frame} frame: nothing is sensed"
         fields.fault("target", problem, "one of them on a body that moves in that frame")
+    if angle and target.on == reference.on:
+        problem = f"target and reference are both on the {target.on}, which does not turn against itself"
+        fields.fault("reference", problem, "another body")
 
 
 def _id(fields: Fields) -> str:
@@ -133,6 +140,20 @@ def _label(fields: Fields, key: str) -> str:
 def _device(fields: Fields, devices: Mapping[str, Device]) -> Device | None:
     name = _label(fields, "device")
     return devices.get(name, Device(id=name)) if name else None
+
+
+def _normalised(fields: Fields) -> float | None:
+    """Coefficient of expansion by which the readings are normalised, 1e-6/K; None where nothing is said."""
+    key = "normalised_ppm_k"
+    if key not in fields.raw:
+        fields.known.add(key)
+        return None
+    right = f"a coefficient of expansion in 1e-6/K, from 0 to {LARGEST_EXPANSION:g}"
+    value = fields.number(key, right)
+    if value is not None and not 0.0 <= value <= LARGEST_EXPANSION:
+        fields.fault(key, f"is {value:g}", right)
+        return None
+    return value
 
 
 def _direction(fields: Fields, instrument: str | None) -> Vector | None:
@@ -157,7 +178,7 @@ def _length(fields: Fields, instrument: str | None) -> float | None:
     right = "the nominal length of the ball bar, mm"
     if instrument != "ballbar":
         if given is not None and instrument is not None:
-            fields.fault("length", f"a {instrument} has no length", "no length")
+            fields.fault("length", f"{'an' if instrument == ANGLE else 'a'} {instrument} has no length", "no length")
         return None
     if given is None:
         fields.fault("length", "is missing", right)
@@ -186,9 +207,9 @@ def _home(fields: Fields, machine: MachineAxes) -> dict[str, float]:
     return home
 
 
-def _point_on(fields: Fields, key: str, carriers: tuple[str, ...]) -> PointOn | None:
-    """The point under a key that must be there; None after a complaint."""
-    right = f"{{ on = one of {' '.join(carriers)}, point = [x, y, z] }}"
+def _point_on(fields: Fields, key: str, carriers: tuple[str, ...], *, placed: bool = True) -> PointOn | None:
+    """The point under a key that must be there; None after a complaint. placed: whether it matters where it is."""
+    right = f"{{ on = one of {' '.join(carriers)}{', point = [x, y, z]' if placed else ''} }}"
     if not isinstance(fields.raw.get(key), dict):
         fields.known.add(key)
         problem = f"is {shown(fields.raw[key])}" if key in fields.raw else "is missing"
@@ -198,10 +219,10 @@ def _point_on(fields: Fields, key: str, carriers: tuple[str, ...]) -> PointOn | 
     carrier = table.choice("on", carriers)
     if "on" not in table.raw:
         table.fault("on", "is missing", f"one of {' '.join(carriers)}")
-    point: Any = table.numbers("point", 3, required=carrier not in ("bed", None))
+    point: Any = table.numbers("point", 3, required=placed and carrier not in ("bed", None))
     if point is not None and max(map(abs, point)) > FARTHEST_POINT:
         table.fault("point", f"is {shown(list(point))}", f"coordinates in mm, at most {FARTHEST_POINT:g}")
     table.refuse_others("on, point")
-    if carrier is None or (point is None and carrier != "bed"):
+    if carrier is None or (placed and point is None and carrier != "bed"):
         return None
     return PointOn(cast(Carrier, carrier), point or (0.0, 0.0, 0.0))

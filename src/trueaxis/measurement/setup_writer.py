@@ -26,6 +26,8 @@ def run_table(run: Run, comments: Mapping[str, str] | None = None) -> str:
     lines["reference"] = _point(run.reference)
     if run.length is None:
         lines["home"] = f"{{ {', '.join(f'{axis} = {value!r}' for axis, value in run.home.items())} }}"
+    if run.normalised is not None:
+        lines["normalised_ppm_k"] = repr(run.normalised)
     said = comments or {}
     return "[[run]]\n" + "".join(
         f"{key} = {value}" + (f"  # {escaped(said[key])}" if key in said else "") + "\n" for key, value in lines.items()

@@ -1,4 +1,4 @@
-"""Candidate runs over the whole travels of a machine: of a laser, a ball bar, a probe.
+"""Candidate runs over the whole travels of a machine: of a laser, a ball bar, a probe, an angle instrument.
 
 Every path is taken there and back, so that both directions of approach are read. Tool points are seen from the
 workpiece, which is what parts are made by.
@@ -12,9 +12,10 @@ from typing import cast
 import numpy as np
 
 from trueaxis.estimation.machine import IdentifiedMachine
+from trueaxis.measurement.instrument_kinds import Instrument
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_model import column
-from trueaxis.measurement.setup import Device, Instrument, PointOn, Run, Vector
+from trueaxis.measurement.setup import Device, PointOn, Run, Vector
 from trueaxis.planning.paths import (
     at_share,
     follow_circle,
@@ -32,6 +33,7 @@ from trueaxis.planning.paths import (
 
 LENGTHS = (150.0, 300.0)  # mm: of ball bars, where the plan has none (ISO 230-4 tests use such)
 CIRCLE = 36  # readings of a circle, one way
+WITH_CANDIDATES: tuple[Instrument, ...] = ("laser", "ballbar", "probe", "angle")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,7 +66,12 @@ class Kit:
 
 def candidates(machine: IdentifiedMachine, kit: Kit) -> list[Candidate]:
     """All candidates, in a fixed order; ids are left to whoever takes one."""
-    makers = {"laser": (_lines, _diagonals), "ballbar": (_circles, _bar_turns), "probe": (_grids, _sphere_turns)}
+    makers = {
+        "laser": (_lines, _diagonals),
+        "ballbar": (_circles, _bar_turns),
+        "probe": (_grids, _sphere_turns),
+        "angle": (_tilts, _rotations),
+    }
     found = [one for name, of in makers.items() if name in kit.instruments for make in of for one in make(machine, kit)]
     return [
         replace(one, run=replace(one.run, device=kit.devices.get(one.run.instrument), session=kit.session))
@@ -165,6 +172,40 @@ def _bar_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
             if positions is not None:
                 what = f"{_turn_text(machine, axis, at)}, bar along {'xyz'[side]}"
                 yield _bar(machine, tool, centre, length, positions, what)
+
+
+def _tilts(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
+    """Pitch and yaw along every linear axis, by angular optics or an autocollimator, which see no roll.
+
+    The others stand in the middle of their travels: a rotation is the same wherever they are.
+    """
+    tool = kit.tools[0]
+    for axis in linear_axes(machine):
+        others = {other: (0.5, 0.5) for other in linear_axes(machine) if other != axis}
+        positions = line(machine, {axis: (0.0, 1.0), **others})
+        along = int(np.abs(_motion(machine, positions, tool)).argmax())
+        for k, unit in enumerate(np.eye(3)):
+            if k != along:
+                what = f"angle about {'xyz'[k]}, {axis} moving"
+                yield _seen("angle", machine, positions, tool, _vector(unit), what)
+
+
+def _rotations(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
+    """Every rotary axis against an indexer or encoder about its own axis, the others at home."""
+    tool = kit.tools[0]
+    for axis, place in product(rotary_axes(machine), kit.places(machine)[:1]):
+        positions = turn(machine, axis, place)
+        about = _vector(_axis_of(machine, positions), 9)
+        yield _seen("angle", machine, there_and_back(positions), tool, about, f"angle, {axis} turning, about its axis")
+
+
+def _axis_of(machine: IdentifiedMachine, positions: FloatArray) -> FloatArray:
+    """(3,): unit vector about which the tool turns seen from the workpiece, from the first position to the second."""
+    ends = np.ascontiguousarray(positions[:, :2])
+    origin = machine.view_ideal("tool_in_workpiece", ends, np.zeros((3, 1)))
+    units = [machine.view_ideal("tool_in_workpiece", ends, column(_vector(unit))) - origin for unit in np.eye(3)]
+    axis = sum(np.cross(one[:, 0], one[:, 1]) for one in units)  # sum of r x (R r) is 2 sin(angle) times the axis
+    return np.asarray(axis / np.linalg.norm(axis))
 
 
 def _seen(

@@ -11,6 +11,7 @@ from trueaxis.estimation.repeats import pure_error
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import tool_summary
 from trueaxis.identification.estimated_effects import covariance_with_effects
+from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.measurement.setup import Vector
 from trueaxis.planning.measuring_time import minutes
 from trueaxis.planning.report import ErrorReport, Expectations, ExpectedEffect, NoiseReport
@@ -85,6 +86,7 @@ def _noise(observed: Observations, noise: Mapping[int, float]) -> tuple[NoiseRep
                 readings=int((group == place).sum()),
                 um=(min(um, default=0.0), max(um, default=0.0)),
                 freedom=int(freedom[place]),
+                unit=small_unit(name),
             )
         )
     return tuple(found)

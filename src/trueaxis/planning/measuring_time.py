@@ -13,9 +13,11 @@ from trueaxis.estimation.set_up import ball_of
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.setup import Run
 
-SET_UP_MINUTES = {"laser": 20.0, "ballbar": 10.0, "probe": 10.0}  # aligning a beam; a ball; a plate or sphere
+# aligning a beam or optics; a ball; a plate or sphere; clamping a sensor
+SET_UP_MINUTES = {"laser": 20.0, "ballbar": 10.0, "probe": 10.0, "angle": 20.0, "displacement": 10.0}
 RUN_MINUTES = 1.0  # zeroing, starting the program, storing
-READING_SECONDS = {"laser": 5.0, "ballbar": 0.5, "probe": 5.0}  # moving and settling; a ball bar reads on the move
+# moving and settling; a ball bar reads on the move; a sensor at rest is read over hours, which count by themselves
+READING_SECONDS = {"laser": 5.0, "ballbar": 0.5, "probe": 5.0, "angle": 5.0, "displacement": 5.0}
 
 
 def set_up_of(run: Run, positions: FloatArray) -> Hashable:

@@ -10,7 +10,8 @@ from trueaxis.estimation.observations import Observations
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.tool_point import Datum
 from trueaxis.identification.weighting import NoiseModel
-from trueaxis.measurement.setup import Device, Instrument, Run, Vector
+from trueaxis.measurement.instrument_kinds import Instrument
+from trueaxis.measurement.setup import Device, Run, Vector
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel

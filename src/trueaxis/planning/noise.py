@@ -7,9 +7,10 @@ import numpy as np
 from trueaxis.estimation.observations import Observations
 from trueaxis.identification.weighting import NoiseModel, weighting
 from trueaxis.io.faults import Fault, InputError
+from trueaxis.measurement.instrument_kinds import ANGLE
 from trueaxis.measurement.setup import Device
 
-DEFAULT_UM = 1.0  # what lasers, ball bars and probes scatter by in a shop
+DEFAULT_UM = 1.0  # what lasers, ball bars and probes scatter by in a shop, and in urad angular optics and levels
 
 
 def noise_of_runs(observed: Observations, stated: NoiseModel) -> dict[int, float]:
@@ -19,7 +20,8 @@ def noise_of_runs(observed: Observations, stated: NoiseModel) -> dict[int, float
         assert weights.sigma is not None
         each = weights.sigma / weights.roots
         return {int(index): float(each[observed.run == index][0]) for index in np.unique(observed.run)}
-    return {int(index): _of_device(observed.runs[index].device, stated) for index in np.unique(observed.run)}
+    runs = [(int(index), observed.runs[index]) for index in np.unique(observed.run)]
+    return {index: _of_device(run.instrument, run.device, stated) for index, run in runs}
 
 
 def noise_of_instruments(
@@ -27,16 +29,21 @@ def noise_of_instruments(
 ) -> dict[str, float]:
     """Standard deviation of the readings of new runs, by instrument, mm. Raises InputError where one has none."""
     if not stated.by_group:
-        return {name: _of_device(devices.get(name), stated) for name in instruments}
-    missing = [name for name in instruments if name not in stated.by_group]
+        return {name: _of_device(name, devices.get(name), stated) for name in instruments}
+    missing = [name for name in instruments if name not in stated.by_group and name != ANGLE]
     if missing:
         raise InputError(
             [Fault("--noise-um", "", f"says nothing of new runs of the {name}", f"{name}=S") for name in missing]
         )
-    return {name: 1e-3 * stated.by_group[name] for name in instruments}
+    return {
+        name: _of_device(name, devices.get(name), stated) if name == ANGLE else 1e-3 * stated.by_group[name]
+        for name in instruments
+    }
 
 
-def _of_device(device: Device | None, stated: NoiseModel) -> float:
-    if stated.um is not None:
-        return 1e-3 * stated.um
+def _of_device(instrument: str, device: Device | None, stated: NoiseModel) -> float:
+    """Standard deviation, mm; of an angle at ARM, where a microradian is a micrometre."""
+    given = stated.urad if instrument == ANGLE else stated.um
+    if given is not None:
+        return 1e-3 * given
     return device.noise if device is not None and device.noise is not None else 1e-3 * DEFAULT_UM

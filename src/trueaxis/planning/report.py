@@ -6,6 +6,7 @@ from typing import Literal
 from trueaxis.effects.kind import Role
 from trueaxis.estimation.combinations import Combination
 from trueaxis.estimation.tool_point import ToolSummary
+from trueaxis.measurement.instrument_kinds import SmallUnit
 from trueaxis.model.errors import Determined
 
 State = Determined | Literal["given"]
@@ -75,8 +76,8 @@ class ExpectedEffect:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NoiseReport:
-    """Of an instrument. um: lowest and highest standard deviation of a reading that was assumed, micrometres; freedom:
-    degrees of freedom that repeats leave.
+    """Of an instrument. um: lowest and highest standard deviation of a reading that was assumed, micrometres, or as
+    `unit` says; freedom: degrees of freedom that repeats leave.
     """
 
     instrument: str
@@ -84,6 +85,7 @@ class NoiseReport:
     readings: int
     um: tuple[float, float]
     freedom: int
+    unit: SmallUnit = "um"
 
 
 @dataclass(frozen=True, slots=True)

@@ -91,8 +91,8 @@ def _expectations(found: Expectations) -> list[str]:
 
 def _noise(one: NoiseReport) -> str:
     low, high = one.um
-    um = f"{low:g} um" if low == high else f"{low:g} to {high:g} um"
-    text = f"{one.instrument}: {um} assumed, {one.runs} runs, {one.readings} readings"
+    noise = f"{low:g} {one.unit}" if low == high else f"{low:g} to {high:g} {one.unit}"
+    text = f"{one.instrument}: {noise} assumed, {one.runs} runs, {one.readings} readings"
     if one.freedom == 0:
         return (
             f"{text}; nothing is repeated: the noise has to come from what the errors leave over, where an effect that "
@@ -236,7 +236,8 @@ def _wrapped(text: str, lead: str) -> list[str]:
 
 def _plain(value: Any) -> Any:
     if isinstance(value, Mapping):
-        return {key: _plain(item) for key, item in value.items()}
+        unit = value.get("unit") if "um" in value else None  # of a noise, whose key is its unit
+        return {unit if key == "um" and unit else key: _plain(item) for key, item in value.items()}
     if isinstance(value, Sequence) and not isinstance(value, str):
         return [_plain(item) for item in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value

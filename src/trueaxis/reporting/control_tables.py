@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from trueaxis.controllers.formats import ISG, TABLE_FORMATS, Export, untabled_effects
+from trueaxis.controllers.remaining import Remaining
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.model import MachineModel
 
@@ -16,6 +17,10 @@ _HOLDS = {
 }
 
 
+ACCEPT_WORSE = "--accept-worse"
+_BESIDE = {"siemens-enc": "siemens-cec", "siemens-cec": "siemens-enc"}  # formats for one control, loaded together
+
+
 def held_sentence(name: str) -> str:
     """What of the model a format holds."""
     if name == ISG:
@@ -24,6 +29,20 @@ def held_sentence(name: str) -> str:
         )
     holds, lacks = _HOLDS[name]
     return f"the tables hold {holds}; they do not hold {lacks}"
+
+
+def worse_sentence(name: str, left: Remaining) -> str:
+    """Why tables are not written that leave more than there is without them, and what helps."""
+    helps = ["compensate, which corrects programs by the whole model"]
+    if name != ISG:
+        helps.insert(0, "a format that holds the whole model (isg-csv), where the control takes it")
+    if name in _BESIDE:
+        helps.insert(0, f"{_BESIDE[name]} loaded beside, and {ACCEPT_WORSE} for both")
+    return (
+        f"with these tables {left.after * 1e3:.3g} um RMS of the tool point would be left over the travel, from home, "
+        f"where it is {left.before * 1e3:.3g} um without them: errors that they hold and errors that they do not hold "
+        f"make up for one another in part; what helps: {', or '.join(helps)}; {ACCEPT_WORSE} writes them as they are"
+    )
 
 
 def head_lines(name: str, model: MachineModel) -> list[str]:

@@ -93,7 +93,7 @@ def test_numbers_and_indices_as_loggers_print_them(tmp_path: Path) -> None:
         ("UNIT", "UNIT=um", "is not mm"),
         ("UNIT", "UNIT=", "is not mm"),
         ("DEC", "DEC=five", "is not a whole number"),
-        ("CYCLES", "CYCLES=1", "is not a count"),
+        ("CYCLES", "CYCLES=1", "has 1 cycle: an evaluation needs at least 2"),
         ("CYCLES", "CYCLES=1e1", "is not a count"),
         ("CYCLES", "CYCLES=" + "9" * 5000, "is not a count"),
         ("POSITIONS", "POSITIONS=2", "POSITIONS is 2, but there is a position 3"),

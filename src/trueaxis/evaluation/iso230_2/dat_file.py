@@ -19,6 +19,7 @@ from trueaxis.evaluation.iso230_2.positioning_test import (
     MOST_CYCLES,
     MOST_TARGETS,
     PositioningTest,
+    Unit,
     too_few,
 )
 from trueaxis.io.faults import Faults
@@ -36,17 +37,18 @@ MOST_MISSING = 20
 
 @dataclass(slots=True)
 class _Content:
-    """What a file assigned: values by name and index, NaN where a value was wrong; lines where it did."""
+    """What a file assigned: values by name and index, NaN where a value was wrong; lines where it did. unit: asked."""
 
+    unit: Unit = "mm"
     values: dict[str, dict[tuple[int, ...], float]] = field(default_factory=lambda: {name: {} for name in INDEX})
     counts: dict[str, int] = field(default_factory=dict)
     lines: dict[tuple[str, tuple[int, ...]], int] = field(default_factory=dict)
 
 
-def read_dat(path: Path) -> PositioningTest:
-    """Read a .dat file. Raises InputError with every fault, each with its line."""
+def read_dat(path: Path, unit: Unit = "mm") -> PositioningTest:
+    """Read a .dat file; unit: of its positions. Raises InputError with every fault, each with its line."""
     faults = Faults(str(path))
-    content = _Content()
+    content = _Content(unit)
     for statement in statements(utf8_text(path, input_bytes(path)), faults):
         _take(statement, content, faults)
     m = _size("POSITIONS", "position", 0, content, faults)
@@ -59,7 +61,7 @@ def read_dat(path: Path) -> PositioningTest:
     _check_targets(content, faults)
     _check_deviations(content, faults)
     faults.raise_if_any()
-    return PositioningTest(grids[TARGET], grids[FORWARD], grids[BACKWARD])
+    return PositioningTest(grids[TARGET], grids[FORWARD], grids[BACKWARD], unit)
 
 
 def _take(statement: Statement, content: _Content, faults: Faults) -> None:
@@ -83,8 +85,9 @@ def _take(statement: Statement, content: _Content, faults: Faults) -> None:
         content.values[name][index] = _value(statement, faults)
     elif name in COUNTS:
         _take_count(statement, content, faults)
-    elif name == "UNIT" and statement.value != "mm":
-        faults.add(statement.place, f"unit {shown(statement.value)} is not mm", "a linear axis, in mm")
+    elif name == "UNIT" and statement.value != content.unit:
+        kind = "a linear axis, in mm (a rotary one: --rotary)" if content.unit == "mm" else "a rotary axis, in deg"
+        faults.add(statement.place, f"unit {shown(statement.value)} is not {content.unit}", kind)
     elif name == "DEC" and whole_number(statement.value) is None:
         faults.add(statement.place, f"DEC: {shown(statement.value)} is not a whole number")
 
@@ -107,9 +110,10 @@ def _value(statement: Statement, faults: Faults) -> float:
 def _take_count(statement: Statement, content: _Content, faults: Faults) -> None:
     found = whole_number(statement.value)
     most = MOST_TARGETS if statement.name == "POSITIONS" else MOST_CYCLES
-    if found is None or not 2 <= found <= most:
+    least = 2 if statement.name == "POSITIONS" else 1
+    if found is None or not least <= found <= most:
         problem = f"{statement.name}: {shown(statement.value)} is not a count"
-        faults.add(statement.place, problem, f"a whole number from 2 to {most}")
+        faults.add(statement.place, problem, f"a whole number from {least} to {most}")
     else:
         content.counts[statement.name] = found
 
@@ -119,11 +123,15 @@ def _size(name: str, what: str, axis: int, content: _Content, faults: Faults) ->
     indices = [index for values in content.values.values() for index in values if len(index) > axis]
     highest = max((index[axis] for index in indices), default=0)
     declared = content.counts.get(name)
+    targets = [value for value in content.values[TARGET].values() if not math.isnan(value)]
+    span = max(targets) - min(targets) if targets else 0.0
     if declared is None:
-        if (name, ()) not in content.lines and (problem := too_few(what, highest)):
+        if (name, ()) not in content.lines and (problem := too_few(what, highest, span, content.unit)):
             faults.add("", problem)
         return highest
-    if highest > declared:
+    if problem := too_few(what, declared, span, content.unit):
+        faults.add(f"line {content.lines[name, ()]}", problem)
+    elif highest > declared:
         place = f"line {content.lines[name, ()]}"
         faults.add(place, f"{name} is {declared}, but there is a {what} {highest}", "the number that there are")
     return max(declared, highest)

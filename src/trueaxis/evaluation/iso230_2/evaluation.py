@@ -1,4 +1,9 @@
-"""Evaluation of a bidirectional positioning test by ISO 230-2:2014, coverage factor k = 2."""
+"""Evaluation of a bidirectional positioning test by ISO 230-2:2014, coverage factor k = 2.
+
+The definitions of clause 3 are those of linear and rotary axes alike, in mm or deg. Axes beyond 2000 mm or 360 deg may
+be tested with one approach of each target in each direction; repeatability and accuracy are not estimated then (6.2;
+its text as in GOST ISO 230-2-2016, which is a translation of the standard).
+"""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -6,22 +11,23 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+from trueaxis.evaluation.iso230_2.positioning_test import LONGEST_AXIS, PositioningTest, Unit
 
 FloatArray = NDArray[np.float64]
 Repeatability = Literal["iso", "unidirectional"]
 
 STANDARD = "ISO 230-2:2014"
 COVERAGE_FACTOR = 2
-LONGEST_AXIS = 2000.0  # mm; the standard tests longer axes otherwise
 FEWEST_TARGETS, FEWEST_CYCLES = 5, 5
 TARGETS_PER_METRE = 5
+SINGLE = "clause 6.2: one approach, with B, E and M alone"
 EVEN = 1e-6  # of a step: rounding of evenly spaced targets
 
 
 @dataclass(frozen=True, slots=True)
 class Unidirectional:
-    """One direction of approach; mm throughout, arrays (m,) over the targets.
+    """One direction of approach; mm or deg throughout, arrays (m,) over the targets; NaN where one approach tells
+    nothing.
 
     mean: mean deviation; s: estimator of the standard uncertainty of positioning; r: repeatability R_i = 4 s_i;
     R: repeatability of the axis; E: systematic deviation of the axis; A: accuracy of the axis.
@@ -37,7 +43,8 @@ class Unidirectional:
 
 @dataclass(frozen=True, slots=True)
 class Evaluation:
-    """The parameters of the standard; mm throughout, arrays (m,) over the targets.
+    """The parameters of the standard; mm or deg (`unit`) throughout, arrays (m,) over the targets. R, r, s, A: NaN of a
+    test with one cycle.
 
     targets: P_i; cycles: n; mean: mean bidirectional deviation; b: reversal value B_i, positive approach minus
     negative; r: bidirectional repeatability R_i. Of the axis: B reversal value, B_mean mean reversal value (signed),
@@ -59,6 +66,7 @@ class Evaluation:
     M: float
     A: float
     repeatability: Repeatability
+    unit: Unit = "mm"
 
 
 def evaluate(test: PositioningTest, repeatability: Repeatability = "iso") -> Evaluation:
@@ -90,31 +98,42 @@ def evaluate(test: PositioningTest, repeatability: Repeatability = "iso") -> Eva
         M=float(np.ptp(mean)),
         A=_accuracy(means, s),
         repeatability=repeatability,
+        unit=test.unit,
     )
 
 
 def departures(evaluation: Evaluation) -> list[str]:
-    """In what the test is less than the standard asks of a linear axis up to 2000 mm; empty where it is not."""
+    """In what the test is less than the standard asks of a linear axis up to 2000 mm, and of the cycles of any axis up
+    to its longest; empty where it is not. Of targets of rotary axes nothing is said: their number is not known to us
+    from a public text.
+    """
     m, span = len(evaluation.targets), float(np.ptp(evaluation.targets))
+    longest, unit = LONGEST_AXIS[evaluation.unit], evaluation.unit
     found = []
-    if m < FEWEST_TARGETS:
+    if evaluation.cycles == 1:
+        return [f"one approach of each target and direction on {span:g} {unit}: R and A are not estimated ({SINGLE})"]
+    if unit == "deg":
+        pass
+    elif m < FEWEST_TARGETS:
         found.append(f"{m} targets; the standard asks at least {FEWEST_TARGETS}")
-    elif m < TARGETS_PER_METRE * span / 1000 and span <= LONGEST_AXIS:
+    elif m < TARGETS_PER_METRE * span / 1000 and span <= longest:
         found.append(f"{m} targets on {span:g} mm; the standard asks at least {TARGETS_PER_METRE} per metre")
     if evaluation.cycles < FEWEST_CYCLES:
         found.append(f"{evaluation.cycles} cycles; the standard asks {FEWEST_CYCLES}")
     steps = np.diff(np.sort(evaluation.targets))
-    if m > 2 and np.ptp(steps) <= EVEN * steps.max():
+    if unit == "mm" and m > 2 and np.ptp(steps) <= EVEN * steps.max():
         found.append("targets are evenly spaced; the standard spaces them unevenly, lest periodic errors hide")
-    if span > LONGEST_AXIS:
-        found.append(f"targets span {span:g} mm; the standard tests axes beyond {LONGEST_AXIS:g} mm otherwise")
+    if span > longest:
+        found.append(
+            f"targets span {span:g} {unit}; the standard tests axes beyond {longest:g} {unit} otherwise: {SINGLE}"
+        )
     return found
 
 
 def _unidirectional(deviations: FloatArray) -> Unidirectional:
     """deviations: x_ij, (m, n) mm."""
     mean = deviations.mean(axis=1)
-    s = deviations.std(axis=1, ddof=1)
+    s = deviations.std(axis=1, ddof=1) if deviations.shape[1] > 1 else np.full(mean.size, np.nan)
     r = 2 * COVERAGE_FACTOR * s
     return Unidirectional(mean, s, r, R=float(r.max()), E=float(np.ptp(mean)), A=_accuracy(mean, s))
 

@@ -1,6 +1,7 @@
 """The readings of one bidirectional positioning test."""
 
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,25 +13,31 @@ FARTHEST_TARGET = 1e5  # mm
 LARGEST_DEVIATION = 10.0  # mm: beyond it target and reading are not in one unit, or not of one position
 
 
+Unit = Literal["mm", "deg"]  # of a linear axis, of a rotary one
+# Beyond it the standard tests an axis otherwise: one approach of each target and direction suffices (6.2).
+LONGEST_AXIS: dict[Unit, float] = {"mm": 2000.0, "deg": 360.0}
+
+
 @dataclass(frozen=True, slots=True)
 class PositioningTest:
-    """Targets P_i, (m,) mm, and the positions P_ij measured there, (m, n) mm, by direction of approach.
+    """Targets P_i, (m,), and the positions P_ij measured there, (m, n), by direction of approach; mm or deg (`unit`).
 
     positive: approached in the positive direction of the axis (the standard's upward arrow); negative: in the
-    negative one. m targets, at least 2; n cycles, at least 2. Every value is finite.
+    negative one. m targets, at least 2; n cycles, at least 2, of axes beyond LONGEST_AXIS 1. Every value is finite.
     """
 
     targets: FloatArray
     positive: FloatArray
     negative: FloatArray
+    unit: Unit = "mm"
 
     def swapped(self) -> "PositioningTest":
         """The same readings where the labels of direction were the wrong way round."""
         return replace(self, positive=self.negative, negative=self.positive)
 
 
-def too_few(what: str, count: int) -> str:
-    """What is wrong with this many targets or cycles; empty where there are enough."""
-    if count >= 2:
+def too_few(what: str, count: int, span: float = 0.0, unit: Unit = "mm") -> str:
+    """What is wrong with this many targets or cycles; empty where there are enough. span: of the targets, in `unit`."""
+    if count >= 2 or (what == "cycle" and count == 1 and span > LONGEST_AXIS[unit]):
         return ""
     return f"has {count} {what}{'' if count == 1 else 's'}: an evaluation needs at least 2, the standard's test 5"

@@ -3,15 +3,15 @@
 from pathlib import Path
 
 from trueaxis.evaluation.iso230_2.dat_file import read_dat
-from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
+from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest, Unit
 from trueaxis.evaluation.iso230_2.table_file import read_positioning_table
 from trueaxis.io.faults import Fault, InputError
 
 
-def read_positioning_test(path: Path) -> PositioningTest:
-    """Read a .dat, .csv or .parquet file. Raises InputError with every fault of the file."""
+def read_positioning_test(path: Path, unit: Unit = "mm") -> PositioningTest:
+    """Read a .dat, .csv or .parquet file; unit: of its positions. Raises InputError with every fault of the file."""
     if path.suffix == ".dat":
-        return read_dat(path)
+        return read_dat(path, unit)
     if path.suffix in (".csv", ".parquet"):
-        return read_positioning_table(path)
+        return read_positioning_table(path, unit)
     raise InputError([Fault(str(path), "", "is of no known kind", "a name that ends in .dat, .csv or .parquet")])

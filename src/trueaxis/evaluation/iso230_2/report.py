@@ -1,19 +1,26 @@
 """The evaluation as a person reads it, in the order of the standard's table, and as JSON."""
 
 import json
+import math
 from typing import Any
 
 import numpy as np
 
 from trueaxis.evaluation.iso230_2.evaluation import COVERAGE_FACTOR, STANDARD, Evaluation, Unidirectional, departures
+from trueaxis.evaluation.iso230_2.positioning_test import Unit
 
 CONVENTIONS = {
     "iso": "R = max R_i, R_i = max(2 s_i+ + 2 s_i- + |B_i|, R_i+, R_i-): the standard's, reversal included",
     "unidirectional": "R = max(R+, R-): NOT the standard's, which includes the reversal",
 }
 _COLUMNS = ("i", "P_i", "x_i+", "x_i-", "x_i", "B_i", "s_i+", "s_i-", "R_i+", "R_i-", "R_i")
+# unit of positions -> factors and units in which deviations are shown, the first one in the table of the targets
+SHOWN: dict[Unit, tuple[tuple[float, str], ...]] = {
+    "mm": ((1e3, "um"),),
+    "deg": ((3600.0, "arcsec"), (1e6 * math.pi / 180.0, "urad")),
+}
 _LEGEND = (
-    "+ approached in the positive direction, - in the negative one; P_i target (mm); the rest in um: x_i mean",
+    "+ approached in the positive direction, - in the negative one; P_i target ({unit}); the rest in {small}: x_i mean",
     "deviation, B_i = x_i+ - x_i- reversal value, s_i estimator of the standard uncertainty, R_i repeatability (4 s_i",
     "in one direction; in both as below)",
 )
@@ -25,22 +32,25 @@ def report_text(source: str, evaluation: Evaluation) -> str:
     head = (
         f"positioning by {STANDARD}, k = {COVERAGE_FACTOR}; {len(e.targets)} targets, {e.cycles} cycles, 2 directions"
     )
-    rows = [e.targets, *(1e3 * v for v in (plus.mean, minus.mean, e.mean, e.b, plus.s, minus.s, plus.r, minus.r, e.r))]
-    lines = [f"{source}: {head}", *_LEGEND, "", "".join(f"{name:>{_width(name)}}" for name in _COLUMNS)]
+    factor, small = SHOWN[e.unit][0]
+    sides = (plus.mean, minus.mean, e.mean, e.b, plus.s, minus.s, plus.r, minus.r, e.r)
+    rows = [e.targets, *(factor * v for v in sides)]
+    legend = [line.format(unit=e.unit, small=small) for line in _LEGEND]
+    lines = [f"{source}: {head}", *legend, "", "".join(f"{name:>{_width(name)}}" for name in _COLUMNS)]
     for number, row in enumerate(zip(*rows, strict=True), start=1):
-        cells = [f"{number:>{_width('i')}}", f"{row[0]:{_width('P_i')}.10g}", *(f"{v:9.2f}" for v in row[1:])]
+        cells = [f"{number:>{_width('i')}}", f"{row[0]:{_width('P_i')}.10g}", *(_cell(v, 9) for v in row[1:])]
         lines.append("".join(cells))
-    lines += ["", f"{'of the axis (um)':<33}{'+':>10}{'-':>10}{'both':>10}"]
-    lines += [
-        _axis("reversal value B", None, None, e.B),
-        _axis("mean reversal value", None, None, e.B_mean),
-        _axis("repeatability R", plus.R, minus.R, e.R),
-        _axis("systematic deviation E", plus.E, minus.E, e.E),
-        _axis("mean bidirectional deviation M", None, None, e.M),
-        _axis("accuracy A", plus.A, minus.A, e.A),
-        "",
-        CONVENTIONS[e.repeatability],
-    ]
+    for factor, small in SHOWN[e.unit]:
+        lines += ["", f"{f'of the axis ({small})':<33}{'+':>10}{'-':>10}{'both':>10}"]
+        lines += [
+            _axis(factor, "reversal value B", None, None, e.B),
+            _axis(factor, "mean reversal value", None, None, e.B_mean),
+            _axis(factor, "repeatability R", plus.R, minus.R, e.R),
+            _axis(factor, "systematic deviation E", plus.E, minus.E, e.E),
+            _axis(factor, "mean bidirectional deviation M", None, None, e.M),
+            _axis(factor, "accuracy A", plus.A, minus.A, e.A),
+        ]
+    lines += ["", CONVENTIONS[e.repeatability]] if e.cycles > 1 else [""]
     return "\n".join(lines + [f"note: {note}" for note in notes(e)]) + "\n"
 
 
@@ -56,13 +66,15 @@ def notes(evaluation: Evaluation) -> list[str]:
 
 
 def report_json(evaluation: Evaluation) -> str:
-    """The same as JSON, every length in mm."""
+    """The same as JSON, all in mm, of a rotary axis in deg, and its parameters in arc seconds and urad besides; null
+    where a test of one cycle tells nothing.
+    """
     e = evaluation
     tree = {
         "schema": 1,
         "standard": STANDARD,
         "coverage_factor": COVERAGE_FACTOR,
-        "unit": "mm",
+        "unit": e.unit,
         "repeatability": {"convention": e.repeatability, "standard": e.repeatability == "iso"},
         "cycles": e.cycles,
         "targets": e.targets.tolist(),
@@ -81,7 +93,19 @@ def report_json(evaluation: Evaluation) -> str:
         },
         "notes": notes(e),
     }
-    return json.dumps(tree, indent=1, allow_nan=False) + "\n"
+    if e.unit == "deg":
+        of_axis = {"B": e.B, "B_mean": e.B_mean, "R": e.R, "E": e.E, "M": e.M, "A": e.A}
+        for factor, small in SHOWN["deg"]:
+            tree[f"bidirectional_{small}"] = {name: factor * value for name, value in of_axis.items()}
+    return json.dumps(_without_nan(tree), indent=1, allow_nan=False) + "\n"
+
+
+def _without_nan(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _without_nan(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_without_nan(item) for item in value]
+    return None if isinstance(value, float) and math.isnan(value) else value
 
 
 def _direction(side: Unidirectional) -> dict[str, Any]:
@@ -99,5 +123,9 @@ def _width(name: str) -> int:
     return {"i": 4, "P_i": 12}.get(name, 9)
 
 
-def _axis(name: str, *values: float | None) -> str:
-    return (f"{name:<33}" + "".join(" " * 10 if v is None else f"{1e3 * v:10.2f}" for v in values)).rstrip()
+def _axis(factor: float, name: str, *values: float | None) -> str:
+    return (f"{name:<33}" + "".join(" " * 10 if v is None else _cell(factor * v, 10) for v in values)).rstrip()
+
+
+def _cell(value: float, width: int) -> str:
+    return f"{'-':>{width}}" if math.isnan(value) else f"{value:{width}.2f}"

@@ -12,6 +12,7 @@ from trueaxis.evaluation.iso230_2.positioning_test import (
     MOST_CYCLES,
     MOST_TARGETS,
     PositioningTest,
+    Unit,
     too_few,
 )
 from trueaxis.io.faults import Faults
@@ -26,8 +27,8 @@ POSITIVE, NEGATIVE = ("+1", "1", "+", "forward"), ("-1", "-", "backward")
 _NAMES = ("forward", "backward")
 
 
-def read_positioning_table(path: Path) -> PositioningTest:
-    """Read a .csv or .parquet table of readings (mm); targets are put in ascending order.
+def read_positioning_table(path: Path, unit: Unit = "mm") -> PositioningTest:
+    """Read a .csv or .parquet table of readings, in `unit`; targets are put in ascending order.
 
     Raises InputError with every fault, each with its line and column.
     """
@@ -39,17 +40,17 @@ def read_positioning_table(path: Path) -> PositioningTest:
         faults.add("", "has no rows", "a row per reading")
     targets = numbers(table, "target", faults)
     far = np.abs(targets) > FARTHEST_TARGET
-    note(table, "target", far, faults, "is too far", remedy=f"mm, at most {FARTHEST_TARGET:g}")
+    note(table, "target", far, faults, "is too far", remedy=f"{unit}, at most {FARTHEST_TARGET:g}")
     cycles = whole_numbers(table, "cycle", faults)
     directions = _directions(table, faults)
     keys_read = not faults.found  # else readings would be missing only because their row could not be placed
     measured = numbers(table, "measured", faults)
     off = np.abs(np.where(far, np.nan, measured - targets)) > LARGEST_DEVIATION
-    remedy = f"at most {LARGEST_DEVIATION:g} mm off"
+    remedy = f"at most {LARGEST_DEVIATION:g} {unit} off"
     note(table, "measured", off, faults, "is far off its target", remedy=remedy)
     if not keys_read:
         faults.raise_if_any()
-    return _gridded(table, targets, cycles, directions, measured, faults)
+    return _gridded(table, targets, cycles, directions, measured, faults, unit)
 
 
 def _check_names(table: Table, faults: Faults) -> None:
@@ -75,12 +76,18 @@ def _directions(table: Table, faults: Faults) -> IntArray:
 
 
 def _gridded(
-    table: Table, targets: FloatArray, cycles: IntArray, directions: IntArray, measured: FloatArray, faults: Faults
+    table: Table,
+    targets: FloatArray,
+    cycles: IntArray,
+    directions: IntArray,
+    measured: FloatArray,
+    faults: Faults,
+    unit: Unit,
 ) -> PositioningTest:
     positions, i = np.unique(targets, return_inverse=True)
     runs, j = np.unique(cycles, return_inverse=True)
     for what, count, most in (("target", len(positions), MOST_TARGETS), ("cycle", len(runs), MOST_CYCLES)):
-        if problem := too_few(what, count):
+        if problem := too_few(what, count, float(np.ptp(positions)) if positions.size else 0.0, unit):
             faults.add(f"column {what}", problem)
         if count > most:
             faults.add(f"column {what}", f"has {count} different values", f"at most {most} {what}s")
@@ -96,7 +103,7 @@ def _gridded(
     faults.raise_if_any()
     grid = np.empty(shape)
     grid.flat[cell] = measured
-    return PositioningTest(positions, grid[0], grid[1])
+    return PositioningTest(positions, grid[0], grid[1], unit)
 
 
 def _check_complete(given: npt.NDArray[np.bool_], positions: FloatArray, runs: IntArray, faults: Faults) -> None:

@@ -75,10 +75,10 @@ def identify_paper(
 
 
 def _usable(observed: Observations) -> tuple[Observations, tuple[str, ...]]:
-    """Without the ball-bar runs, which sense no fixed direction."""
-    bars = [index for index, run in enumerate(observed.runs) if run.instrument == "ballbar"]
-    keep = np.flatnonzero(~np.isin(observed.run, bars))
-    left_out = tuple(observed.runs[index].id for index in bars)
+    """Displacements of lasers and probes: a ball bar senses no fixed direction, its equations are of no others."""
+    others = [index for index, run in enumerate(observed.runs) if run.instrument not in ("laser", "probe")]
+    keep = np.flatnonzero(~np.isin(observed.run, others))
+    left_out = tuple(observed.runs[index].id for index in others)
     if keep.size == 0:
         problem = "the point-by-point method needs laser or probe readings, and there are none"
         raise InputError([Fault(observed.source, "", problem, "use --method global")])

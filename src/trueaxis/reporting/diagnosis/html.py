@@ -4,11 +4,11 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from trueaxis.diagnosis.result import Cause, Diagnosis
+from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, GainOfAngles
 from trueaxis.reporting.diagnosis import further, tables
 from trueaxis.reporting.diagnosis.formula import mathml
 from trueaxis.reporting.diagnosis.picture import Picture, Pictures
-from trueaxis.reporting.diagnosis.quantity import UM, equals_p, micrometres, percent, with_expanded, written
+from trueaxis.reporting.diagnosis.quantity import UM, URAD, equals_p, micrometres, percent, with_expanded, written
 from trueaxis.reporting.diagnosis.tables import Table
 from trueaxis.reporting.diagnosis.words import (
     TITLES,
@@ -100,13 +100,20 @@ def _key_figures(diagnosis: Diagnosis) -> list[tuple[str, str]]:
     gain = diagnosis.gain
     scatter = written(gain.standardised, ".2f")
     return [
-        ("RMS as given", f"{micrometres(gain.rms.given)} {UM}"),
-        ("RMS refitted", f"{micrometres(gain.rms.refitted)} {UM}"),
-        ("RMS extended", f"{micrometres(gain.rms.extended)} {UM}"),
-        ("held out, refitted", f"{micrometres(gain.held_out.refitted)} {UM}"),
-        ("held out, extended", f"{micrometres(gain.held_out.extended)} {UM}"),
-        ("noise floor", f"{micrometres(gain.floor)} {UM}"),
+        *(_figures_of(gain, "", UM) if math.isfinite(gain.floor) else []),
+        *([] if gain.angles is None else _figures_of(gain.angles, "angles: ", URAD)),
         *([("held out, over predicted scatter", scatter)] if math.isfinite(gain.standardised) else []),
+    ]
+
+
+def _figures_of(gain: Gain | GainOfAngles, lead: str, unit: str) -> list[tuple[str, str]]:
+    return [
+        (f"{lead}RMS as given", f"{micrometres(gain.rms.given)} {unit}"),
+        (f"{lead}RMS refitted", f"{micrometres(gain.rms.refitted)} {unit}"),
+        (f"{lead}RMS extended", f"{micrometres(gain.rms.extended)} {unit}"),
+        (f"{lead}held out, refitted", f"{micrometres(gain.held_out.refitted)} {unit}"),
+        (f"{lead}held out, extended", f"{micrometres(gain.held_out.extended)} {unit}"),
+        (f"{lead}noise floor", f"{micrometres(gain.floor)} {unit}"),
     ]
 
 

@@ -7,10 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from trueaxis.diagnosis.result import Cause, Diagnosis, Evidence, Limit, Stage, Stale
+from trueaxis.diagnosis.result import Cause, Diagnosis, Evidence, GainOfAngles, Limit, NoiseOf, Stage, Stale
 from trueaxis.effects.kind import Effect
+from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.reporting.diagnosis.further import absences, proposals, separating_run, warnings
 from trueaxis.reporting.diagnosis.structures import check_meaning, check_name
+from trueaxis.reporting.diagnosis.tables import units_of_runs
 from trueaxis.reporting.diagnosis.words import ESTIMATED
 
 SCHEMA = 1
@@ -22,7 +24,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
     extended_machine, extended_errors: the files of the extended model, as a reader of diagnosis.json finds them.
     Lengths whose key does not say otherwise are in the unit beside them (mm, rad, ...).
     """
-    gain = diagnosis.gain
+    gain, units = diagnosis.gain, units_of_runs(diagnosis)
     content = {
         "schema": SCHEMA,
         "machine": diagnosis.machine,
@@ -39,6 +41,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
             "held_out_standardised": gain.standardised,
             "held_out": gain.split,
             "floor_um": _um(gain.floor),
+            **_of_angles(gain.angles),
         },
         "extended_machine": extended_machine,
         "extended_errors": extended_errors,
@@ -47,19 +50,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "warnings": list(warnings(diagnosis)),
         "absences": list(absences(diagnosis)),
         "next_runs": [asdict(one) for one in proposals(diagnosis)],
-        "noise": [
-            {
-                "instrument": one.instrument,
-                "white_um": _um(one.white),
-                "correlated_um": _um(one.correlated),
-                "correlation": one.correlation,
-                "settles_um": _um(one.settles),
-                "wanders_um": _um(one.wanders),
-                "freedom": one.freedom if one.origin in ESTIMATED else None,
-                "origin": one.origin,
-            }
-            for one in diagnosis.noise
-        ],
+        "noise": [_noise(one) for one in diagnosis.noise],
         "circularity": [
             {
                 "run": one.run,
@@ -81,7 +72,7 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
             for one in diagnosis.checks
         ],
         "outliers": [
-            {"run": one.run, "seq": one.seq, "deviation_um": _um(one.deviation), "z": one.z}
+            {"run": one.run, "seq": one.seq, f"deviation_{units[one.run]}": _um(one.deviation), "z": one.z}
             for one in diagnosis.outliers
         ],
         "threshold": diagnosis.threshold,
@@ -92,9 +83,11 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
 
 
 def noise(diagnosis: Diagnosis) -> float:
-    """RMS of the noise over the readings kept, each with the noise of its instrument, mm; NaN where it is unknown."""
+    """RMS of the noise over the readings of lengths that are kept, each with the noise of its instrument, mm; NaN where
+    it is unknown.
+    """
     residuals = diagnosis.residuals
-    sigma = {one.instrument: one.sigma for one in diagnosis.noise}
+    sigma = {one.instrument: one.sigma for one in diagnosis.noise if small_unit(one.instrument) == "um"}
     instruments, counts = np.unique(
         np.array([residuals.instruments[k] for k in residuals.run], dtype=str), return_counts=True
     )
@@ -174,6 +167,29 @@ def _limit(one: Limit) -> dict[str, Any]:
         "share": one.share,
         "nearest": None if one.nearest is None else _effect(one.nearest),
         "r2": one.r2,
+    }
+
+
+def _of_angles(angles: GainOfAngles | None) -> dict[str, Any]:
+    """What was gained of readings of angles, urad; nothing where there are none."""
+    if angles is None:
+        return {}
+    rms, held_out = _stage(angles.rms), _stage(angles.held_out)
+    return {"rms_urad": rms, "held_out_rms_urad": held_out, "floor_urad": _um(angles.floor)}
+
+
+def _noise(one: NoiseOf) -> dict[str, Any]:
+    """In um, of an angle instrument in urad."""
+    unit = small_unit(one.instrument)
+    return {
+        "instrument": one.instrument,
+        f"white_{unit}": _um(one.white),
+        f"correlated_{unit}": _um(one.correlated),
+        "correlation": one.correlation,
+        f"settles_{unit}": _um(one.settles),
+        f"wanders_{unit}": _um(one.wanders),
+        "freedom": one.freedom if one.origin in ESTIMATED else None,
+        "origin": one.origin,
     }
 
 

@@ -5,6 +5,7 @@ import re
 
 MICRO = "\N{MICRO SIGN}"
 UM = f"{MICRO}m"
+URAD = f"{MICRO}rad"
 NBSP = "\N{NO-BREAK SPACE}"
 NO_EVIDENCE = 0.5  # p values above it differ in nothing that matters: multiplied by the tests made they often come to 1
 COVERAGE_FACTOR = 2.0  # of the expanded uncertainty, as ISO 230-2 has it

@@ -5,8 +5,9 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from trueaxis.diagnosis.result import Cause, Diagnosis
+from trueaxis.measurement.instrument_kinds import SmallUnit, small_unit
 from trueaxis.reporting.diagnosis.further import proposals
-from trueaxis.reporting.diagnosis.quantity import NBSP, UM, micrometres, percent, probability, quantity, written
+from trueaxis.reporting.diagnosis.quantity import NBSP, UM, URAD, micrometres, percent, probability, quantity, written
 from trueaxis.reporting.diagnosis.structures import check_meaning, check_name
 from trueaxis.reporting.diagnosis.words import ESTIMATED, effect_title, in_words, noise_origin, stale_range
 
@@ -144,10 +145,22 @@ def checks(diagnosis: Diagnosis) -> Table:
     return Table("Structure left by the final model", head, rows, frozenset({2, 3}), MOST_PRINTED)
 
 
+def units_of_runs(diagnosis: Diagnosis) -> dict[str, SmallUnit]:
+    """Id of each run -> small unit of its readings."""
+    residuals = diagnosis.residuals
+    return {run: small_unit(name) for run, name in zip(residuals.runs, residuals.instruments, strict=True)}
+
+
+def _deviation(value: float, unit: SmallUnit) -> str:
+    """In micrometres as the head of the column says, else with its unit."""
+    return micrometres(value) + (f"{NBSP}{URAD}" if unit == "urad" else "")
+
+
 def outliers(diagnosis: Diagnosis) -> Table:
     """Readings left out, the farthest first."""
+    units = units_of_runs(diagnosis)
     rows = tuple(
-        (f"{one.run}, {one.seq}", micrometres(one.deviation), written(one.z, "+.1f"))
+        (f"{one.run}, {one.seq}", _deviation(one.deviation, units[one.run]), written(one.z, "+.1f"))
         for one in sorted(diagnosis.outliers, key=lambda one: -abs(one.z))
     )
     head = ("run, seq", f"deviation ({UM})", "standard deviations")
@@ -183,7 +196,7 @@ def noise(diagnosis: Diagnosis) -> Table:
     """Noise of each instrument: correlation is that of the slow part from one reading to the next."""
     rows = tuple(
         (
-            one.instrument,
+            one.instrument if small_unit(one.instrument) == "um" else f"{one.instrument}, {URAD}",
             micrometres(one.sigma),
             micrometres(one.white),
             micrometres(one.correlated),

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 
-from trueaxis.diagnosis.result import Cause, Diagnosis, Gain
+from trueaxis.diagnosis.result import Cause, Diagnosis, Gain, GainOfAngles
 from trueaxis.effects.library import BY_NAME
 from trueaxis.reporting.diagnosis.further import proposals, separating_run, warnings
 from trueaxis.reporting.diagnosis.quantity import ascii_only, micrometres, percent, probability, with_expanded
@@ -46,14 +46,20 @@ def _lines(diagnosis: Diagnosis) -> Iterator[str]:
 
 
 def _gain(gain: Gain) -> Iterator[str]:
-    for what, stage in (("RMS", gain.rms), (f"held-out RMS ({gain.split})", gain.held_out)):
-        if not math.isfinite(stage.given):
-            yield f"{what}: none, the zeros of their instruments take up all of these readings"
-            continue
-        yield (
-            f"{what}: given {micrometres(stage.given)}, refitted {micrometres(stage.refitted)}, "
-            f"extended {micrometres(stage.extended)} um; noise floor {micrometres(gain.floor)} um"
-        )
+    parts: list[tuple[str, str, Gain | GainOfAngles]] = []
+    if math.isfinite(gain.floor):
+        parts.append(("", "um", gain))
+    if gain.angles is not None:
+        parts.append((" of angles", "urad", gain.angles))
+    for of, unit, part in parts:
+        for what, stage in ((f"RMS{of}", part.rms), (f"held-out RMS{of} ({gain.split})", part.held_out)):
+            if not math.isfinite(stage.given):
+                yield f"{what}: none, the zeros of their instruments take up all of these readings"
+                continue
+            yield (
+                f"{what}: given {micrometres(stage.given)}, refitted {micrometres(stage.refitted)}, "
+                f"extended {micrometres(stage.extended)} {unit}; noise floor {micrometres(part.floor)} {unit}"
+            )
     if predicted_scatter(gain):
         yield predicted_scatter(gain)
 

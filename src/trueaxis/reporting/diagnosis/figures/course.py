@@ -16,6 +16,8 @@ _LOOK = {
     "laser": ("o", BLUE, BLUE),
     "ballbar": ("s", ORANGE, "none"),
     "probe": ("D", GREEN, "none"),
+    "angle": ("^", ORANGE, ORANGE),
+    "displacement": ("v", GREEN, GREEN),
 }
 
 

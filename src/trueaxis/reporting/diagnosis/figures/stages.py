@@ -4,10 +4,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from trueaxis.diagnosis.result import Diagnosis, Stage
+from trueaxis.diagnosis.result import Diagnosis, Gain, GainOfAngles, Stage
 from trueaxis.reporting.diagnosis.frame import room_for, stacked
 from trueaxis.reporting.diagnosis.picture import Picture
-from trueaxis.reporting.diagnosis.quantity import UM, micrometres
+from trueaxis.reporting.diagnosis.quantity import UM, URAD, micrometres
 from trueaxis.reporting.diagnosis.svg import BLUE, INK, ORANGE, SKY, SOFT, picture
 
 NAMES = ("given", "refitted", "extended")
@@ -16,32 +16,39 @@ _LOOK = (SKY, ORANGE, BLUE, SOFT)
 
 
 def stages(diagnosis: Diagnosis) -> list[Picture]:
-    """One picture of bars."""
-    gain = diagnosis.gain
+    """A picture of bars of lengths, and one of angles."""
+    gain, found = diagnosis.gain, []
+    if np.isfinite(gain.floor) or gain.angles is None:
+        found.append(_stages(gain, gain.split, "stages", "What is left, before and after", UM))
+    if gain.angles is not None:
+        title = "What is left of angles, before and after"
+        found.append(_stages(gain.angles, gain.split, "stages-of-angles", title, URAD))
+    return found
+
+
+def _stages(gain: Gain | GainOfAngles, split: str, name: str, title: str, unit: str) -> Picture:
     told = "; ".join(
-        f"{name} {micrometres(getattr(gain.rms, name))} {UM}, held out {micrometres(getattr(gain.held_out, name))} {UM}"
-        for name in NAMES
+        f"{stage} {micrometres(getattr(gain.rms, stage))} {unit}, "
+        f"held out {micrometres(getattr(gain.held_out, stage))} {unit}"
+        for stage in NAMES
     )
-    return [
-        picture(
-            "stages",
-            "What is left, before and after",
-            f"Bars of RMS. {told}. Noise floor {micrometres(gain.floor)} {UM}.",
-            f"Held out: {gain.split}; the model was fitted without them. Dashed: the noise floor.",
-            lambda: _figure(diagnosis),
-        )
-    ]
+    return picture(
+        name,
+        title,
+        f"Bars of RMS. {told}. Noise floor {micrometres(gain.floor)} {unit}.",
+        f"Held out: {split}; the model was fitted without them. Dashed: the noise floor.",
+        lambda: _figure(gain, unit),
+    )
 
 
-def _figure(diagnosis: Diagnosis) -> Figure:
-    gain = diagnosis.gain
+def _figure(gain: Gain | GainOfAngles, unit: str) -> Figure:
     figure, panels = stacked(3.1, 2, left=room_for(list(_ROWS)), above=0.02, titled=True)
     for panel, stage, title in zip(panels, (gain.held_out, gain.rms), ("held out", "all readings kept"), strict=True):
         _bars(panel, stage, gain.floor)
         panel.set_title(title)
     largest = np.nanmax([*_values(gain.rms, gain.floor), *_values(gain.held_out, gain.floor), 0.0])
     panels[-1].set_xlim(0.0, 1.18 * max(1e-6, float(largest)))
-    panels[-1].set_xlabel(f"RMS ({UM})")
+    panels[-1].set_xlabel(f"RMS ({unit})")
     return figure
 
 
