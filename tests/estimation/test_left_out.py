@@ -15,6 +15,7 @@ from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.left_out import beside_all, beside_others
 from trueaxis.estimation.result import Estimate
 from trueaxis.estimation.sizes import Sizes
+from trueaxis.estimation.state import moved as moved_state
 from trueaxis.identification.estimated import IdentifyOptions, identify_estimated
 from trueaxis.model.errors import ErrorValues
 
@@ -85,7 +86,7 @@ def test_all_readings_say_of_a_run_what_the_others_say(
         values = dict(zip(fitted.sizes.names, fitted.x.tolist(), strict=True))
         others = Fitted(state=rest, sizes=sizes, x=np.array([values[name] for name in sizes.names]))
         expected = others.posterior()
-        moved = replace(others, state=room.moved(rest, expected, sizes.own_scales(others.x)))
+        moved = replace(others, state=moved_state(rest, expected, sizes.own_scales(others.x)))
         alone = beside_others(moved, expected, [run], fitted.scales)
         assert together[run.rows.index,].times == pytest.approx(alone.times, rel=0.02)
 

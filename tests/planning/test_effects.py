@@ -21,7 +21,7 @@ from trueaxis.estimation.estimate import EstimationOptions, estimate
 from trueaxis.estimation.judgement import judged_component
 from trueaxis.estimation.layout import layout_of
 from trueaxis.estimation.observations import Observations
-from trueaxis.identification.estimated import ORIGIN
+from trueaxis.estimation.tool_point import ORIGIN
 from trueaxis.identification.estimated_effects import with_uncertainty
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.model.effect_values import EffectValues
