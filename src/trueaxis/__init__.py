@@ -31,9 +31,10 @@ if TYPE_CHECKING:
         save_data,
         save_errors,
     )
-    from trueaxis.jobs.predict import Placement, Prediction, predict
+    from trueaxis.jobs.predict import Prediction, predict
     from trueaxis.jobs.simulate import simulate
     from trueaxis.machine.machine import Machine
+    from trueaxis.model.best_fit import Placement
     from trueaxis.model.errors import ErrorValues
     from trueaxis.model.model import MachineModel
 
@@ -72,9 +73,10 @@ _MODULES = {
     "jobs.load": (
         "DataFolder", "Errors", "load_data", "load_errors", "load_machine", "load_model", "save_data", "save_errors",
     ),
-    "jobs.predict": ("Placement", "Prediction", "predict"),
+    "jobs.predict": ("Prediction", "predict"),
     "jobs.simulate": ("simulate",),
     "machine.machine": ("Machine",),
+    "model.best_fit": ("Placement",),
     "model.errors": ("ErrorValues",),
     "model.model": ("MachineModel",),
 }  # fmt: skip

@@ -14,6 +14,14 @@ def file_to_write(text: str) -> Path:
     return Path(text)
 
 
+_OPTIONS = {"instruments": "--with", "wanted": "--for", "keys": "--map"}  # that are words of Python, or too short
+
+
+def option(argument: str) -> str:
+    """The option of an argument of the Python interface."""
+    return _OPTIONS.get(argument, f"--{argument.replace('_', '-')}")
+
+
 NOISE_UM = (1e-6, 1e4)  # a picometre to a centimetre: beyond, it is in another unit, or a slip
 
 

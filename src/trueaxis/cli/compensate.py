@@ -8,7 +8,7 @@ from typing import get_args
 
 from trueaxis.cli.arguments import file_to_write, positive, size
 from trueaxis.cli.misfit import check_fit, misfit_option, uncertain_option
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.cli.progress import progress
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.offset_files import offset_of_option, read_offsets, with_options

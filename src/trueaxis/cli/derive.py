@@ -5,7 +5,7 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.io.faults import InputError
 from trueaxis.io.input_files import gathering
 from trueaxis.jobs.derive import check_kinds, derive

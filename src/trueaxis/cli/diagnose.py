@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from trueaxis.cli.arguments import noise
-from trueaxis.cli.beside import beside, cores
+from trueaxis.jobs.beside import beside, cores
 from trueaxis.cli.measured import read_measured
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.cli.progress import progress
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.notes import compensation_note
@@ -94,7 +94,7 @@ class Given:
 def run(args: argparse.Namespace) -> int:
     """Diagnose, extend, write; raises InputError with the faults of every file and option."""
     # figures are drawn and a machine is derived by a second process, which gets ready for it meanwhile
-    with progress() as show, beside("trueaxis.cli.drawn_and_derived") as start:
+    with progress() as show, beside("trueaxis.jobs.drawn_and_derived") as start:
         show("reading")
         given = _read(args)
         # only this command needs them, and not for wrong input

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import file_to_write, key_value, positive
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
 from trueaxis.evaluation.iso230_2.read import read_positioning_test
 from trueaxis.evaluation.iso230_2.report import report_json, report_text

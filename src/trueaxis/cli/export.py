@@ -8,7 +8,7 @@ import numpy as np
 
 from trueaxis.cli.arguments import positive, size, tool_point
 from trueaxis.cli.misfit import check_fit, misfit_option, uncertain_option
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.compensation.reliance import PRIOR_SIZES
 from trueaxis.controllers.formats import FORMATS, Export, export_tables, problem_of
 from trueaxis.io.faults import Fault, InputError

@@ -10,7 +10,7 @@ import numpy as np
 
 from trueaxis.cli.arguments import file_to_write, share, size, whole
 from trueaxis.cli.misfit import check_fit, misfit_option
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.error_name import ErrorName
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files

@@ -16,7 +16,7 @@ from trueaxis.cli.identify_options import (
     noise_option,
     squareness_option,
 )
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING

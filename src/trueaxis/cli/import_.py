@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import key_value
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.instrument_files.data_folder import readings_bytes, setup_text
 from trueaxis.instrument_files.data_run import DataRun, data_run, renamed
 from trueaxis.instrument_files.read import FORMATS, read_instrument_file

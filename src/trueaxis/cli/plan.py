@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from trueaxis.cli.arguments import file_to_write, positive, tool_point, whole
 from trueaxis.cli.identify_options import noise_option
 from trueaxis.cli.measured import read_measured
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.cli.plan_faults import RETIRED, faults_of_options
 from trueaxis.estimation.result import Estimate
 from trueaxis.identification.notes import dimension_notes

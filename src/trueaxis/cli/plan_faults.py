@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from trueaxis.cli.paths import overwritten
+from trueaxis.jobs.outputs import overwritten
 from trueaxis.io.faults import Fault
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file

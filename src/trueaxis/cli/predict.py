@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trueaxis.cli.arguments import file_to_write, size
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.io.faults import InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering

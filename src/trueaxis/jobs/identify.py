@@ -106,7 +106,8 @@ def identify(
         caveats=(*found.report.caveats, *unread_caveats(measured)),
         measurement=measured.setup.report,
     )
-    return Identified(Errors(found.values, _with_known(found.covariance, known)), report)
+    covariance = _with_known(found.covariance, known)
+    return Identified(Errors(found.values, covariance, machine=model.machine), report)
 
 
 def believed(model: MachineModel, data: DataFolder, known: ErrorValues | None) -> MeasuredData:

@@ -9,10 +9,11 @@ import polars as pl
 from trueaxis.io.faults import InputError
 from trueaxis.jobs.arrays import Positions, positions_of, tool_points
 from trueaxis.jobs.load import Errors
+from trueaxis.jobs.tables import Tabular
 from trueaxis.measurement.context_needs import faults_of_points
 from trueaxis.measurement.points import DEVIATION_COLUMNS, PRIOR_COLUMNS, TOOL_COLUMNS, UNCERTAINTY_COLUMNS
 from trueaxis.measurement.predict import check_predicted, deviations
-from trueaxis.model.best_fit import Placements, placements
+from trueaxis.model.best_fit import Placement, Placements, placements
 from trueaxis.model.context import Context
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
@@ -24,18 +25,7 @@ ORIGIN = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Placement:
-    """The rigid placement of a workpiece that was taken off. centre: (3,), of the points, mm, workpiece frame; shift:
-    (3,), mm, at the centre; rotation: (3,), rad, about x, y and z.
-    """
-
-    centre: FloatArray
-    shift: FloatArray
-    rotation: FloatArray
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Prediction:
+class Prediction(Tabular):
     """Deviations of tool points, in the workpiece frame.
 
     axes: letters, the rows of positions; positions: (n_axes, n), mm or deg; tool: (3, n), mm; deviation: (3, n), actual
