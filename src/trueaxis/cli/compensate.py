@@ -8,7 +8,6 @@ from typing import get_args
 
 from trueaxis.cli.arguments import file_to_write, positive, size
 from trueaxis.cli.misfit import check_fit, misfit_option, uncertain_option
-from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.cli.progress import progress
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.offset_files import offset_of_option, read_offsets, with_options
@@ -18,6 +17,7 @@ from trueaxis.compensation.settings import Arcs, Dialect, Integers, Settings
 from trueaxis.compensation.tool_files import read_tools
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
 from trueaxis.reporting.reliance import (

@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from trueaxis.cli.arguments import noise
-from trueaxis.jobs.beside import beside, cores
 from trueaxis.cli.measured import read_measured
-from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.cli.progress import progress
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.notes import compensation_note
 from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering, input_bytes, utf8_text
+from trueaxis.jobs.beside import beside, cores
 from trueaxis.jobs.derive import identification_runs
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.machine import Machine, read_machine
 from trueaxis.machine.read import parse_machine
 from trueaxis.measurement.active_compensation import active_file

@@ -10,11 +10,11 @@ import numpy as np
 
 from trueaxis.cli.arguments import file_to_write, share, size, whole
 from trueaxis.cli.misfit import check_fit, misfit_option
-from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.error_name import ErrorName
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.machine import Machine, read_machine
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.covariance_file import linked

@@ -16,7 +16,6 @@ from trueaxis.cli.identify_options import (
     noise_option,
     squareness_option,
 )
-from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
@@ -27,6 +26,7 @@ from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
 from trueaxis.jobs.identify import DEGREE_WITHOUT_PRIOR, Identified, UnbelievableError, identify
 from trueaxis.jobs.load import DataFolder, Errors, errors_files, load_data, load_errors, load_model
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.machine import read_machine
 from trueaxis.measurement.active_compensation import active_file
 from trueaxis.model.model import MachineModel

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from trueaxis.cli.arguments import file_to_write, positive, tool_point, whole
 from trueaxis.cli.identify_options import noise_option
 from trueaxis.cli.measured import read_measured
-from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.cli.plan_faults import RETIRED, faults_of_options
 from trueaxis.estimation.result import Estimate
 from trueaxis.identification.notes import dimension_notes
@@ -16,6 +15,7 @@ from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering, utf8_text
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.machine import read_machine
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file

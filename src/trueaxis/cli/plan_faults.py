@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from trueaxis.jobs.outputs import overwritten
 from trueaxis.io.faults import Fault
+from trueaxis.jobs.outputs import overwritten
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
 from trueaxis.planning.propose import VOLUME

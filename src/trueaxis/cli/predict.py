@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trueaxis.cli.arguments import file_to_write, size
-from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.io.faults import InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.jobs.predict import Prediction, predicted
 from trueaxis.machine import read_machine
 from trueaxis.measurement.points import dump_predicted, read_points

@@ -35,6 +35,12 @@ def files_of(errors: Errors | None) -> dict[str, Path | None]:
     return {"the file of the errors": errors.file, "the covariance of the errors": linked}
 
 
+def kernels_of(model: MachineModel) -> Path | None:
+    """The folder of derived kernels that the model's are in, where nothing may be written."""
+    file = model.kernels.module.__file__
+    return None if file is None else Path(file).parent.parent
+
+
 def with_errors(model: MachineModel, errors: Errors) -> MachineModel:
     """The model with the values.
 

@@ -110,9 +110,7 @@ def _faults_of_place(path: Path, content: str) -> list[Fault]:
     return [Fault(str(path), "", "is there already, and is something else", "another name, or remove it")]
 
 
-def _faults_of_axes(
-    order: AxisOrder, travels: Sequence[str], senses: Sequence[str], spelled: Spelled
-) -> list[Fault]:
+def _faults_of_axes(order: AxisOrder, travels: Sequence[str], senses: Sequence[str], spelled: Spelled) -> list[Fault]:
     axes = order.workpiece + order.tool
     found = []
     for option, named_axes in ((spelled("travel"), travels), (spelled("sense"), senses)):

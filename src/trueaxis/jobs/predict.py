@@ -7,7 +7,7 @@ import numpy.typing as npt
 import polars as pl
 
 from trueaxis.io.faults import InputError
-from trueaxis.jobs.arrays import Positions, positions_of, tool_points
+from trueaxis.jobs.arrays import ORIGIN, Positions, positions_of, tool_points
 from trueaxis.jobs.load import Errors
 from trueaxis.jobs.tables import Tabular
 from trueaxis.measurement.context_needs import faults_of_points
@@ -21,7 +21,6 @@ from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import home_of, prior_size, tool_uncertainty
 
 Datum = Literal["machine", "home", "best-fit"]
-ORIGIN = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

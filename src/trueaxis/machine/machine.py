@@ -124,8 +124,7 @@ class Machine:
     def digest(self) -> str:
         """SHA-256 of the parsed spec: what it says, not how it is laid out.
 
-        References are prose; sizes to expect, positions that programs rely on and the place of the file change no kernel:
-        left out.
+        References are prose; sizes to expect, positions that programs rely on and the file change no kernel: left out.
         """
         said = asdict(self)
         for name in ("references", "prior", "start", "reference_points", "source"):
@@ -134,10 +133,10 @@ class Machine:
 
     def _repr_html_(self) -> str:
         """The bodies, for a notebook."""
-        rows = [
-            (one.number, one.name, one.lower, one.moves, None if one.travel is None else "{:g} to {:g}".format(*one.travel),
-             ", ".join(one.motion_errors), ", ".join(name for _, name in one.position_errors))
-            for one in self.bodies
-        ]  # fmt: skip
+        rows = []
+        for one in self.bodies:
+            travel = None if one.travel is None else f"{one.travel[0]:g} to {one.travel[1]:g}"
+            locations = ", ".join(name for _, name in one.position_errors)
+            rows.append((one.number, one.name, one.lower, one.moves, travel, ", ".join(one.motion_errors), locations))
         head = ("body", "name", "lower", "moves", "travel, mm or deg", "motion errors", "location errors")
         return html_table(f"{self.name}: {self.title}", head, rows)
