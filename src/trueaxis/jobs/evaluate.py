@@ -46,8 +46,8 @@ class EvaluateOptions:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class EvaluatedPositioning(Tabular):
-    """A positioning test. source: what was evaluated; evaluation: the parameters of the standard, mm. Printed, it is the
-    report of `trueaxis evaluate`.
+    """A positioning test. source: what was evaluated; evaluation: the parameters of the standard, mm. Printed, it is
+    the report of `trueaxis evaluate`.
     """
 
     source: str

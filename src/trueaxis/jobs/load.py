@@ -36,7 +36,7 @@ class Errors(Tabular):
     machine: Machine | None = None
 
     def to_polars(self) -> pl.DataFrame:
-        """A row for each error: value (of a component its largest, at the position `at`), u, by what it is determined."""
+        """A row for each error: value (of a component its largest, at the position `at`), u, what determines it."""
         return errors_frame(self.values, self.covariance, self.machine)
 
     def _repr_html_(self) -> str:
