@@ -6,6 +6,8 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+from trueaxis.measurement.limits import NOISE_UM
+
 
 def file_to_write(text: str) -> Path:
     """A path of a file. Raises argparse.ArgumentTypeError where it is written as that of a folder."""
@@ -20,9 +22,6 @@ _OPTIONS = {"instruments": "--with", "wanted": "--for", "keys": "--map"}  # that
 def option(argument: str) -> str:
     """The option of an argument of the Python interface."""
     return _OPTIONS.get(argument, f"--{argument.replace('_', '-')}")
-
-
-NOISE_UM = (1e-6, 1e4)  # a picometre to a centimetre: beyond, it is in another unit, or a slip
 
 
 def size(text: str) -> float:

@@ -103,10 +103,10 @@ def compensate(
     the tool (Eqs. 55, 56 of the paper).
 
     program: the path of its file; out: the file to write; None: nothing is written, the result has the text. tool:
-    (3,), the point to be compensated, tool frame, mm. offsets: the file of work offsets, or by name the machine position of
-    their zeros, {"G54": {"X": 1.0, "Z": (0, 500)}}, mm or deg, a pair asks for the worst case; tools: the file of the
-    tools, or by number a length, mm, or a `Tool`. format: "nc" or "apt"; via_linuxcnc: the folder of LinuxCNC whose
-    interpreter unrolls the program first. max_u: largest standard uncertainty of the tool point in the program, from
+    (3,), the point to be compensated, tool frame, mm. offsets: the file of work offsets, or by name the machine
+    position of their zeros, {"G54": {"X": 1.0, "Z": (0, 500)}}, mm or deg, a pair asks for the worst case; tools: the
+    file of the tools, or by number a length, mm, or a `Tool`. format: "nc" or "apt"; via_linuxcnc: the folder of
+    LinuxCNC whose interpreter unrolls the program first. max_u: largest standard uncertainty of the tool point in the program, from
     home, mm; max_correction: largest correction, mm (three times what [prior] lets expect). accept_misfit, accept_u:
     values that do not fit their readings, or are lost in their noise, are taken. settings: see `CompensationSettings`.
 

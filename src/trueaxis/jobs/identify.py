@@ -20,6 +20,7 @@ from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.jobs.load import DataFolder, Errors
 from trueaxis.measurement.active_compensation import uncompensated
 from trueaxis.measurement.data import MeasuredData
+from trueaxis.measurement.limits import NOISE_UM
 from trueaxis.model.believable import check_believable
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.errors import ErrorValues
@@ -127,9 +128,18 @@ def noise_model(noise_um: Noise) -> NoiseModel:
         return noise_um or NoiseModel()
     by_group = dict(noise_um) if isinstance(noise_um, Mapping) else {}
     whole = None if isinstance(noise_um, Mapping) else float(noise_um)
-    if wrong := [value for value in (*by_group.values(), *([] if whole is None else [whole])) if not value > 0.0]:
-        raise ValueError(f"noise_um: expected micrometres above 0; given {wrong[0]}")
+    for value in (*by_group.values(), whole):
+        check_noise(value)
     return NoiseModel(um=whole, by_group=by_group)
+
+
+def check_noise(um: float | None) -> None:
+    """Raise ValueError where it is no standard deviation of a reading, um; None: it was not given."""
+    low, high = NOISE_UM
+    if um is not None and not um > 0.0:
+        raise ValueError(f"noise_um: expected micrometres above 0; given {um}")
+    if um is not None and not low <= um <= high:
+        raise ValueError(f"noise_um: expected micrometres from {low:g} to {high:g}; given {um}")
 
 
 def _with_known(identified: Covariance, known: Errors | None) -> Covariance:
