@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import polars as pl
 
 from trueaxis.identification.notes import compensation_note
-from trueaxis.io.faults import Fault, Faults, InputError
+from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.html_table import html_table
 from trueaxis.io.input_files import gathering
@@ -23,8 +23,7 @@ from trueaxis.jobs.identify import believed, check_noise
 from trueaxis.jobs.load import AnyPath, DataFolder, Errors
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.tables import Tabular
-from trueaxis.machine import Machine
-from trueaxis.machine.read import parse_machine
+from trueaxis.machine import Machine, read_machine
 from trueaxis.measurement.active_compensation import active_file
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.model.errors import ErrorValues
@@ -125,7 +124,7 @@ def diagnose(
         runs = identification_runs(machine, source)
     with gathering(found):
         text = spec_text(source, target)
-        if parse_machine(text, Faults(str(source))).digest != machine.digest:
+        if read_machine(source).digest != machine.digest:
             raise InputError([Fault(str(source), "", "was changed since the model was loaded", "load it again")])
     if found := found + faults_of_data(data.data, data.folder, found):
         raise InputError(found)

@@ -1,6 +1,6 @@
 """Files in, records out: a machine, its model, error values with their covariance, measured data."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 
@@ -50,8 +50,8 @@ class DataFolder(Tabular):
     """
 
     folder: Path
-    data: MeasuredData
-    active: ErrorValues | None = None
+    data: MeasuredData = field(repr=False)
+    active: ErrorValues | None = field(default=None, repr=False)
 
     def to_polars(self) -> pl.DataFrame:
         """The readings as in readings.csv: a row each; what is not measured yet has no reading."""
