@@ -110,7 +110,7 @@ def key_text(key: str, value: KeyValue) -> str:
         numbers = [float(value)] if isinstance(value, int | float) else [float(one) for one in value]
     except (TypeError, ValueError):
         raise ValueError(f"keys[{key!r}]: expected a text, a number or numbers; given {value!r}") from None
-    return ",".join(map(repr, numbers))
+    return ",".join(repr(one).removesuffix(".0") for one in numbers)
 
 
 def imported(
