@@ -72,8 +72,8 @@ def test_import_readings(here: Path, capsys: pytest.CaptureFixture[str], model: 
     told = capsys.readouterr().out
     expected = files_in(here / "data")
     (here / "data").rename(here / "by_command")
-    given = {"target.point": (0, 0, -100.5), "at.Y": 200, "at.Z": "10"}
-    done = ta.import_readings("X.rtl", model.machine, "data", keys=given)
+    point = (0, 0, -100.5)
+    done = ta.import_readings("X.rtl", model.machine, "data", keys={"target.point": point, "at.Y": 200, "at.Z": "10"})
     assert str(done) == told
     assert files_in(here / "data") == expected
     assert done.runs[0].readings == done.to_polars().height == 8
