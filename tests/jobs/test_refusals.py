@@ -256,3 +256,43 @@ def test_nothing_is_imported_before_it_is_used() -> None:
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+# of `identify`
+CHOICES: list[tuple[dict[str, Any], list[str]]] = [
+    ({"squareness": "from-angles"}, ["--squareness", "from-angles"]),
+    ({"curves": "polynomial"}, ["--curves", "polynomial"]),
+    ({"squareness": "known"}, ["--squareness", "known"]),
+    ({"method": "stepwise", "noise_um": {"laser": 1.0}}, ["--method", "stepwise", "--noise-um", "laser=1"]),
+    ({"method": "stepwise", "degree": 5}, ["--method", "stepwise", "--degree", "5"]),
+    ({"method": "stepwise", "ideal_instruments": True}, ["--method", "stepwise", "--instruments", "ideal"]),
+    ({"method": "stepwise", "prior": False}, ["--method", "stepwise", "--prior", "none"]),
+]
+
+
+@pytest.mark.parametrize(("arguments", "options"), CHOICES, ids=[" ".join(one) for _, one in CHOICES])
+def test_an_identification(
+    here: Path,
+    capsys: pytest.CaptureFixture[str],
+    model: ta.MachineModel,
+    data: ta.DataFolder,
+    arguments: dict[str, Any],
+    options: list[str],
+) -> None:
+    assert main(["identify", str(DMU60P), "--data", str(PLAN), "--out", "e.json", *options, *KERNELS]) == 2
+    told = capsys.readouterr().err.removeprefix("trueaxis: ").rstrip()
+    with pytest.raises(ta.InputError) as refused:
+        ta.identify(model, data, **arguments)
+    spelled = re.sub(
+        r"--([a-z-]+)", lambda one: {"instruments": "ideal_instruments"}.get(one[1], _argument(one[1])), told
+    )
+    assert str(refused.value) == spelled
+
+
+def test_words_that_are_none_are_told(model: ta.MachineModel, errors: ta.Errors, data: ta.DataFolder) -> None:
+    with pytest.raises(ValueError, match="method: expected one of global, stepwise; given 'paper'"):
+        ta.identify(model, data, method="paper")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="degree: expected a whole number from 1 to 30; given 99"):
+        ta.identify(model, data, degree=99)
+    with pytest.raises(ValueError, match="datum: expected one of machine, home, best-fit; given 'moon'"):
+        ta.predict(model, errors, {"X": 1.0}, datum="moon")  # type: ignore[arg-type]

@@ -16,7 +16,8 @@ def file_to_write(text: str) -> Path:
     return Path(text)
 
 
-_OPTIONS = {"instruments": "--with", "wanted": "--for", "keys": "--map"}  # that are words of Python, or too short
+# where the option is a word of Python, or says less
+_OPTIONS = {"instruments": "--with", "wanted": "--for", "keys": "--map", "ideal_instruments": "--instruments"}
 
 
 def option(argument: str) -> str:

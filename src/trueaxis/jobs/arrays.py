@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from typing import Any, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -61,6 +62,13 @@ def at_least_zero(**given: float | None) -> None:
     for name, value in given.items():
         if value is not None and not 0.0 <= value < math.inf:
             raise ValueError(f"{name}: expected a finite number, at least 0; given {value}")
+
+
+def check_among(**given: tuple[object, Any]) -> None:
+    """Raise ValueError where a value is none of its Literal; None: it was not given."""
+    for name, (value, literal) in given.items():
+        if value is not None and value not in get_args(literal):
+            raise ValueError(f"{name}: expected one of {', '.join(get_args(literal))}; given {value!r}")
 
 
 def _finite(name: str, values: npt.ArrayLike) -> FloatArray:

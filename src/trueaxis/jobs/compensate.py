@@ -15,9 +15,11 @@ import polars as pl
 
 from trueaxis.compensation.changes import Changes
 from trueaxis.compensation.files import Language, compensated
+from trueaxis.compensation.offsets import Offsets
 from trueaxis.compensation.reliance import Limits, judge_of
 from trueaxis.compensation.report import CompensationReport
 from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.tools import ToolTable
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
@@ -120,22 +122,8 @@ def compensate(
         raise ValueError(f"format: expected nc or apt; given {format!r}")
     source, file = _file(program), None if out is None else Path(out)
     x, y, z = tool_points(tool, 1)[:, 0].tolist()
-    found: list[Fault] = []
     given = settings_of(settings) | {"tool_point": (x, y, z)}
-    with gathering(found):
-        given["offsets"] = offsets_of(offsets)
-    with gathering(found):
-        given["tools"] = tools_of(tools)
-    with gathering(found):
-        model = with_errors(model, errors)
-        check_fit(errors.values, name_of(errors), accept_misfit)
-    inputs = {"the spec": model.machine.source, **files_of(errors), "program": source}
-    inputs |= {
-        name: Path(one) for name, one in (("offsets", offsets), ("tools", tools)) if isinstance(one, str | PathLike)
-    }
-    found += overwritten(inputs, {"out": file}, kernels_of(model))
-    if found:
-        raise InputError(found)
+    model, given["offsets"], given["tools"] = _read(model, errors, source, file, offsets, tools, accept_misfit)
     limits = Limits(max_u=max_u, max_correction=max_correction, accept_u=accept_u)
     changes, buffer = Changes(len(model.axes)), BytesIO()
     with as_faults(source):
@@ -154,6 +142,34 @@ def compensate(
     if report.reliance is not None and report.refused:
         raise RefusedError(tuple(refusal_sentences(report.reliance, max_u)), done)
     return done
+
+
+def _read(
+    model: MachineModel,
+    errors: Errors,
+    program: Path,
+    out: Path | None,
+    offsets: WorkOffsets | None,
+    tools: Tools | None,
+    accept_misfit: bool,
+) -> tuple[MachineModel, Offsets, ToolTable | None]:
+    """The model with the values, work offsets and tools. Raises InputError with the faults of all that is read."""
+    found: list[Fault] = []
+    table, systems = None, Offsets()
+    with gathering(found):
+        systems = offsets_of(offsets)
+    with gathering(found):
+        table = tools_of(tools)
+    with gathering(found):
+        model = with_errors(model, errors)
+        check_fit(errors.values, name_of(errors), accept_misfit)
+    files = {"offsets": offsets, "tools": tools}
+    inputs = {"the spec": model.machine.source, **files_of(errors), "program": program}
+    inputs |= {name: Path(one) for name, one in files.items() if isinstance(one, str | PathLike)}
+    found += overwritten(inputs, {"out": out}, kernels_of(model))
+    if found:
+        raise InputError(found)
+    return model, systems, table
 
 
 def of_machine(settings: Settings, model: MachineModel) -> Settings:

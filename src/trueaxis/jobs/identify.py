@@ -17,6 +17,8 @@ from trueaxis.identification.report import IdentificationReport
 from trueaxis.identification.report_text import report_text
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, Faults, InputError
+from trueaxis.jobs.arrays import check_among
+from trueaxis.jobs.given import Spelled, argument, warn_of_misfit
 from trueaxis.jobs.load import DataFolder, Errors
 from trueaxis.measurement.active_compensation import uncompensated
 from trueaxis.measurement.data import MeasuredData
@@ -26,6 +28,7 @@ from trueaxis.model.covariance import Covariance
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 
+HIGHEST_DEGREE = 30
 DEGREE_WITHOUT_PRIOR = 7  # nothing keeps curves of a higher order from following the noise
 Method = Literal["global", "stepwise"]
 Squareness = Literal["convention", "known", "from-angles"]
@@ -68,7 +71,7 @@ def identify(
     ideal_instruments: bool = False,
     degree: int | None = None,
     method: Method = "global",
-    curves: Curves = "table",
+    curves: Curves | None = None,
 ) -> Identified:
     """The motion and location errors of a machine, from readings on the exact model.
 
@@ -76,18 +79,30 @@ def identify(
     of an instrument or a run; None: from the readings. squareness: what parts it from straightness: level lines (ISO
     230-1), `known`, or Sect. 3.6 of the paper. prior: whether errors of the sizes of [prior] are expected; if not,
     what readings do not determine is zero and said. ideal_instruments: nothing is unknown of the instruments. degree:
-    highest order of the curves (14; 7 without prior). method "stepwise" is the paper's, point by point, with `curves`.
+    highest order of the curves (14; 7 without prior). method "stepwise" is the paper's, point by point, with curves as
+    a "table", a "polynomial" by its procedure, or one whose order positions "held-out" choose.
 
-    Raises InputError where the set-up contradicts the machine, or no reading holds an error; NotConvergedError where
-    the fit does not stand still; UnbelievableError where its values are of no machine.
+    Raises InputError where arguments do not go together, the set-up contradicts the machine, or no reading holds an
+    error; NotConvergedError where the fit does not stand still; UnbelievableError where its values are of no machine;
+    ValueError for arguments of another form.
     """
+    check_among(method=(method, Method), squareness=(squareness, Squareness), curves=(curves, Curves))
+    if degree is not None and not (isinstance(degree, int) and 1 <= degree <= HIGHEST_DEGREE):
+        raise ValueError(f"degree: expected a whole number from 1 to {HIGHEST_DEGREE}; given {degree}")
+    choice = MethodChoice(
+        method=method, squareness=squareness, curves=curves, known=known is not None, noise=noise_model(noise_um),
+        degree=degree, ideal_instruments=ideal_instruments, prior=prior,
+    )  # fmt: skip
+    if unfit := faults_of_choice(choice):
+        raise InputError(unfit)
     values = None if known is None else known.values
+    warn_of_misfit(known)
     measured = believed(model, data, values)
     observed = observations(str(data.folder), measured.setup.runs, measured.readings)
     options = IdentifyOptions(
         "known" if squareness == "known" else "convention",
         values,
-        noise_model(noise_um),
+        choice.noise,
         EstimationOptions(
             prior=prior, ideal=ideal_instruments, degree=degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR)
         ),
@@ -95,7 +110,7 @@ def identify(
     found = (
         identify_estimated(model, observed, options)
         if method == "global"
-        else identify_paper(model, observed, PaperOptions(squareness, values, options.noise.um, curves))
+        else identify_paper(model, observed, PaperOptions(squareness, values, options.noise.um, curves or "table"))
     )
     faults = Faults(str(data.folder))
     check_believable(model.machine, found.values, faults)
@@ -109,6 +124,46 @@ def identify(
     )
     covariance = _with_known(found.covariance, known)
     return Identified(Errors(found.values, covariance, machine=model.machine), report)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MethodChoice:
+    """How errors are to be identified, as the arguments of `identify`; known: whether values are taken as they are."""
+
+    method: Method
+    squareness: Squareness
+    curves: Curves | None
+    known: bool
+    noise: NoiseModel
+    degree: int | None
+    ideal_instruments: bool
+    prior: bool
+
+
+def faults_of_choice(choice: MethodChoice, spelled: Spelled = argument) -> list[Fault]:
+    """What does not go together."""
+    found, way = [], spelled("method")
+    angles: Squareness = "from-angles"
+    if choice.method == "global":
+        if choice.squareness == angles:
+            place = f"{spelled('squareness')} {angles}"
+            found.append(Fault(place, "", f"goes with {way} stepwise", "convention or known"))
+        if choice.curves is not None:
+            remedy = "method global has curves of its own"
+            found.append(Fault(spelled("curves"), "", f"goes with {way} stepwise", remedy))
+    if choice.squareness == "known" and not choice.known:
+        place = f"{spelled('squareness')} known"
+        found.append(Fault(place, "", "needs the squareness", f"give a file with {spelled('known')}"))
+    if choice.method == "stepwise":
+        for name, used, remedy in (
+            ("noise_um", choice.noise.by_group or choice.noise.repeats, "one value"),
+            ("degree", choice.degree is not None, f"{way} global"),
+            ("ideal_instruments", choice.ideal_instruments, f"{way} global"),
+            ("prior", not choice.prior, f"{way} global"),
+        ):
+            if used:
+                found.append(Fault(spelled(name), "", f"goes with {way} global", remedy))
+    return found
 
 
 def believed(model: MachineModel, data: DataFolder, known: ErrorValues | None) -> MeasuredData:

@@ -7,7 +7,7 @@ import numpy.typing as npt
 import polars as pl
 
 from trueaxis.io.faults import InputError
-from trueaxis.jobs.arrays import ORIGIN, Positions, positions_of, tool_points
+from trueaxis.jobs.arrays import ORIGIN, Positions, check_among, positions_of, tool_points
 from trueaxis.jobs.load import Errors
 from trueaxis.jobs.tables import Tabular
 from trueaxis.measurement.context_needs import faults_of_points
@@ -72,6 +72,7 @@ def predict(
     and temperatures, for machines with effects. Raises ValueError where an array has another shape, InputError where
     the deviation is none that a machine has or an effect lacks what it depends on.
     """
+    check_among(datum=(datum, Datum))
     at = positions_of(model, positions)
     there = tool_points(tool, at.shape[1])
     whole = Context.at_rest(len(model.axes), at.shape[1]) if context is None else context
