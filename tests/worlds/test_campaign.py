@@ -20,6 +20,7 @@ def line(error: float, oracle: float, coverage: float, curves: str) -> dict[str,
         "error": error,
         "oracle": oracle,
         "one_family": 2.0 * oracle,
+        "set_ups_expected": 4.0 * oracle,
         "u": 2.0,
         "coverage": coverage,
         "curves": curves,
@@ -38,6 +39,7 @@ def test_figures_of_machines_made_by_hand() -> None:
     assert found.left == pytest.approx((9.0 + 16.0 + 144.0) / 300.0)
     assert found.ratio == pytest.approx(np.sqrt(169.0 / 41.0))
     assert found.to_one_family == pytest.approx(0.5 * found.ratio)
+    assert found.to_expected == pytest.approx(0.25 * found.ratio)
     assert (found.smooth, found.prior) == pytest.approx((1.0, 0.7))
     assert (found.worse, found.worst) == pytest.approx((1.0 / 3.0, 1.2))
 
