@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from trueaxis.compensation.tools import Tool
+    from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
     from trueaxis.identification.fit_quality import NotConvergedError
     from trueaxis.identification.weighting import NoiseModel
     from trueaxis.io.faults import Fault, InputError
@@ -79,6 +80,7 @@ __all__ = [
     "NotConvergedError",
     "Placement",
     "Planned",
+    "PositioningTest",
     "Prediction",
     "RefusedError",
     "SolvedSystem",
@@ -106,6 +108,7 @@ __all__ = [
 ]
 _MODULES = {
     "compensation.tools": ("Tool",),
+    "evaluation.iso230_2.positioning_test": ("PositioningTest",),
     "identification.fit_quality": ("NotConvergedError",),
     "identification.weighting": ("NoiseModel",),
     "io.faults": ("Fault", "InputError",),

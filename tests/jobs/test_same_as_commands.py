@@ -118,7 +118,7 @@ def test_fit(here: Path, capsys: pytest.CaptureFixture[str], model: ta.MachineMo
     first = done.to_polars().filter(component="EXX")
     assert first["power"].to_list() == list(done.fits["EXX"].after.powers)
     with pytest.raises(ta.RefusedError, match="the largest standard uncertainty is") as refused:
-        ta.fit(model, ta.load_errors(values, model), max_u=1e-4)
+        ta.fit(model, ta.load_errors(values, model), max_order=1, max_u=1e-4)
     assert isinstance(refused.value.result, ta.Fitted)
 
 
@@ -198,6 +198,15 @@ def test_evaluate_a_positioning_test(here: Path, capsys: pytest.CaptureFixture[s
     assert isinstance(done, ta.EvaluatedPositioning)
     assert (str(done), done.to_json()) == (told, Path("r.json").read_text())
     assert done.to_polars()["reversal"].to_list() == done.evaluation.b.tolist()
+    table = np.loadtxt("x.csv", delimiter=",", skiprows=1)  # rows by target, then by cycle, then +1 and -1
+    measured = table[:, 3].reshape(5, 5, 2)
+    by_arrays = ta.evaluate(ta.PositioningTest(table[::10, 0], measured[..., 0], measured[..., 1]))
+    assert isinstance(by_arrays, ta.EvaluatedPositioning)
+    np.testing.assert_allclose(by_arrays.evaluation.mean, done.evaluation.mean, atol=1e-12)
+    with pytest.raises(ValueError, match=r"given \(5,\), \(4, 5\), \(5, 5\)"):
+        ta.evaluate(ta.PositioningTest(table[::10, 0], measured[:4, :, 0], measured[..., 1]))
+    with pytest.raises(ValueError, match="within 10 mm of their targets"):
+        ta.evaluate(ta.PositioningTest(table[::10, 0], 1e3 * measured[..., 0], measured[..., 1]))
     with pytest.raises(ta.InputError, match=r"radius: x\.csv is a positioning test; leave it out"):
         ta.evaluate("x.csv", radius=150.0)
 

@@ -7,11 +7,13 @@ from os import PathLike
 from pathlib import Path
 from typing import get_args
 
+import numpy as np
 import polars as pl
 
 from trueaxis.evaluation.iso230_2 import report as positioning_report
 from trueaxis.evaluation.iso230_2.evaluation import Evaluation, Repeatability
 from trueaxis.evaluation.iso230_2.evaluation import evaluate as evaluate_positioning
+from trueaxis.evaluation.iso230_2.positioning_test import LARGEST_DEVIATION, PositioningTest, too_few
 from trueaxis.evaluation.iso230_2.read import read_positioning_test
 from trueaxis.evaluation.iso230_4 import report as circular_report
 from trueaxis.evaluation.iso230_4.circular_test import CircularTest, circular_test
@@ -110,7 +112,7 @@ Evaluated = EvaluatedPositioning | EvaluatedCircle
 
 
 def evaluate(
-    data: AnyPath | Sequence[AnyPath],
+    data: AnyPath | Sequence[AnyPath] | PositioningTest,
     *,
     repeatability: Repeatability = "iso",
     swap_directions: bool = False,
@@ -121,12 +123,12 @@ def evaluate(
 ) -> Evaluated:
     """Evaluate a positioning test by ISO 230-2:2014 (k = 2) or a circular test by ISO 230-4, by what the files hold.
 
-    data: the file of a positioning test, or the tables of a ball bar. Of a positioning test: repeatability "iso", the
-    standard's R, or "unidirectional", the larger R of the two directions; swap_directions: what is labelled forward was
-    approached in the negative direction. Of a circular test: plane, such as "XY", angles count from the first axis to
-    the second; radius: nominal length of the bar, mm; feed: mm/min, where no file has it; keys: columns and units that
-    the headers do not say, as in `import_readings`. Raises InputError with every fault, what does not go with the kind
-    of test included; ValueError for arguments of another form.
+    data: the file of a positioning test, or the tables of a ball bar; or a `PositioningTest` of arrays. Of a
+    positioning test: repeatability "iso", the standard's R, or "unidirectional", the larger R of the two directions;
+    swap_directions: what is labelled forward was approached in the negative direction. Of a circular test: plane, such
+    as "XY", angles count from the first axis to the second; radius: nominal length of the bar, mm; feed: mm/min, where
+    no file has it; keys: columns and units that the headers do not say, as in `import_readings`. Raises InputError with
+    every fault, what does not go with the kind of test included; ValueError for arguments of another form.
     """
     if repeatability not in get_args(Repeatability):
         raise ValueError(
@@ -135,17 +137,16 @@ def evaluate(
     if plane is not None and plane not in PLANES:
         raise ValueError(f"plane: expected one of {', '.join(PLANES)}; given {plane!r}")
     above_zero(radius=radius, feed=feed)
+    texts = {key: key_text(key, value) for key, value in (keys or {}).items()}
+    options = EvaluateOptions(
+        repeatability=repeatability, swap_directions=swap_directions, plane=plane, radius=radius, feed=feed, keys=texts,
+    )  # fmt: skip
+    if isinstance(data, PositioningTest):
+        return _positioning(_checked(data), "the readings", options, argument)
     paths = [Path(one) for one in ([data] if isinstance(data, str | PathLike) else data)]
     if not paths:
         raise ValueError("data: expected a file or several; given none")
-    texts = {key: key_text(key, value) for key, value in (keys or {}).items()}
-    return evaluated(
-        paths,
-        EvaluateOptions(
-            repeatability=repeatability, swap_directions=swap_directions, plane=plane, radius=radius, feed=feed,
-            keys=texts,
-        ),
-    )  # fmt: skip
+    return evaluated(paths, options)
 
 
 def evaluated(
@@ -161,17 +162,35 @@ def evaluated(
     if any(circles) != all(circles) or (len(paths) > 1 and not circles[0]):
         problem = "positioning tests are evaluated one by one" if not any(circles) else "are tests of two kinds"
         raise InputError([Fault(" ".join(map(str, paths)), "", problem, "one test at a time")])
-    return _circular(paths, options, spelled) if circles[0] else _positioning(paths[0], options, spelled)
+    return _circular(paths, options, spelled) if circles[0] else _positioning(paths[0], str(paths[0]), options, spelled)
 
 
-def _positioning(path: Path, options: EvaluateOptions, spelled: Spelled) -> EvaluatedPositioning:
+def _positioning(
+    data: Path | PositioningTest, source: str, options: EvaluateOptions, spelled: Spelled
+) -> EvaluatedPositioning:
     unfit = [name for name in ("plane", "radius", "feed", "keys") if getattr(options, name)]
     if unfit:
-        problem = f"{path} is a positioning test"
+        problem = f"{source} is a positioning test"
         raise InputError([Fault(spelled(name), "", problem, "leave it out: it is of circular tests") for name in unfit])
-    test = read_positioning_test(path)
+    test = read_positioning_test(data) if isinstance(data, Path) else data
     test = test.swapped() if options.swap_directions else test
-    return EvaluatedPositioning(source=str(path), evaluation=evaluate_positioning(test, options.repeatability))
+    return EvaluatedPositioning(source=source, evaluation=evaluate_positioning(test, options.repeatability))
+
+
+def _checked(test: PositioningTest) -> PositioningTest:
+    """The arrays of a test, by ascending targets. Raises ValueError where a shape or a size is not right."""
+    given_arrays = (test.targets, test.positive, test.negative)
+    targets, positive, negative = (np.asarray(one, dtype=np.float64) for one in given_arrays)
+    if targets.ndim != 1 or positive.ndim != 2 or positive.shape != negative.shape or len(positive) != targets.size:
+        given = f"{targets.shape}, {positive.shape}, {negative.shape}"
+        raise ValueError(f"data: expected targets (m,), positive and negative (m, n), mm; given {given}")
+    if problem := too_few("target", targets.size) or too_few("cycle", positive.shape[1]):
+        raise ValueError(f"data: {problem}")
+    off = np.hstack([positive, negative]) - targets[:, np.newaxis]
+    if not (np.abs(off) <= LARGEST_DEVIATION).all():  # NaN is not
+        raise ValueError(f"data: expected positions within {LARGEST_DEVIATION:g} mm of their targets, all finite")
+    order = np.argsort(targets)
+    return PositioningTest(targets[order], positive[order], negative[order])
 
 
 def _circular(paths: Sequence[Path], options: EvaluateOptions, spelled: Spelled) -> EvaluatedCircle:
