@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from trueaxis.cli.arguments import file_to_write, tool_point
 from trueaxis.io.faults import InputError
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.outputs import named, overwritten
+from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.report import documented
 from trueaxis.machine import read_machine
 from trueaxis.model.model import load_errors, load_model
@@ -59,6 +59,5 @@ def run(args: argparse.Namespace) -> int:
                 before = Known(now.model.with_values(errors), covariance, str(args.against))
     if found or now is None:
         raise InputError(found)
-    documented(now, before, args.tool_point, args.out)
-    print(f"{named(args.out)}: {machine.title}")
+    print(documented(now, before, args.tool_point, args.out), end="")
     return 0

@@ -2,8 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
-from html import escape
+from dataclasses import dataclass, field, replace
 from io import BytesIO
 from os import PathLike
 from pathlib import Path
@@ -36,7 +35,7 @@ from trueaxis.jobs.given import check_fit, files_of, kernels_of, name_of, with_e
 from trueaxis.jobs.load import AnyPath, Errors
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.refused import RefusedError
-from trueaxis.jobs.tables import Tabular
+from trueaxis.jobs.tables import Printed, Tabular
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 from trueaxis.reporting.reliance import (
@@ -48,7 +47,7 @@ from trueaxis.reporting.reliance import (
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Compensated(Tabular):
+class Compensated(Printed, Tabular):
     """A compensated program. text: of the program; report: counts, lengths of error vectors, what was assumed;
     `report.good` says whether every point converged, is within tolerance and travel. axes: letters, the rows of
     positions; lines: (n,), of the given program; programmed, compensated: (n_axes, n), mm or deg, ends of motions with
@@ -57,7 +56,7 @@ class Compensated(Tabular):
     None where it was not; notes: how far it may be relied on. Printed, it is the report of `trueaxis compensate`.
     """
 
-    text: str
+    text: str = field(repr=False)
     report: CompensationReport
     axes: tuple[str, ...]
     lines: npt.NDArray[np.int64]
@@ -79,9 +78,6 @@ class Compensated(Tabular):
 
     def __str__(self) -> str:
         return "\n".join([str(self.report), *(f"note: {one}" for one in self.notes)]) + "\n"
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
 
 
 def compensate(

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from html import escape
 from importlib import import_module
 from pathlib import Path
@@ -42,10 +42,10 @@ class Diagnosed(Tabular):
     were written; notes: of the values given and of the readings. Printed, it is the report of `trueaxis diagnose`.
     """
 
-    diagnosis: "Diagnosis"
+    diagnosis: "Diagnosis" = field(repr=False)
     machine: Machine | None
-    spec: str | None
-    values: ErrorValues | None
+    spec: str | None = field(repr=False)
+    values: ErrorValues | None = field(repr=False)
     files: tuple[Path, ...]
     notes: tuple[str, str]
 

@@ -1,7 +1,7 @@
 """A positioning test by ISO 230-2, or a circular test by ISO 230-4, by what the files hold."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from itertools import permutations
 from os import PathLike
 from pathlib import Path
@@ -28,7 +28,7 @@ from trueaxis.jobs.arrays import above_zero
 from trueaxis.jobs.given import Spelled, argument
 from trueaxis.jobs.import_readings import KeyValue, key_text
 from trueaxis.jobs.load import AnyPath
-from trueaxis.jobs.tables import Tabular
+from trueaxis.jobs.tables import Printed, Tabular
 from trueaxis.measurement.instrument_run import InstrumentRun
 
 PLANES = tuple(map("".join, permutations("XYZ", 2)))
@@ -47,7 +47,7 @@ class EvaluateOptions:
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class EvaluatedPositioning(Tabular):
+class EvaluatedPositioning(Printed, Tabular):
     """A positioning test. source: what was evaluated; evaluation: the parameters of the standard, mm. Printed, it is
     the report of `trueaxis evaluate`.
     """
@@ -77,14 +77,14 @@ class EvaluatedPositioning(Tabular):
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class EvaluatedCircle(Tabular):
+class EvaluatedCircle(Printed, Tabular):
     """A circular test. source: what was evaluated; test: its arcs; figures: G, G(b), F, D of the standard, mm;
     contributions: the errors that the deviations are made of, by size. Printed, it is the report of `trueaxis
     evaluate`.
     """
 
     source: str
-    test: CircularTest
+    test: CircularTest = field(repr=False)
     figures: CircularFigures
     contributions: Contributions
 

@@ -1,7 +1,7 @@
 """Error values as compensation tables of a control."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +17,7 @@ from trueaxis.jobs.given import Spelled, argument, check_fit, files_of, kernels_
 from trueaxis.jobs.load import AnyPath, Errors
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.refused import RefusedError
+from trueaxis.jobs.tables import Printed
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent
@@ -34,14 +35,14 @@ from trueaxis.reporting.reliance import (
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Exported:
+class Exported(Printed):
     """Tables of a control. texts: by the name of the file, the one name "" for a format of a single file; files: those
     that were written; remaining: RMS of the tool point over the travel, from home, mm, before and with the tables;
     uncertainty: of the tool point over the travel; notes: what must be known of the tables. Printed, it is the report
     of `trueaxis export`.
     """
 
-    texts: Mapping[str, str]
+    texts: Mapping[str, str] = field(repr=False)
     files: tuple[Path, ...]
     remaining: Remaining
     uncertainty: UncertaintyExtent

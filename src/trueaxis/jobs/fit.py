@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from html import escape
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +13,7 @@ from trueaxis.jobs.arrays import at_least_zero
 from trueaxis.jobs.given import check_fit, name_of, with_errors
 from trueaxis.jobs.load import Errors
 from trueaxis.jobs.refused import RefusedError
-from trueaxis.jobs.tables import Tabular
+from trueaxis.jobs.tables import Printed, Tabular
 from trueaxis.machine import Machine
 from trueaxis.model.curves import LegendreCurve, TableCurve
 from trueaxis.model.errors import ErrorValues
@@ -33,7 +32,7 @@ NO_KERNELS = "there are no kernels of this machine (--kernels): the uncertainty 
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Fitted(Tabular):
+class Fitted(Printed, Tabular):
     """Error values whose curves are polynomials. errors: with the covariance; given: those before; fits: of tables, and
     of the curves of an estimate, by component, with all statistics; resting: components that rest on the prior and stay
     as they are; uncertainty: of the tool point over the travel, None without kernels; notes: what must be known.
@@ -75,9 +74,6 @@ class Fitted(Tabular):
 
     def __str__(self) -> str:
         return self.text()
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
 
     def picture(self) -> bytes:
         """Values and polynomials, before and after, as PNG."""

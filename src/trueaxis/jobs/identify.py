@@ -1,8 +1,7 @@
 """Error values from measured data."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from html import escape
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from trueaxis.estimation.curve_prior import DEGREE
@@ -20,6 +19,7 @@ from trueaxis.io.faults import Fault, Faults, InputError
 from trueaxis.jobs.arrays import check_among
 from trueaxis.jobs.given import Spelled, argument, warn_of_misfit
 from trueaxis.jobs.load import DataFolder, Errors
+from trueaxis.jobs.tables import Printed
 from trueaxis.measurement.active_compensation import uncompensated
 from trueaxis.measurement.data import MeasuredData
 from trueaxis.measurement.limits import NOISE_UM
@@ -45,19 +45,16 @@ class UnbelievableError(ValueError):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Identified:
+class Identified(Printed):
     """errors: values with their covariance, `errors.values.fit` says how the fit ended; report: what is determined and
     by what, residuals by run, notes. Printed, it is the report of `trueaxis identify`.
     """
 
-    errors: Errors
+    errors: Errors = field(repr=False)
     report: IdentificationReport
 
     def __str__(self) -> str:
         return report_text(self.report)
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
 
 
 def identify(

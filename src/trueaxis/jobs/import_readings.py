@@ -19,7 +19,7 @@ from trueaxis.io.plain_text import shown
 from trueaxis.jobs.given import kernels_of
 from trueaxis.jobs.load import AnyPath, DataFolder, load_data
 from trueaxis.jobs.outputs import named, overwritten
-from trueaxis.jobs.tables import Tabular
+from trueaxis.jobs.tables import Printed, Tabular
 from trueaxis.machine import Machine
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
@@ -42,7 +42,7 @@ class ImportedRun:
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Imported(Tabular):
+class Imported(Printed, Tabular):
     """folder: of measured data, written; runs: that it holds. Printed, it is what `trueaxis import` says."""
 
     folder: Path

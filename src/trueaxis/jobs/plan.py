@@ -1,8 +1,7 @@
 """What runs will tell before they are made, and which runs to make."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from html import escape
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +20,7 @@ from trueaxis.jobs.load import AnyPath, DataFolder, Errors, load_data
 from trueaxis.jobs.outputs import overwritten
 from trueaxis.jobs.plan_request import PlanDatum, PlanRequest, faults_of_request, faults_of_runs, outputs_of
 from trueaxis.jobs.refused import RefusedError
-from trueaxis.jobs.tables import Tabular
+from trueaxis.jobs.tables import Printed, Tabular
 from trueaxis.measurement import readings as readings_files
 from trueaxis.measurement import setup as setup_file
 from trueaxis.measurement.active_compensation import moved_setup
@@ -42,7 +41,7 @@ from trueaxis.planning.slices import slices
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Planned(Tabular):
+class Planned(Printed, Tabular):
     """What runs will tell. report: u to expect of every error and of the tool point over the volume, proposals;
     expected: the estimate to expect, of the plan with the runs proposed; tools: points whose uncertainty counts;
     contents: of the folder with the proposed runs, by the name of the file, empty where none were; folder: where it was
@@ -50,9 +49,9 @@ class Planned(Tabular):
     """
 
     report: PlanReport
-    expected: Estimate
+    expected: Estimate = field(repr=False)
     tools: tuple[Vector, ...]
-    contents: dict[str, str | bytes]
+    contents: dict[str, str | bytes] = field(repr=False)
     folder: Path | None
 
     @property
@@ -86,9 +85,6 @@ class Planned(Tabular):
 
     def __str__(self) -> str:
         return report_text(self.report)
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
 
 
 def plan(

@@ -1,6 +1,6 @@
 """Error values as a document, beside older ones."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy.typing as npt
@@ -10,7 +10,7 @@ from trueaxis.io.files import write_files
 from trueaxis.jobs.arrays import ORIGIN, tool_points
 from trueaxis.jobs.given import files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import AnyPath, Errors
-from trueaxis.jobs.outputs import overwritten
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.model.model import MachineModel
 from trueaxis.reporting.certificate.content import Content, Known, content
 
@@ -18,12 +18,16 @@ from trueaxis.reporting.certificate.content import Content, Known, content
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Document:
     """Error values as a document of two printed pages. content: the figures in it; html: the page; file: where it was
-    written, None where it was not.
+    written, None where it was not. Printed, it is what `trueaxis report` says.
     """
 
-    content: Content
-    html: str
+    content: Content = field(repr=False)
+    html: str = field(repr=False)
     file: Path | None
+
+    def __str__(self) -> str:
+        where = "" if self.file is None else f"{named(self.file)}: "
+        return f"{where}{self.content.title}\n"
 
 
 def report(

@@ -1,8 +1,18 @@
-"""Results that are tables: as frames of Polars, and of pandas where that is installed."""
+"""What results have in common: a report that notebooks show, and tables, as frames of Polars and of pandas."""
 
+from html import escape
 from typing import Any
 
 import polars as pl
+
+
+class Printed:
+    """What has a report as its text: notebooks show it as it is printed."""
+
+    __slots__ = ()
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"
 
 
 class Tabular:
