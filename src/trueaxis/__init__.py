@@ -17,10 +17,21 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from trueaxis.compensation.tools import Tool
+    from trueaxis.evaluation.iso230_2.positioning_test import PositioningTest
     from trueaxis.identification.fit_quality import NotConvergedError
+    from trueaxis.identification.weighting import NoiseModel
     from trueaxis.io.faults import Fault, InputError
+    from trueaxis.jobs.compensate import Compensated, compensate
+    from trueaxis.jobs.compensation_arguments import CompensationSettings
     from trueaxis.jobs.derive import Derivation, SolvedSystem, derive
+    from trueaxis.jobs.diagnose import Diagnosed, diagnose
+    from trueaxis.jobs.evaluate import EvaluatedCircle, EvaluatedPositioning, evaluate
+    from trueaxis.jobs.export import Exported, export
+    from trueaxis.jobs.fit import Fitted, fit
     from trueaxis.jobs.identify import Identified, UnbelievableError, identify
+    from trueaxis.jobs.import_readings import Imported, ImportedRun, import_readings
+    from trueaxis.jobs.init import NewMachine, init
     from trueaxis.jobs.load import (
         DataFolder,
         Errors,
@@ -31,50 +42,97 @@ if TYPE_CHECKING:
         save_data,
         save_errors,
     )
-    from trueaxis.jobs.predict import Placement, Prediction, predict
+    from trueaxis.jobs.plan import Planned, plan
+    from trueaxis.jobs.predict import Prediction, predict
+    from trueaxis.jobs.refused import RefusedError
+    from trueaxis.jobs.report import Document, report
     from trueaxis.jobs.simulate import simulate
     from trueaxis.machine.machine import Machine
+    from trueaxis.model.best_fit import Placement
+    from trueaxis.model.context import Context
     from trueaxis.model.errors import ErrorValues
     from trueaxis.model.model import MachineModel
 
 __version__ = "0.1.0"
 __all__ = [
+    "Compensated",
+    "CompensationSettings",
+    "Context",
     "DataFolder",
     "Derivation",
+    "Diagnosed",
+    "Document",
     "ErrorValues",
     "Errors",
+    "EvaluatedCircle",
+    "EvaluatedPositioning",
+    "Exported",
     "Fault",
+    "Fitted",
     "Identified",
+    "Imported",
+    "ImportedRun",
     "InputError",
     "Machine",
     "MachineModel",
+    "NewMachine",
+    "NoiseModel",
     "NotConvergedError",
     "Placement",
+    "Planned",
+    "PositioningTest",
     "Prediction",
+    "RefusedError",
     "SolvedSystem",
+    "Tool",
     "UnbelievableError",
+    "compensate",
     "derive",
+    "diagnose",
+    "evaluate",
+    "export",
+    "fit",
     "identify",
+    "import_readings",
+    "init",
     "load_data",
     "load_errors",
     "load_machine",
     "load_model",
+    "plan",
     "predict",
+    "report",
     "save_data",
     "save_errors",
     "simulate",
 ]
 _MODULES = {
+    "compensation.tools": ("Tool",),
+    "evaluation.iso230_2.positioning_test": ("PositioningTest",),
     "identification.fit_quality": ("NotConvergedError",),
-    "io.faults": ("Fault", "InputError"),
-    "jobs.derive": ("Derivation", "SolvedSystem", "derive"),
-    "jobs.identify": ("Identified", "UnbelievableError", "identify"),
+    "identification.weighting": ("NoiseModel",),
+    "io.faults": ("Fault", "InputError",),
+    "jobs.compensate": ("Compensated", "compensate",),
+    "jobs.compensation_arguments": ("CompensationSettings",),
+    "jobs.derive": ("Derivation", "SolvedSystem", "derive",),
+    "jobs.diagnose": ("Diagnosed", "diagnose",),
+    "jobs.evaluate": ("EvaluatedCircle", "EvaluatedPositioning", "evaluate",),
+    "jobs.export": ("Exported", "export",),
+    "jobs.fit": ("Fitted", "fit",),
+    "jobs.identify": ("Identified", "UnbelievableError", "identify",),
+    "jobs.import_readings": ("Imported", "ImportedRun", "import_readings",),
+    "jobs.init": ("NewMachine", "init",),
     "jobs.load": (
         "DataFolder", "Errors", "load_data", "load_errors", "load_machine", "load_model", "save_data", "save_errors",
     ),
-    "jobs.predict": ("Placement", "Prediction", "predict"),
+    "jobs.plan": ("Planned", "plan",),
+    "jobs.predict": ("Prediction", "predict",),
+    "jobs.refused": ("RefusedError",),
+    "jobs.report": ("Document", "report",),
     "jobs.simulate": ("simulate",),
     "machine.machine": ("Machine",),
+    "model.best_fit": ("Placement",),
+    "model.context": ("Context",),
     "model.errors": ("ErrorValues",),
     "model.model": ("MachineModel",),
 }  # fmt: skip

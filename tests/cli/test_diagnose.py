@@ -19,7 +19,6 @@ from tests.identification.data import TRAVEL, paper_runs
 from tests.kernels import emitted
 from tests.machines import DMU60P, ROOT
 from tests.reporting.diagnosis.builders import cause, diagnosis
-from trueaxis.cli.diagnose import Extending, Given
 from trueaxis.cli.main import main
 from trueaxis.cli.progress import progress
 from trueaxis.diagnosis.extend import reidentified
@@ -28,6 +27,7 @@ from trueaxis.diagnosis.result import Diagnosis
 from trueaxis.effects.kind import Effect as EffectOf
 from trueaxis.estimation.observations import observations
 from trueaxis.io.told import Told
+from trueaxis.jobs.extending import Extending, Given
 from trueaxis.measurement.setup import Run
 from trueaxis.measurement.setup_writer import run_table
 from trueaxis.model.manifest import KERNEL_FILES

@@ -73,6 +73,10 @@ def test_predictions_are_those_of_the_command(model: ta.MachineModel, errors: ta
         np.testing.assert_allclose(there.deviation, expected.select("dx", "dy", "dz").to_numpy().T, atol=1e-12)
         assert there.to_polars().select("dx").to_series().to_list() == pytest.approx(expected["dx"].to_list())
         assert (there.placement is not None) == (datum == "best-fit")
+    with pytest.raises(ta.RefusedError, match="an uncertainty is not known, and --max-u allows 1 um") as refused:
+        ta.predict(model, errors, at, max_u=1e-3)
+    assert refused.value.result.deviation.shape == (3, 12)
+    assert str(ta.predict(model, errors, at, datum="best-fit")).startswith("note: the best fit shifts the workpiece")
     one = ta.predict(model, errors, {"X": 100.0})
     assert one.deviation.shape == one.u.shape == (3, 1)
 

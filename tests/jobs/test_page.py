@@ -17,16 +17,20 @@ def test_its_code_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: 
     for name in ("machines", "generated"):
         shutil.copytree(ROOT / name, tmp_path / name)
     monkeypatch.chdir(tmp_path)
-    (code,) = re.findall(r"```python\n(.*?)```", PAGE, re.S)
-    exec(compile(code, "python.md", "exec"), {})
+    names: dict[str, object] = {}
+    for code in re.findall(r"```python\n(.*?)```", PAGE, re.S):
+        exec(compile(code, "python.md", "exec"), names)
     told = capsys.readouterr().out
     off, u = map(float, re.search(r"([\d.e-]+) um off, u up to ([\d.e-]+)", told).groups())  # type: ignore[union-attr]
     assert off < 3.0 * u
-    assert (tmp_path / "errors.npz").exists()
+    for made in ("errors.npz", "part_compensated.nc", "first_plan/readings.csv", "enc.ini", "errors.html", "mill.toml"):
+        assert (tmp_path / made).stat().st_size > 0
+    assert "--max-u allows 0.01 um" in told
 
 
 def test_its_table_has_every_function_and_its_arguments() -> None:
-    described = dict(re.findall(r"`(\w+)\(([^)]*)\)`", PAGE.split("| function")[1]))
+    first_cells = "\n".join(re.findall(r"^\| (`.*?`) \|", PAGE.split("| function")[1], re.M))
+    described = dict(re.findall(r"`(\w+)\(([^)]*)\)`", first_cells))
     functions = {name for name in ta.__all__ if inspect.isfunction(getattr(ta, name))}
     assert described.keys() == functions
     for name, arguments in described.items():

@@ -6,6 +6,8 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+from trueaxis.measurement.limits import NOISE_UM
+
 
 def file_to_write(text: str) -> Path:
     """A path of a file. Raises argparse.ArgumentTypeError where it is written as that of a folder."""
@@ -14,7 +16,13 @@ def file_to_write(text: str) -> Path:
     return Path(text)
 
 
-NOISE_UM = (1e-6, 1e4)  # a picometre to a centimetre: beyond, it is in another unit, or a slip
+# where the option is a word of Python, or says less
+_OPTIONS = {"instruments": "--with", "wanted": "--for", "keys": "--map", "ideal_instruments": "--instruments"}
+
+
+def option(argument: str) -> str:
+    """The option of an argument of the Python interface."""
+    return _OPTIONS.get(argument, f"--{argument.replace('_', '-')}")
 
 
 def size(text: str) -> float:

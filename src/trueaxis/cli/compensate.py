@@ -2,13 +2,12 @@
 
 import argparse
 import re
-from dataclasses import fields, replace
+from dataclasses import fields
 from pathlib import Path
 from typing import get_args
 
-from trueaxis.cli.arguments import file_to_write, positive, size
-from trueaxis.cli.misfit import check_fit, misfit_option, uncertain_option
-from trueaxis.cli.paths import named, overwritten
+from trueaxis.cli.arguments import file_to_write, option, positive, size
+from trueaxis.cli.misfit import misfit_option, uncertain_option
 from trueaxis.cli.progress import progress
 from trueaxis.compensation.files import compensate_file
 from trueaxis.compensation.offset_files import offset_of_option, read_offsets, with_options
@@ -18,14 +17,12 @@ from trueaxis.compensation.settings import Arcs, Dialect, Integers, Settings
 from trueaxis.compensation.tool_files import read_tools
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.compensate import as_faults, notes_of, of_machine
+from trueaxis.jobs.given import check_fit
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
-from trueaxis.reporting.reliance import (
-    error_free_sentences,
-    prior_sentences,
-    program_sentences,
-    refusal_sentences,
-)
+from trueaxis.reporting.reliance import refusal_sentences
 
 _DESCRIPTION = """\
 Rewrites an NC program (ISO 6983 / RS-274) or an APT cutter location file so that the machine's geometric errors
@@ -217,33 +214,23 @@ def run(args: argparse.Namespace) -> int:
     model = covariance = None
     with gathering(found):
         model = load_model(args.machine, args.errors, args.kernels)
-        check_fit(model.errors, args.errors, args.accept_misfit)
+        check_fit(model.errors, str(args.errors), args.accept_misfit, option)
         covariance = load_uncertainty(args.errors, model.errors, model.machine)
         read = {"the covariance of --errors": covariance_file(args.errors, model.errors)}
         found += overwritten(read, {"--out": args.out, "--report": args.report})
     if found or model is None or covariance is None:
         raise InputError(found)
-    points = {code: dict(position) for code, position in model.machine.reference_points}
-    settings = replace(settings, assumed=dict(model.machine.start), reference_points=points)
     limits = Limits(max_u=args.max_u, max_correction=args.max_correction, accept_u=args.accept_u)
-    judge = judge_of(model, covariance, limits)
-    try:
-        with progress() as show:
-            report = compensate_file(
-                args.program, args.out, model, settings, language=args.format, report_file=args.report,
-                progress=lambda lines: show(f"{lines} blocks read"), judge=judge,
-                via_linuxcnc=args.via_linuxcnc,
-            )  # fmt: skip
-    except OSError as problem:
-        name = problem.filename or args.program
-        raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None
+    with as_faults(args.program), progress() as show:
+        report = compensate_file(
+            args.program, args.out, model, of_machine(settings, model), language=args.format, report_file=args.report,
+            progress=lambda lines: show(f"{lines} blocks read"), judge=judge_of(model, covariance, limits),
+            via_linuxcnc=args.via_linuxcnc,
+        )  # fmt: skip
     print(report)
-    for sentence in error_free_sentences(model.error_free):
+    for sentence in notes_of(report, model):
         print(f"note: {sentence}")
     if report.reliance is not None:
-        rests = prior_sentences(model.errors, report.reliance.uncertainty.components)
-        for sentence in (*program_sentences(report.reliance), *rests):
-            print(f"note: {sentence}")
         for sentence in refusal_sentences(report.reliance, args.max_u):
             print(f"{named(args.out)}: not written: {sentence}")
     return 0 if report.good else 1

@@ -5,10 +5,10 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from trueaxis.cli.paths import named, overwritten
 from trueaxis.io.faults import InputError
 from trueaxis.io.input_files import gathering
 from trueaxis.jobs.derive import check_kinds, derive
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.machine import Machine, read_machine
 from trueaxis.machine.topology import format_lower_body_array, tool_senses
 from trueaxis.model.manifest import KERNEL_FILES

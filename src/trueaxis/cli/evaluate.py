@@ -1,27 +1,14 @@
 """trueaxis evaluate: a positioning test by ISO 230-2, or a circular test by ISO 230-4."""
 
 import argparse
-from dataclasses import dataclass
-from itertools import permutations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.cli.arguments import file_to_write, key_value, positive
-from trueaxis.cli.paths import named, overwritten
-from trueaxis.evaluation.iso230_2.evaluation import evaluate
-from trueaxis.evaluation.iso230_2.read import read_positioning_test
-from trueaxis.evaluation.iso230_2.report import report_json, report_text
-from trueaxis.evaluation.iso230_4 import report as circular_report
-from trueaxis.evaluation.iso230_4.circular_test import circular_test
-from trueaxis.evaluation.iso230_4.contributions import contributions
-from trueaxis.evaluation.iso230_4.figures import about_centre, circular_figures
-from trueaxis.instrument_files.csv_file import read_csv
-from trueaxis.instrument_files.read import recognised
-from trueaxis.instrument_files.user_keys import UserKeys
+from trueaxis.cli.arguments import file_to_write, key_value, option, positive
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
-from trueaxis.io.input_files import gathering
-from trueaxis.measurement.instrument_run import InstrumentRun
+from trueaxis.jobs.evaluate import PLANES, EvaluateOptions, evaluated
+from trueaxis.jobs.outputs import named, overwritten
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -35,8 +22,6 @@ target was approached) and measured, in mm; or a .dat file with TGT_DATA[i], REF
 circular test by ISO 230-4: G, G(b), F, and the errors that the deviations are made of, by size: squareness, scale
 mismatch, reversal error, lateral play, reversal spikes, servo mismatch, straightness, cyclic error. DATA are tables of
 a ball bar (columns angle, and deviation or radius), a file or a column run for each sense."""
-OF_CIRCLES = ("--plane", "--radius", "--feed", "--map")
-OF_LINES = ("--repeatability", "--swap-directions", "--rotary")
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -70,7 +55,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="DATA is of a rotary axis, targets and readings in deg; figures are in arc seconds and microradians",
     )
     parser.add_argument(
-        "--plane", choices=tuple(map("".join, permutations("XYZ", 2))),
+        "--plane", choices=PLANES,
         help="of a circular test; angles count from the first axis to the second (XY)",
     )  # fmt: skip
     parser.add_argument("--radius", type=positive, metavar="MM", help="of a circular test: nominal length of the bar")
@@ -88,77 +73,21 @@ def run(args: argparse.Namespace) -> int:
     """Evaluate, write and print; raises InputError with every fault."""
     named_files = {f"DATA {k}" if len(args.data) > 1 else "DATA": path for k, path in enumerate(args.data, 1)}
     found = overwritten(named_files, {"--out": args.out, "--picture": args.picture})
-    circles, faults = [], list(found)
-    for path in args.data:
-        with gathering(faults):
-            circles.append(recognised(path) == "ballbar-csv")
-    if faults:
-        raise InputError(faults)
-    if any(circles) != all(circles) or (len(args.data) > 1 and not circles[0]):
-        problem = "positioning tests are evaluated one by one" if not any(circles) else "are tests of two kinds"
-        raise InputError([Fault(" ".join(map(str, args.data)), "", problem, "one test at a time")])
-    evaluated = _circular(args) if circles[0] else _positioning(args)
-    write_files(evaluated.contents)
-    print(evaluated.text, end="")
-    if evaluated.contents:
-        print(f"written: {', '.join(map(named, evaluated.contents))}")
-    return 0
-
-
-@dataclass(frozen=True)
-class _Evaluated:
-    text: str
-    contents: dict[Path, bytes | str]
-
-
-def _positioning(args: argparse.Namespace) -> _Evaluated:
-    (path,) = args.data
-    given = (args.plane, args.radius, args.feed, args.map)
-    unfit = [option for option, value in zip(OF_CIRCLES, given, strict=True) if value]
-    if unfit:
-        problem = f"{path} is a positioning test"
-        raise InputError([Fault(option, "", problem, "leave it out: it is of circular tests") for option in unfit])
-    test = read_positioning_test(path, "deg" if args.rotary else "mm")
-    if args.picture is not None and test.positive.shape[1] == 1:
-        problem = f"{path} has one cycle, which tells no bands"
+    options = EvaluateOptions(
+        repeatability=args.repeatability, swap_directions=args.swap_directions, plane=args.plane, radius=args.radius,
+        feed=args.feed, keys=dict(args.map), rotary=args.rotary,
+    )  # fmt: skip
+    done = evaluated(args.data, options, option, found)
+    if args.picture is not None and not done.has_picture:
+        problem = f"{done.source} has one cycle, which tells no bands"
         raise InputError([Fault("--picture", "", problem, "leave it out: a picture needs two cycles or more")])
-    evaluation = evaluate(test.swapped() if args.swap_directions else test, args.repeatability)
     contents: dict[Path, bytes | str] = {}
     if args.out is not None:
-        contents[args.out] = report_json(evaluation)
+        contents[args.out] = done.to_json()
     if args.picture is not None:
-        from trueaxis.reporting.pictures.positioning import positioning_plot  # noqa: PLC0415  matplotlib takes long to import
-
-        contents[args.picture] = positioning_plot(evaluation, path.stem)
-    return _Evaluated(report_text(str(path), evaluation), contents)
-
-
-def _circular(args: argparse.Namespace) -> _Evaluated:
-    source = " ".join(map(str, args.data))
-    found = []
-    for option, value in (("--plane", args.plane), ("--radius", args.radius)):
-        if value is None:
-            right = "--plane XY" if option == "--plane" else "--radius 150"
-            found.append(Fault(source, "", f"does not say the {option.removeprefix('--')} of the circle", right))
-    for option, value in zip(OF_LINES, (args.repeatability != "iso", args.swap_directions, args.rotary), strict=True):
-        if value:
-            found.append(Fault(option, "", f"{source} is a circular test", "leave it out: it is of positioning tests"))
-    keys = UserKeys(dict(args.map))
-    runs: list[InstrumentRun] = []
-    for path in args.data:
-        with gathering(found):
-            runs += read_csv(path, keys, ballbar=True)
-    found += [*keys.unknown(), *keys.faults, *(one.fault for one in keys.questions)]
-    if found:
-        raise InputError(found)
-    test = circular_test(runs, (args.plane[0], args.plane[1]), args.radius, args.feed, source)
-    figures, parts = circular_figures(test), contributions(test)
-    contents: dict[Path, bytes | str] = {}
-    if args.out is not None:
-        contents[args.out] = circular_report.report_json(test, figures, parts)
-    if args.picture is not None:
-        from trueaxis.reporting.pictures.polar import Trace, polar_plot  # noqa: PLC0415
-
-        traces = [Trace(one.id, one.angle, radial) for one, radial in zip(test.arcs, about_centre(test), strict=True)]
-        contents[args.picture] = polar_plot([(f"plane {args.plane}", traces)], source)
-    return _Evaluated(circular_report.report_text(source, test, figures, parts), contents)
+        contents[args.picture] = done.picture()
+    write_files(contents)
+    print(done, end="")
+    if contents:
+        print(f"written: {', '.join(map(named, contents))}")
+    return 0

@@ -6,28 +6,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trueaxis.cli.arguments import positive, size, tool_point
-from trueaxis.cli.misfit import check_fit, misfit_option, uncertain_option
-from trueaxis.cli.paths import named, overwritten
-from trueaxis.compensation.reliance import PRIOR_SIZES
-from trueaxis.controllers.formats import FORMATS, Export, export_tables, problem_of
+from trueaxis.cli.arguments import option, positive, size, tool_point
+from trueaxis.cli.misfit import misfit_option, uncertain_option
+from trueaxis.controllers.formats import FORMATS
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.export import ExportOptions, exported
+from trueaxis.jobs.given import check_fit
+from trueaxis.jobs.outputs import named
+from trueaxis.jobs.refused import RefusedError
 from trueaxis.machine import read_machine
-from trueaxis.model.curves import FloatArray
-from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent
-from trueaxis.model.measured_range import beyond_measured
-from trueaxis.model.model import MachineModel, load_model
-from trueaxis.model.uncertainty import covariance_file, load_uncertainty, prior_size
-from trueaxis.reporting.control_tables import ACCEPT_WORSE, export_sentences, head_lines, worse_sentence
-from trueaxis.reporting.reliance import (
-    error_free_sentences,
-    extent_sentences,
-    prior_sentences,
-    travel_sentences,
-    uncertain_sentence,
-)
+from trueaxis.model.model import load_model
+from trueaxis.model.uncertainty import covariance_file, load_uncertainty
+from trueaxis.reporting.control_tables import ACCEPT_WORSE
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -90,72 +81,24 @@ def run(args: argparse.Namespace) -> int:
     machine = read_machine(args.machine)
     with gathering(found):
         model = load_model(args.machine, args.errors, args.kernels)
-        check_fit(model.errors, args.errors, args.accept_misfit)
+        check_fit(model.errors, str(args.errors), args.accept_misfit, option)
         covariance = load_uncertainty(args.errors, model.errors, machine)
     if found:
         raise InputError(found)
-    if problem := problem_of(args.format, model, args.step):
-        raise InputError([Fault(str(args.machine), f"--format {args.format}", problem)])
-    tool = np.array(args.tool_point)[:, np.newaxis]
-    positions = travel_positions(model, covariance)
-    comments = head_lines(args.format, model)
-    export = export_tables(args.format, model, tool, args.step, positions, comments)
-    contents = _contents(args.out, export)
     inputs = {"MACHINE.toml": args.machine, "--errors": args.errors}
     inputs["the covariance of --errors"] = covariance_file(args.errors, model.errors)
-    outputs: dict[str, Path | None] = {f"{path.name} of --out": path for path in contents}
-    if found := overwritten(inputs, outputs, args.kernels):
-        raise InputError(found)
-    extent = uncertainty_extent(model, covariance, positions, tool)
-    beyond = travel_sentences(beyond_measured(model.errors, model.axes, positions))
-    refusals = _refusals(args, model, tool, positions, extent)
-    if export.remaining.worse and not args.accept_worse:
-        refusals.append(worse_sentence(args.format, export.remaining))
-    if not refusals:
-        write_files(contents)
-    notes = export_sentences(args.format, model, export)
-    for sentence in (
-        *error_free_sentences(model.error_free),
-        *notes,
-        *extent_sentences(extent, "over the travel"),
-        *prior_sentences(model.errors, extent.components),
-        *beyond,
-    ):
-        print(f"note: {sentence}")
-    for sentence in refusals:
-        print(f"{named(args.out)}: not written: {sentence}")
-    if refusals:
+    options = ExportOptions(
+        step=args.step, max_u=args.max_u, max_correction=args.max_correction, accept_u=args.accept_u,
+        accept_worse=args.accept_worse, kernels=args.kernels,
+    )  # fmt: skip
+    tool = np.array(args.tool_point)[:, np.newaxis]
+    try:
+        done = exported(model, covariance, args.format, args.out, tool, options, inputs, option)
+    except RefusedError as refused:
+        print(refused.result.notes_text(), end="")
+        for sentence in refused.reasons:
+            print(f"{named(args.out)}: not written: {sentence}")
         return 1
-    left = export.remaining
-    if left.worse:
-        print(f"warning: more is left with these tables than without them ({ACCEPT_WORSE})")
-    print(
-        f"RMS of the tool point over the travel, from home: {left.before * 1e3:.3g} um, {left.after * 1e3:.3g} um left"
-    )
-    print(f"written: {', '.join(map(named, contents))}")
+    print(done, end="")
+    print(f"written: {', '.join(map(named, done.files))}")
     return 0
-
-
-def _contents(out: Path, export: Export) -> dict[Path, bytes | str]:
-    return {out / name if name else out: text for name, text in export.files.items()}
-
-
-def _refusals(
-    args: argparse.Namespace, model: MachineModel, tool: FloatArray, positions: FloatArray, extent: UncertaintyExtent
-) -> list[str]:
-    """Why nothing may be written."""
-    sentences = []
-    if extent.refused(args.max_u, args.accept_u):
-        sentences.append(uncertain_sentence(extent, args.max_u))
-    off = np.linalg.norm(model.deviation(positions, tool), axis=0)
-    allowed = PRIOR_SIZES * prior_size(model, positions, tool)
-    if args.max_correction is not None:
-        allowed = np.full(off.size, args.max_correction)
-    worst = int(np.argmax(off - allowed))
-    if off[worst] > allowed[worst]:
-        at = " ".join(f"{axis}{value:g}" for axis, value in zip(model.axes, positions[:, worst], strict=True))
-        sentences.append(
-            f"the tool point is off by {off[worst]:.4g} mm at {at}, more than {allowed[worst]:.4g} mm; "
-            "--max-correction allows more, or larger sizes in [prior] of the spec, if the machine is that far off"
-        )
-    return sentences

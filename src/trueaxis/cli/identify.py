@@ -1,12 +1,12 @@
 """trueaxis identify: error values from measured data."""
 
 import argparse
-import logging
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from trueaxis.cli.arguments import file_to_write
+from trueaxis.cli.arguments import file_to_write, option
 from trueaxis.cli.identify_options import (
     FROM_ANGLES,
     GLOBAL,
@@ -17,7 +17,6 @@ from trueaxis.cli.identify_options import (
     noise_option,
     squareness_option,
 )
-from trueaxis.cli.paths import named, overwritten
 from trueaxis.estimation.curve_prior import DEGREE
 from trueaxis.identification.fit_quality import NotConvergedError
 from trueaxis.identification.paper.describe import FROM_ANGLES as FROM_ANGLES_WARNING
@@ -26,13 +25,20 @@ from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.identify import DEGREE_WITHOUT_PRIOR, Identified, UnbelievableError, identify
+from trueaxis.jobs.identify import (
+    DEGREE_WITHOUT_PRIOR,
+    Identified,
+    MethodChoice,
+    UnbelievableError,
+    faults_of_choice,
+    identify,
+)
 from trueaxis.jobs.load import DataFolder, Errors, errors_files, load_data, load_errors, load_model
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.machine import read_machine
 from trueaxis.measurement.active_compensation import active_file
 from trueaxis.model.model import MachineModel
 
-_LOG = logging.getLogger(__name__)
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
@@ -146,8 +152,6 @@ def run(args: argparse.Namespace) -> int:
             known = load_errors(args.known, machine)
     if found:
         raise InputError(found)
-    if known is not None and known.values.fit is not None and known.values.fit.state == "misfit":
-        _LOG.warning("%s: these values did not fit the readings that they are from", args.known)
     try:
         identified = _identify(args, model, data, known)
     except NotConvergedError as failure:
@@ -189,7 +193,7 @@ def _identify(args: argparse.Namespace, model: MachineModel, data: DataFolder, k
         ideal_instruments=args.instruments == "ideal",
         degree=args.degree,
         method="stepwise" if args.method == STEPWISE else "global",
-        curves=args.curves or "table",
+        curves=args.curves,
     )
 
 
@@ -198,25 +202,12 @@ def _faults_of_options(args: argparse.Namespace) -> list[Fault]:
     if args.robust is not None:
         remedy = "leave it out: readings that no noise explains are left out without it, and counted in the report"
         found.append(Fault("--robust", "", "is an option no more", remedy))
-    if args.method == GLOBAL:
-        if args.squareness == FROM_ANGLES:
-            found.append(Fault(f"--squareness {FROM_ANGLES}", "", "goes with --method stepwise", "convention or known"))
-        if args.curves is not None:
-            found.append(Fault("--curves", "", "goes with --method stepwise", "method global has curves of its own"))
-    if args.squareness == "known" and args.known is None:
-        found.append(Fault("--squareness known", "", "needs the squareness", "give a file with --known"))
-    if args.method == STEPWISE:
-        of_global = {
-            "--noise-um": bool(args.noise_um.by_group or args.noise_um.repeats),
-            "--noise-urad": args.noise_urad is not None,
-            "--degree": args.degree is not None,
-            "--instruments": args.instruments != "real",
-            "--prior": args.prior != "spec",
-        }
-        for option, used in of_global.items():
-            if used:
-                remedy = "one value" if option == "--noise-um" else "--method global"
-                found.append(Fault(option, "", "goes with --method global", remedy))
+    choice = MethodChoice(
+        method="stepwise" if args.method == STEPWISE else "global", squareness=args.squareness, curves=args.curves,
+        known=args.known is not None, noise=replace(args.noise_um, urad=args.noise_urad), degree=args.degree,
+        ideal_instruments=args.instruments == "ideal", prior=args.prior == "spec",
+    )  # fmt: skip
+    found += faults_of_choice(choice, option)
     if args.covariance is not None and args.covariance.suffix != ".npz":
         found.append(Fault(str(args.covariance), "", "is not a .npz file", "a name that ends in .npz"))
     inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known}

@@ -5,8 +5,8 @@ from typing import Literal
 
 from trueaxis.cli.arguments import noise, noise_urad, whole
 from trueaxis.identification.weighting import NoiseModel, Repeats
+from trueaxis.jobs.identify import HIGHEST_DEGREE
 
-HIGHEST_DEGREE = 30
 STEPWISE, GLOBAL = "stepwise", "global"
 FROM_ANGLES: Literal["from-angles"] = "from-angles"
 _REPEATS: dict[str, Repeats] = {"repeats": "instrument", "repeats-by-run": "run"}

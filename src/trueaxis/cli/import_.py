@@ -2,29 +2,23 @@
 
 import argparse
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import key_value
-from trueaxis.cli.paths import named, overwritten
-from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text
-from trueaxis.instrument_files.data_run import DataRun, data_run
-from trueaxis.instrument_files.read import FORMATS, read_instrument_file
-from trueaxis.instrument_files.user_keys import Question, UserKeys
+from trueaxis.instrument_files.read import FORMATS
+from trueaxis.instrument_files.user_keys import Question
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.io.files import write_files
-from trueaxis.io.input_files import gathering
 from trueaxis.io.plain_text import shown
-from trueaxis.machine import Machine, read_machine
-from trueaxis.measurement import readings as readings_files
-from trueaxis.measurement import setup as setup_file
-from trueaxis.measurement.instrument_run import FloatArray, InstrumentRun
+from trueaxis.jobs.import_readings import faults_of_out, imported
+from trueaxis.machine import read_machine
+from trueaxis.measurement.instrument_run import FloatArray
 from trueaxis.model.model import load_model
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
-COMPENSATION = "compensation"
 DESCRIPTION = """\
 Bring files of instruments into a folder of measured data: Renishaw .rtl, positioning tests of ISO 230-2 (.dat, tables),
 tables of a ball bar (angle and deviation or radius) and any table with named columns and units; with points or commas
@@ -56,64 +50,25 @@ def add_parser(subparsers: "Subparsers") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Read, ask, write; raises InputError with every fault of every file."""
-    found = _faults_of_out(args)
+    inputs: dict[str, Path | None] = {"--machine": args.machine}
+    inputs |= {f"FILE {number}": path for number, path in enumerate(args.files, start=1)}
+    found = faults_of_out(args.out, inputs, args.kernels)
     machine = read_machine(args.machine)
     given: dict[str, str] = {}
     for key, value in args.map:
         if given.setdefault(key, value) != value:
             found.append(Fault("--map", shown(key), "is given more than once", "one value for each key"))
-    unknown = UserKeys(given).unknown()
-    asked = not found and not unknown and sys.stdin is not None and sys.stdin.isatty() and sys.stderr.isatty()
-    while True:
-        runs, keys = _runs(args, machine, given, found)
-        if not (asked and keys.questions and not keys.faults):
-            break
-        question = keys.questions[0]
-        given[f"{question.run}:{question.key}"] = _answer(question, given)
-    faults = [*unknown, *keys.faults, *(question.fault for question in keys.questions)]
-    if not faults:
-        faults = keys.unused()
-    if found + faults:
-        raise InputError(found + faults)
-    ready = renamed(tuple(runs))
-    setup, readings = args.out / setup_file.FILE_NAME, args.out / readings_files.FILE_NAME
-    write_files({
-        setup: setup_text(ready, machine.name, given.get(COMPENSATION)),
-        readings: readings_bytes(ready, machine.axes),
-    })  # fmt: skip
-    for item in ready:
-        assumed = sorted({key for key in item.assumed.sources if key != "id"})
-        print(f"{shown(item.run.id)}: {item.reading.size} readings of {shown(Path(item.source.file).name)}")
-        if assumed:
-            print(f"  not in the file: {', '.join(assumed)}")
-    print(f"{named(args.out)}: {len(ready)} runs; {setup_file.FILE_NAME} marks what is assumed: look it through")
-    return 0
-
-
-def _runs(
-    args: argparse.Namespace, machine: Machine, given: dict[str, str], found: list[Fault]
-) -> tuple[list[DataRun], UserKeys]:
-    """The runs that can be made with these keys; what else is needed is noted in the keys.
-
-    Raises InputError where a file is wrong, with the faults of all files and those found before.
-    """
-    keys = UserKeys(given, used={COMPENSATION})
-    faults: list[Fault] = list(found)
-    sources: list[InstrumentRun] = []
-    for path in args.files:
-        with gathering(faults):
-            sources += read_instrument_file(path, args.format, keys)
-    if faults:
-        raise InputError([*faults, *keys.unknown()])
+    person = sys.stdin is not None and sys.stdin.isatty() and sys.stderr.isatty()
 
     def view(positions: FloatArray, point: FloatArray) -> FloatArray:
         return load_model(args.machine, None, args.kernels).ideal(positions, point)
 
-    runs = [data_run(source, machine, keys, view) for source in sources]
-    return [item for item in runs if item is not None], keys
+    ask = _answer if person else None
+    print(imported(args.files, machine, args.out, view, given, format=args.format, found=found, ask=ask), end="")
+    return 0
 
 
-def _answer(question: Question, given: dict[str, str]) -> str:
+def _answer(question: Question, given: Mapping[str, str]) -> str:
     """What the person at the terminal types; an empty line repeats the last answer to that key."""
     earlier = [value for key, value in given.items() if key.partition(":")[2] == question.key]
     again = f" [{earlier[-1]}]" if earlier else ""
@@ -125,15 +80,3 @@ def _answer(question: Question, given: dict[str, str]) -> str:
             raise InputError([question.fault])
         if line.strip() or earlier:
             return line.strip() or earlier[-1]
-
-
-def _faults_of_out(args: argparse.Namespace) -> list[Fault]:
-    other = args.out / readings_files.PARQUET_NAME
-    if other.exists():
-        return [Fault(str(other), "", f"would stand beside the new {readings_files.FILE_NAME}", "remove it")]
-    inputs: dict[str, Path | None] = {"--machine": args.machine}
-    inputs |= {f"FILE {number}": path for number, path in enumerate(args.files, start=1)}
-    outputs: dict[str, Path | None] = {
-        f"{name} of --out": args.out / name for name in (setup_file.FILE_NAME, readings_files.FILE_NAME)
-    }
-    return overwritten(inputs, outputs, args.kernels)

@@ -1,26 +1,15 @@
 """trueaxis init: the spec of a new machine, and error values that are all zero."""
 
 import argparse
-import re
-from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.cli.arguments import file_to_write
-from trueaxis.cli.paths import named
-from trueaxis.io.faults import Fault, Faults, InputError
-from trueaxis.io.files import write_files
-from trueaxis.io.plain_text import shown
-from trueaxis.machine.machine import AXES, LINEAR
-from trueaxis.machine.new_spec import new_spec
-from trueaxis.machine.read import parse_machine
-from trueaxis.machine.structure_code import AxisOrder, StructureCodeError, parse_structure
-from trueaxis.model.errors import ErrorValues, dump_errors
+from trueaxis.cli.arguments import file_to_write, option
+from trueaxis.jobs.init import new_machine
+from trueaxis.machine.machine import AXES
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
-STEM = r"[A-Za-z][A-Za-z0-9_-]{0,99}"
 DESCRIPTION = """\
 Write the spec of a new machine with all error components and the usual location errors, and NAME_errors.json, error
 values that are all zero. What the structure code does not say (where rotary axes lie, which way commands count) is in
@@ -48,62 +37,8 @@ def add_parser(subparsers: "Subparsers") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Write both files; raises InputError with every fault."""
-    errors = args.spec.with_name(f"{args.spec.stem}_errors.json")
-    found = _faults_of_name(args.spec)
-    order = AxisOrder((), ())
-    try:
-        order = parse_structure(args.structure)
-    except StructureCodeError as problem:
-        remedy = "such as [w C' Y' b X Z B t], YFXZ or XZB+YC"
-        found.append(Fault("--structure", shown(args.structure), f"cannot be read: {problem}", remedy))
-    else:
-        found += _faults_of_axes(order, [axis for axis, _ in args.travel], [axis for axis, _ in args.sense])
-    if found:
-        raise InputError(found)
-    text = new_spec(args.spec.stem, args.structure, order, dict(args.travel), dict(args.sense))
-    machine = parse_machine(text, Faults(str(args.spec)))
-    values = dump_errors(
-        ErrorValues(machine.name), components=machine.components, parameters=machine.parameters, effects=()
-    )
-    contents = {args.spec: text, errors: values}
-    if found := [fault for path, content in contents.items() for fault in _faults_of_place(path, content)]:
-        raise InputError(found)
-    write_files(contents)
-    print(f"{machine.name}: axes {' '.join(machine.axes)}, {len(machine.components)} error components, location errors")
-    print(f"  {' '.join(machine.location_errors) or 'none'}")
-    print(f"written: {named(args.spec)}, {named(errors)}; next: trueaxis derive {named(args.spec)}")
+    print(new_machine(args.spec, args.structure, args.travel, args.sense, option), end="")
     return 0
-
-
-def _faults_of_name(spec: Path) -> list[Fault]:
-    if spec.suffix == ".toml" and re.fullmatch(STEM, spec.stem):
-        return []
-    right = "a letter, then letters, digits, _ and -, 100 at most, and .toml"
-    return [Fault(str(spec), "", "is no name of a spec: the machine is named like its file", right)]
-
-
-def _faults_of_place(path: Path, content: str) -> list[Fault]:
-    """What is there already is the user's own work, unless it is the same."""
-    if not path.exists() or (path.is_file() and path.read_bytes() == content.encode()):
-        return []
-    return [Fault(str(path), "", "is there already, and is something else", "another name, or remove it")]
-
-
-def _faults_of_axes(order: AxisOrder, travels: Sequence[str], senses: Sequence[str]) -> list[Fault]:
-    axes = order.workpiece + order.tool
-    found = []
-    for option, named_axes in (("--travel", travels), ("--sense", senses)):
-        for axis in dict.fromkeys(named_axes):
-            if axis not in axes:
-                found.append(Fault(option, axis, "is no axis of the structure", f"axes {' '.join(sorted(axes))}"))
-            elif named_axes.count(axis) > 1:
-                found.append(Fault(option, axis, "is given more than once", "once for each axis"))
-    found += [
-        Fault("--travel", axis, "is missing", f"{axis}=LOW:HIGH, mm")
-        for axis in LINEAR
-        if axis in axes and axis not in travels
-    ]
-    return found
 
 
 def _travel(text: str) -> tuple[str, tuple[float, float]]:

@@ -12,6 +12,8 @@ from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from trueaxis import __version__
+from trueaxis.cli.completion import Completion
+from trueaxis.cli.verbosity import VERBOSITY, add_verbosity, level_of
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.plain_text import shown
 from trueaxis.io.told import NOT_DELIVERED, StandardStreams
@@ -51,8 +53,14 @@ def build_parser(commands: Sequence[str] = COMMANDS) -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"trueaxis {__version__}")
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    parser.add_argument(
+        "--print-completion", action=Completion, metavar="SHELL",
+        help="print what completes words of this command in bash, zsh or tcsh, and end; needs the package shtab",
+    )  # fmt: skip
     for name in commands:
         importlib.import_module(module_of(name)).add_parser(subparsers)
+    for one in (parser, *subparsers.choices.values()):
+        add_verbosity(one)
     return parser
 
 
@@ -78,8 +86,10 @@ def _run(arguments: Sequence[str]) -> int:
     try:
         words = _joined(arguments)
         # A command needs no other command's libraries; help and mistakes are told of all.
-        args = build_parser(words[:1] if words and words[0] in COMMANDS else COMMANDS).parse_args(words)
-        logging.basicConfig(handlers=[_Warnings()], level=logging.WARNING)
+        first = next((word for word in words if word not in VERBOSITY), "")
+        args = build_parser((first,) if first in COMMANDS else COMMANDS).parse_args(words)
+        logging.basicConfig(handlers=[_Messages()], level=logging.WARNING)
+        logging.getLogger("trueaxis").setLevel(level_of(args))
         return int(args.run(args))
     except InputError as error:
         faults = error.faults
@@ -109,11 +119,11 @@ def _delivered(streams: StandardStreams, code: int) -> int:
     return NOT_DELIVERED
 
 
-class _Warnings(logging.Handler):
-    """Shows warnings on what is standard error at the time, each as one line."""
+class _Messages(logging.Handler):
+    """Shows messages on what is standard error at the time, each as one line."""
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Show one warning."""
+        """Show one message."""
         print(f"trueaxis: {shown(record.getMessage())}", file=sys.stderr)
 
 
@@ -140,7 +150,9 @@ class _Parser(argparse.ArgumentParser):
 
 def _nearest(word: str, known: Sequence[str]) -> str:
     """`, did you mean --out?`; empty where none is near."""
-    near = [name for name in known if name.startswith(word)] or difflib.get_close_matches(word, known)
+    near = [name for name in known if name.startswith(word)]
+    if not near:  # without the dashes, which make all options alike
+        near = [f"--{name}" for name in difflib.get_close_matches(word[2:], [name[2:] for name in known])]
     return f", did you mean {' or '.join(near)}?" if near else ""
 
 

@@ -1,11 +1,6 @@
 """Error values that do not fit the readings they come from, or say nothing, are taken on request alone."""
 
 import argparse
-from pathlib import Path
-
-from trueaxis.io.faults import Fault, InputError
-from trueaxis.model.errors import ErrorValues
-from trueaxis.reporting.reliance import misfit_sentence
 
 OPTION = "--accept-misfit"
 ACCEPT_U = "--accept-u"
@@ -26,10 +21,3 @@ def uncertain_option(parser: argparse.ArgumentParser, what: str) -> None:
         help=f"write {what} also where the noise of the readings is larger than the correction (root mean squares); so "
         "does --max-u, which then decides alone",
     )
-
-
-def check_fit(errors: ErrorValues, path: Path, accepted: bool) -> None:
-    """Raise InputError where the values are a misfit that was not accepted."""
-    if errors.fit is not None and errors.fit.state == "misfit" and not accepted:
-        remedy = f"correct the set-up or the data and identify again, or {OPTION}"
-        raise InputError([Fault(str(path), "fit", misfit_sentence(errors.fit), remedy)])

@@ -5,35 +5,26 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.cli.arguments import file_to_write, positive, tool_point, whole
+from trueaxis.cli.arguments import file_to_write, option, positive, tool_point, whole
 from trueaxis.cli.identify_options import add_noise_urad, noise_option
 from trueaxis.cli.measured import read_measured
-from trueaxis.cli.paths import named, overwritten
 from trueaxis.cli.plan_faults import RETIRED, faults_of_options
-from trueaxis.estimation.result import Estimate
-from trueaxis.identification.notes import dimension_notes
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
-from trueaxis.io.input_files import gathering, utf8_text
+from trueaxis.io.input_files import gathering
+from trueaxis.jobs.arrays import ORIGIN
+from trueaxis.jobs.outputs import named, overwritten
+from trueaxis.jobs.plan import planned
+from trueaxis.jobs.plan_request import MOST_PROPOSED, PlanRequest, faults_of_runs
+from trueaxis.jobs.refused import RefusedError
 from trueaxis.machine import read_machine
-from trueaxis.measurement import readings as readings_files
-from trueaxis.measurement import setup as setup_file
-from trueaxis.measurement.active_compensation import active_file, moved_setup
-from trueaxis.measurement.data import MeasuredData
-from trueaxis.measurement.readings import dump_readings
-from trueaxis.model.curves import Curve, PolynomialCurve
+from trueaxis.measurement.active_compensation import active_file
 from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel, load_errors, load_model
 from trueaxis.planning.candidates import WITH_CANDIDATES
-from trueaxis.planning.extended import new_setup, setup_text
-from trueaxis.planning.method import PlanOptions, Proposed, first_plan, judged_plan, proposed
 from trueaxis.planning.propose import VOLUME
-from trueaxis.planning.report import PlanReport
-from trueaxis.planning.report_text import report_json, report_text
-from trueaxis.planning.runs import PlannedRuns
-from trueaxis.planning.slices import slices
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -44,8 +35,6 @@ standard uncertainty to expect of every error and of the tool point over the vol
 spec, what is known only in combination, whether repeats tell the noise, the order of blocks for --method stepwise.
 --propose N adds the runs that lower the uncertainty most per minute. --with, without --data, makes a first plan from
 nothing. Exit code 1 where the runs tell nothing."""
-
-MOST_PROPOSED = 100
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -113,56 +102,46 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
-    for option, retired in RETIRED.items():
-        parser.add_argument(option, help=f"gone: {retired.instead}", **retired.argument)
+    for name, retired in RETIRED.items():
+        parser.add_argument(name, help=f"gone: {retired.instead}", **retired.argument)
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
     """Judge a plan or make one; raises InputError with the faults of every file."""
-    found = faults_of_options(args)
+    request = PlanRequest(
+        instruments=args.instruments, hours=args.hours, runs=args.runs, propose=args.propose,
+        propose_with=args.propose_with, wanted=args.wanted, datum=args.datum,
+        noise=replace(args.noise_um, urad=args.noise_urad),
+        location_errors_only=args.location_errors_only, tools=tuple(args.tool_point) or (ORIGIN,), out=args.out,
+    )  # fmt: skip
+    found = faults_of_options(args, request)
     effects = _effects(args, found)
-    contents: dict[Path, bytes | str] = {}
+    data = None
     if args.data is None:
         model, known = _model(args, found)
-        options = _options(args, model, known, effects)
-        made = first_plan(model, options, args.instruments, args.hours)
-        if not made.runs:
-            print(f"{named(args.out)}: not written: {_no_run(args)}")
-            return 1
-        report = PlanReport(machine=model.name, source="", expected=None, proposal=made.report)
-        expected = made.expected
-        contents |= _written(args, new_setup(model.name), args.out, made)
     else:
         read = read_measured(args, found)
-        model, data = read.model, read.data
-        _check_files(args, data)
-        options = _options(args, model, read.known, effects)
-        planned = PlannedRuns(str(args.data), data.setup.runs, data.readings)
-        planned = planned.of(args.runs) if args.runs else planned
-        report, expected = judged_plan(model, options, planned)
-        if args.propose is not None:
-            added = proposed(model, options, planned, args.propose, args.propose_with)
-            report, expected = replace(report, proposal=added.report), added.expected
-            if args.out is not None:
-                setup = args.data / setup_file.FILE_NAME
-                contents |= _written(args, utf8_text(setup, moved_setup(args.data, args.out)), setup, added)
-    report = replace(report, caveats=dimension_notes(model, options.given))
+        model, data, known = read.model, read.data, read.known
+        active = {"the active compensation of --data": active_file(args.data, data.setup)}
+        found = overwritten(active, {"--report": args.report, "--picture": args.picture})
+        if found := found + faults_of_runs(request, data, option):
+            raise InputError(found)
+    try:
+        done = planned(model, data, known, effects, request, args.data, option)
+    except RefusedError as refused:
+        print(f"{named(args.out)}: not written: {refused}")
+        return 1
+    contents = {args.out / name: content for name, content in done.contents.items()}
     if args.report is not None:
-        contents[args.report] = report_json(report)
+        contents[args.report] = done.to_json()
     if args.picture is not None:
-        contents[args.picture] = _picture(expected, options)
+        contents[args.picture] = done.picture()
     write_files(contents)
-    print(report_text(report), end="")
+    print(done, end="")
     if contents:
         print(f"written: {', '.join(map(named, contents))}")
-    return 1 if report.nothing_determined else 0
-
-
-def _no_run(args: argparse.Namespace) -> str:
-    if args.hours is None:
-        return "no run of these instruments tells anything of what is asked for"
-    return f"no run that tells anything of what is asked for fits into {args.hours:g} h with its set-up"
+    return 1 if done.report.nothing_determined else 0
 
 
 def _model(args: argparse.Namespace, found: list[Fault]) -> tuple[MachineModel, ErrorValues | None]:
@@ -187,53 +166,3 @@ def _effects(args: argparse.Namespace, found: list[Fault]) -> tuple[EffectValues
         with gathering(found):
             effects = load_errors(args.effects, machine).effects
     return effects
-
-
-def _check_files(args: argparse.Namespace, data: MeasuredData) -> None:
-    """Raise InputError where an output is the active compensation, or runs are named that are not there."""
-    active = {"the active compensation of --data": active_file(args.data, data.setup)}
-    found = overwritten(active, {"--report": args.report, "--picture": args.picture})
-    ids = [run.id for run in data.setup.runs]
-    found += [
-        Fault("--runs", name, "is no run of the setup", f"of {', '.join(ids)}") for name in args.runs if name not in ids
-    ]
-    if found:
-        raise InputError(found)
-
-
-def _options(
-    args: argparse.Namespace, model: MachineModel, known: ErrorValues | None, effects: tuple[EffectValues, ...]
-) -> PlanOptions:
-    given = known or ErrorValues(model.name)
-    given = replace(given, u={}, undetermined=(), covariance=None, fit=None)
-    if args.location_errors_only:
-        zeros: dict[str, Curve] = dict.fromkeys(model.components, PolynomialCurve((), ()))
-        given = replace(given, motion_errors={**zeros, **given.motion_errors})
-    unknown: list[str] = [name for name in model.components if name not in given.motion_errors]
-    unknown += [name for name in model.location_errors if name not in given.parameters]
-    if args.wanted not in (VOLUME, *unknown):
-        problem = "is no error that is to be identified"
-        raise InputError([Fault("--for", args.wanted, problem, f"{VOLUME}, or one of {', '.join(unknown)}")])
-    tools = tuple(args.tool_point) or ((0.0, 0.0, 0.0),)
-    return PlanOptions(
-        given=given,
-        noise=replace(args.noise_um, urad=args.noise_urad),
-        tools=tools,
-        wanted=args.wanted,
-        datum=args.datum,
-        effects=effects,
-    )
-
-
-def _written(args: argparse.Namespace, setup: str, file: Path, made: Proposed) -> dict[Path, bytes | str]:
-    """The plan with the runs, as a folder of measured data. setup: the text that they are added to, of a file."""
-    return {
-        args.out / setup_file.FILE_NAME: setup_text(setup, made.runs, str(file)),
-        args.out / readings_files.FILE_NAME: dump_readings(made.planned.readings, made.planned.runs),
-    }
-
-
-def _picture(expected: Estimate, options: PlanOptions) -> bytes:
-    from trueaxis.reporting.pictures.tool_uncertainty import uncertainty_picture  # noqa: PLC0415  matplotlib takes long to import
-
-    return uncertainty_picture(slices(expected, options.tools))

@@ -2,14 +2,12 @@
 
 import argparse
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
-from trueaxis.cli.paths import overwritten
+from trueaxis.cli.arguments import option as option_of
 from trueaxis.io.faults import Fault
-from trueaxis.measurement import readings as readings_files
-from trueaxis.measurement import setup as setup_file
-from trueaxis.planning.propose import VOLUME
+from trueaxis.jobs.outputs import overwritten
+from trueaxis.jobs.plan_request import PlanRequest, faults_of_request, outputs_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +33,7 @@ RETIRED = {
 }
 
 
-def faults_of_options(args: argparse.Namespace) -> list[Fault]:
+def faults_of_options(args: argparse.Namespace, request: PlanRequest) -> list[Fault]:
     """All of them; nothing is read for it."""
     found = [
         Fault(option, "", f"is no option any more: {one.why}", one.instead)
@@ -43,55 +41,6 @@ def faults_of_options(args: argparse.Namespace) -> list[Fault]:
         if getattr(args, option[2:].replace("-", "_")) is not None
     ]
     inputs = {"MACHINE.toml": args.machine, "--data": args.data, "--known": args.known, "--effects": args.effects}
-    outputs = {"--report": args.report, "--picture": args.picture}
-    same = args.out is not None and args.data is not None and args.out.resolve() == args.data.resolve()
-    if args.out is not None and not same:
-        outputs |= {f"{name} of --out": args.out / name for name in (setup_file.FILE_NAME, readings_files.FILE_NAME)}
+    outputs = {"--report": args.report, "--picture": args.picture, **outputs_of(request, args.data)}
     found += overwritten(inputs, outputs, args.kernels)
-    if args.noise_um.repeats:
-        found.append(Fault("--noise-um", args.noise_um.repeats, "a plan has no readings", "a number of micrometres"))
-    found += _of_plan(args) if args.data is not None else _of_first_plan(args)
-    return found + (_of_out(args.out, same=same) if args.out is not None else [])
-
-
-def _of_plan(args: argparse.Namespace) -> list[Fault]:
-    found = []
-    if args.instruments:
-        found.append(Fault("--with", "", "makes a plan from nothing", "--propose-with, or no --data"))
-    if args.hours is not None:
-        found.append(Fault("--hours", "", "goes with --with, from nothing", "--propose N"))
-    if args.propose is None:
-        if args.out is not None:
-            found.append(Fault("--out", "", "is for proposed runs", "--propose N as well"))
-        for option, used in (("--propose-with", args.propose_with), ("--for", args.wanted != VOLUME)):
-            if used:
-                found.append(Fault(option, "", "is for proposed runs", "--propose N as well"))
-    if args.runs and args.out is not None:
-        found.append(Fault("--out", "", "goes with all runs", "no --runs"))
-    return found
-
-
-def _of_first_plan(args: argparse.Namespace) -> list[Fault]:
-    if not args.instruments:
-        return [Fault("--data", "", "is missing", "a folder with a plan, or --with laser ballbar for a first one")]
-    found = []
-    if args.out is None:
-        found.append(Fault("--out", "", "is missing", "the folder that the first plan is written to"))
-    for option, used in (
-        ("--runs", args.runs),
-        ("--propose", args.propose),
-        ("--propose-with", args.propose_with),
-        ("--location-errors-only", args.location_errors_only),
-    ):
-        if used:
-            found.append(Fault(option, "", "goes with a plan that is there", "--data DIR, or leave it out"))
-    return found
-
-
-def _of_out(out: Path, *, same: bool) -> list[Fault]:
-    other = out / readings_files.PARQUET_NAME
-    if same:
-        return [Fault(str(out), "", "is the folder of the plan itself", "another folder for --out")]
-    if other.exists():
-        return [Fault(str(other), "", f"would stand beside the new {readings_files.FILE_NAME}", "remove it")]
-    return []
+    return found + faults_of_request(request, args.data, option_of, writes=True)

@@ -4,28 +4,16 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from trueaxis.cli.arguments import file_to_write, size
-from trueaxis.cli.paths import named, overwritten
 from trueaxis.io.faults import InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.predict import Prediction, predicted
+from trueaxis.jobs.outputs import named, overwritten
+from trueaxis.jobs.predict import predicted, refusal
 from trueaxis.machine import read_machine
 from trueaxis.measurement.points import dump_predicted, read_points
-from trueaxis.model.covariance import Covariance
-from trueaxis.model.extent import MOST_NAMED, open_names
-from trueaxis.model.measured_range import beyond_measured
-from trueaxis.model.model import MachineModel, load_model
+from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
-from trueaxis.reporting.reliance import (
-    above_sentence,
-    misfit_sentence,
-    open_sentence,
-    placement_sentence,
-    range_sentences,
-)
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -96,28 +84,12 @@ def run(args: argparse.Namespace) -> int:
         datum=args.datum,
         source=(str(args.at), str(args.errors)),
     )
-    largest = np.max(np.where(np.isnan(predictions.u), np.inf, predictions.u), initial=0.0)
-    if predictions.placement is not None:
-        print(f"note: {placement_sentence(predictions.placement)}")
-    for sentence in _reliance(model, covariance, predictions):
+    for sentence in predictions.notes:
         print(f"note: {sentence}")
-    if args.max_u is not None and largest > args.max_u:
-        print(f"{named(args.out)}: not written: {above_sentence(float(largest), args.max_u)}")
+    if refused := refusal(predictions, args.max_u):
+        print(f"{named(args.out)}: not written: {refused}")
         return 1
     table = dump_predicted(points, predictions.deviation, args.out.suffix, predictions.u, predictions.u_prior)
     write_files({args.out: table})
     print(f"{named(args.out)}: {points.positions.shape[1]} points")
     return 0
-
-
-def _reliance(model: MachineModel, covariance: Covariance, found: Prediction) -> list[str]:
-    """What a user must know of these deviations besides their values."""
-    count = found.positions.shape[1]
-    fit, rests = model.errors.fit, (found.open > 0.0).any(axis=0)
-    sentences = [misfit_sentence(fit)] if fit is not None and fit.state == "misfit" else []
-    sentences += range_sentences(beyond_measured(model.errors, model.axes, found.positions), count)
-    if rests.any():
-        largest = float(found.open.max())
-        names = open_names(model, covariance, found.positions[:, rests][:, :MOST_NAMED], found.tool[:, rests][:, :1])
-        sentences.append(open_sentence(int(rests.sum()), count, largest, names))
-    return sentences

@@ -5,14 +5,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import file_to_write, tool_point
-from trueaxis.cli.paths import named, overwritten
 from trueaxis.io.faults import InputError
-from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.outputs import overwritten
+from trueaxis.jobs.report import documented
 from trueaxis.machine import read_machine
 from trueaxis.model.model import load_errors, load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
-from trueaxis.reporting.certificate.content import Known, content
+from trueaxis.reporting.certificate.content import Known
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -59,8 +59,5 @@ def run(args: argparse.Namespace) -> int:
                 before = Known(now.model.with_values(errors), covariance, str(args.against))
     if found or now is None:
         raise InputError(found)
-    from trueaxis.reporting.certificate.page import certificate  # noqa: PLC0415  matplotlib and Jinja2: only for sound input
-
-    write_files({args.out: certificate(content(now, before, args.tool_point), dict(machine.kinds))})
-    print(f"{named(args.out)}: {machine.title}")
+    print(documented(now, before, args.tool_point, args.out), end="")
     return 0

@@ -5,10 +5,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import noise_or_none, whole
-from trueaxis.cli.paths import named, overwritten
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.input_files import gathering
 from trueaxis.jobs.load import load_data, load_model, save_data
+from trueaxis.jobs.outputs import named, overwritten
 from trueaxis.jobs.simulate import simulate
 from trueaxis.machine import read_machine
 from trueaxis.measurement import readings as readings_files

@@ -5,9 +5,10 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
-from typing import BinaryIO, Literal
+from typing import BinaryIO, Literal, Protocol
 
 from trueaxis.compensation.apt_reader import AptReader
+from trueaxis.compensation.changes import Changes
 from trueaxis.compensation.dialects import NAMES, RECOGNISED, dialect_of, head_of, is_klartext
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.klartext_numbers import numbered
@@ -113,6 +114,13 @@ def _check_start(settings: Settings, model: ErrorModel) -> None:
         raise InputError([Fault("--start", "", problem, "a position that the axis reaches") for problem in outside])
 
 
+class Target(Protocol):
+    """What takes the bytes of the program that is written."""
+
+    def write(self, data: bytes, /) -> object:
+        """Append bytes."""
+
+
 def compensate_file(
     program: Path,
     out: Path,
@@ -128,22 +136,46 @@ def compensate_file(
 ) -> CompensationReport:
     """Compensate `program` and write `out`, whole or not at all; they may be the same file.
 
-    report_file: where the report goes as JSON, if anywhere. name: the program's name in messages. progress: called
-    now and then with the number of lines read. judge: says how far the program relies on what was measured; where it
-    refuses, nothing is written. via_linuxcnc: the folder of LinuxCNC whose interpreter unrolls the program first.
-    Raises InputError with every fault of the program (the first 50 in full), OSError when a file cannot be read or
-    written; everything is then as it was.
+    report_file: where the report goes as JSON, if anywhere. The others: see `compensated`, whose judge keeps anything
+    from being written where it refuses. Raises InputError with every fault of the program (the first 50 in full),
+    OSError when a file cannot be read or written; everything is then as it was.
+    """
+    with OutputFiles() as outputs:
+        report = compensated(
+            program, lambda: outputs.open(out), model, settings, language=language, name=name, progress=progress,
+            judge=judge, via_linuxcnc=via_linuxcnc,
+        )  # fmt: skip
+        if report.refused:
+            return report
+        if report_file is not None:
+            outputs.open(report_file).write(report.to_json().encode())
+        outputs.commit()
+    return report
+
+
+def compensated(
+    program: Path,
+    target: Callable[[], Target],
+    model: ErrorModel,
+    settings: Settings,
+    *,
+    language: Language | None = None,
+    name: str | None = None,
+    progress: Callable[[int], None] | None = None,
+    judge: Judge | None = None,
+    via_linuxcnc: Path | None = None,
+    changes: Changes | None = None,
+) -> CompensationReport:
+    """Compensate `program` into what `target` opens, once the settings are known to go with machine and program.
+
+    name: the program's name in messages. progress: called now and then with the number of lines read. judge: says how
+    far the program relies on what was measured; where it refuses, what was written is of no use. via_linuxcnc: the
+    folder of LinuxCNC whose interpreter unrolls the program first. changes: gathers what is changed. Raises as
+    `compensate_file`.
     """
     name = name or str(program)
     language = language or language_of(program)
-    _check_start(settings, model)
-    if language == "apt" and (settings.offsets.systems or settings.tools is not None):
-        raise InputError([Fault("--offset, --tools", "", "go with NC programs: a CL file is in machine coordinates")])
-    home = dict(zip(model.axes, home_of(model).tolist(), strict=True))
-    settings = replace(settings, assumed=home | dict(settings.assumed))
-    linear = [axis for axis in model.axes if axis in "XYZ"]
-    if settings.words != "nearest" and len(linear) != 3:
-        raise InputError([Fault("--words", "", f"'{settings.words}' needs a machine with X, Y and Z")])
+    settings = _fitting(settings, model, language)
     faults, notes, text = FaultLog(name), Notes(), None
     if via_linuxcnc is not None:
         if language == "apt" or settings.dialect not in (None, "linuxcnc"):
@@ -154,31 +186,35 @@ def compensate_file(
     if language == "nc" and settings.dialect is None and (dialect := dialect_of(head_of(program))):
         notes.add(0, RECOGNISED.format(NAMES[dialect]))
         settings = replace(settings, dialect=dialect)
-    compensator = Compensator(model, settings, faults, notes)
+    compensator = Compensator(model, settings, faults, notes, changes)
     klartext = language == "nc" and settings.dialect == "heidenhain" and is_klartext(head_of(program))
     read_by = AptReader if language == "apt" else KlartextReader if klartext else NcReader
     reader = read_by(model.axes, settings, faults, notes)
     mark = comment_of(program, settings.dialect) if language == "nc" else f"({MARK})"
-    with OutputFiles() as outputs:
-        target = outputs.open(out)
-        blocks_out = 0
-        ends_whole = True
-        with program.open("rb") if text is None else BytesIO(text.encode("latin-1", "replace")) as source:
-            lines = _Lines(source, faults, progress)
-            items = reader.items(lines if isinstance(reader, NcReader) else single_lines(lines))
-            pieces = marked(compensator.texts(items), mark)
-            for piece in numbered(pieces) if klartext else pieces:
-                if piece and not faults.count:
-                    target.write(piece.encode("latin-1"))
-                    blocks_out += piece.count("\n")
-                    ends_whole = piece.endswith("\n")
-        faults.raise_if_any()
-        report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
-        if judge is not None:
-            report = replace(report, reliance=judge(compensator.visited))
-        if report.refused:
-            return replace(report, blocks_out=0)
-        if report_file is not None:
-            outputs.open(report_file).write(report.to_json().encode())
-        outputs.commit()
-    return report
+    written, blocks_out, ends_whole = target(), 0, True
+    with program.open("rb") if text is None else BytesIO(text.encode("latin-1", "replace")) as source:
+        lines = _Lines(source, faults, progress)
+        items = reader.items(lines if isinstance(reader, NcReader) else single_lines(lines))
+        pieces = marked(compensator.texts(items), mark)
+        for piece in numbered(pieces) if klartext else pieces:
+            if piece and not faults.count:
+                written.write(piece.encode("latin-1"))
+                blocks_out += piece.count("\n")
+                ends_whole = piece.endswith("\n")
+    faults.raise_if_any()
+    report = compensator.report(name, language, lines.count, blocks_out + (not ends_whole))
+    if judge is not None:
+        report = replace(report, reliance=judge(compensator.visited))
+    return replace(report, blocks_out=0) if report.refused else report
+
+
+def _fitting(settings: Settings, model: ErrorModel, language: Language) -> Settings:
+    """The settings with where axes are taken to stand. Raises InputError where they do not go with the machine."""
+    _check_start(settings, model)
+    if language == "apt" and (settings.offsets.systems or settings.tools is not None):
+        raise InputError([Fault("--offset, --tools", "", "go with NC programs: a CL file is in machine coordinates")])
+    home = dict(zip(model.axes, home_of(model).tolist(), strict=True))
+    linear = [axis for axis in model.axes if axis in "XYZ"]
+    if settings.words != "nearest" and len(linear) != 3:
+        raise InputError([Fault("--words", "", f"'{settings.words}' needs a machine with X, Y and Z")])
+    return replace(settings, assumed=home | dict(settings.assumed))

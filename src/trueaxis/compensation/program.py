@@ -11,6 +11,7 @@ from trueaxis.compensation.acting import acting
 from trueaxis.compensation.along import Along, PointAlong, PoseAlong
 from trueaxis.compensation.arc_blocks import ArcBlocks, arc_blocks
 from trueaxis.compensation.batches import Batch, batches
+from trueaxis.compensation.changes import Changes
 from trueaxis.compensation.executed import Executed, execute, joined, shares_of_time
 from trueaxis.compensation.fault_log import FaultLog
 from trueaxis.compensation.held import Held, Places, standing
@@ -51,8 +52,15 @@ TURNS_ALONE = (
 class Compensator:
     """Turns the items of one program into its compensated text."""
 
-    def __init__(self, model: ErrorModel, settings: Settings, faults: FaultLog, notes: Notes) -> None:
-        self._model = model
+    def __init__(
+        self,
+        model: ErrorModel,
+        settings: Settings,
+        faults: FaultLog,
+        notes: Notes,
+        changes: Changes | None = None,
+    ) -> None:
+        self._model, self._changes = model, changes
         self._settings = settings
         self._faults = faults
         self._notes = notes
@@ -185,6 +193,8 @@ class Compensator:
             solved.linear.commands, before, steps[:, done.point], axes, settings,
         )  # fmt: skip
         done = replace(done, positions=blocks.positions)
+        if self._changes is not None:
+            self._changes.add(lines, path.points, done.at_points(self._written))
         self._tally.add(len(moves), path, solved, done, lines, self._written, self._settled, placing, places)
         shares = shares_of_time(done, path.owner[done.point], path, len(moves))
         return self._texts(moves, start, path, done, blocks, shares, (steps, shift))

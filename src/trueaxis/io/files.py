@@ -1,6 +1,7 @@
 """Output files are written whole or not at all: the one way by which the program writes files."""
 
 import errno
+import logging
 import os
 import shutil
 import stat
@@ -13,6 +14,7 @@ from types import TracebackType
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.staging import hold, staged_file, staged_name, sweep
 
+_LOG = logging.getLogger(__name__)
 _PERMISSIONS = 0o777
 _BUFFER = 1 << 16
 _STREAMS = {1: "standard output", 2: "standard error"}
@@ -105,6 +107,8 @@ class OutputFiles:
                     output.path.replace(output.destination)
             undo.pop_all()
             self._made.pop_all()
+        for output in self._outputs:
+            _LOG.info("written: %s", output.target)
 
     def _make_folder(self, target: Path, folder: Path) -> None:
         for path in (*target.parents, folder):

@@ -1,10 +1,13 @@
 """Reading an input file whose absence or encoding is the user's fault, not the program's."""
 
+import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from trueaxis.io.faults import Fault, Faults, InputError
+
+_LOG = logging.getLogger(__name__)
 
 
 @contextmanager
@@ -19,6 +22,7 @@ def gathering(found: list[Fault]) -> Iterator[None]:
 def input_bytes(path: Path) -> bytes:
     """The file's content. Raises InputError when the file cannot be read."""
     faults = Faults(str(path))
+    _LOG.info("reading %s", path)
     try:
         return path.read_bytes()
     except FileNotFoundError:

@@ -1,6 +1,8 @@
 """Arrays as users give them: checked against the machine; what has the wrong shape is told with the expected one."""
 
+import math
 from collections.abc import Mapping
+from typing import Any, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -8,6 +10,7 @@ import numpy.typing as npt
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
 
+ORIGIN = (0.0, 0.0, 0.0)  # of the tool frame, mm
 Positions = Mapping[str, npt.ArrayLike] | npt.ArrayLike
 
 
@@ -45,6 +48,27 @@ def tool_points(tool: npt.ArrayLike, count: int) -> FloatArray:
     if array.shape != (3, count):
         raise ValueError(f"tool: expected shape (3,) or (3, {count}), mm; given {array.shape}")
     return array
+
+
+def above_zero(**given: float | None) -> None:
+    """Raise ValueError where a number is not finite and above 0; None: it was not given."""
+    for name, value in given.items():
+        if value is not None and not 0.0 < value < math.inf:
+            raise ValueError(f"{name}: expected a finite number above 0; given {value}")
+
+
+def at_least_zero(**given: float | None) -> None:
+    """Raise ValueError where a number is not finite and at least 0; None: it was not given."""
+    for name, value in given.items():
+        if value is not None and not 0.0 <= value < math.inf:
+            raise ValueError(f"{name}: expected a finite number, at least 0; given {value}")
+
+
+def check_among(**given: tuple[object, Any]) -> None:
+    """Raise ValueError where a value is none of its Literal; None: it was not given."""
+    for name, (value, literal) in given.items():
+        if value is not None and value not in get_args(literal):
+            raise ValueError(f"{name}: expected one of {', '.join(get_args(literal))}; given {value!r}")
 
 
 def _finite(name: str, values: npt.ArrayLike) -> FloatArray:

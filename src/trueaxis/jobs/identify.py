@@ -1,8 +1,7 @@
 """Error values from measured data."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from html import escape
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from trueaxis.estimation.curve_prior import DEGREE
@@ -17,14 +16,19 @@ from trueaxis.identification.report import IdentificationReport
 from trueaxis.identification.report_text import report_text
 from trueaxis.identification.weighting import NoiseModel
 from trueaxis.io.faults import Fault, Faults, InputError
+from trueaxis.jobs.arrays import check_among
+from trueaxis.jobs.given import Spelled, argument, warn_of_misfit
 from trueaxis.jobs.load import DataFolder, Errors
+from trueaxis.jobs.tables import Printed
 from trueaxis.measurement.active_compensation import uncompensated
 from trueaxis.measurement.data import MeasuredData
+from trueaxis.measurement.limits import NOISE_UM
 from trueaxis.model.believable import check_believable
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel
 
+HIGHEST_DEGREE = 30
 DEGREE_WITHOUT_PRIOR = 7  # nothing keeps curves of a higher order from following the noise
 Method = Literal["global", "stepwise"]
 Squareness = Literal["convention", "known", "from-angles"]
@@ -41,19 +45,16 @@ class UnbelievableError(ValueError):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Identified:
+class Identified(Printed):
     """errors: values with their covariance, `errors.values.fit` says how the fit ended; report: what is determined and
     by what, residuals by run, notes. Printed, it is the report of `trueaxis identify`.
     """
 
-    errors: Errors
+    errors: Errors = field(repr=False)
     report: IdentificationReport
 
     def __str__(self) -> str:
         return report_text(self.report)
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
 
 
 def identify(
@@ -68,7 +69,7 @@ def identify(
     ideal_instruments: bool = False,
     degree: int | None = None,
     method: Method = "global",
-    curves: Curves = "table",
+    curves: Curves | None = None,
 ) -> Identified:
     """The motion and location errors of a machine, from readings on the exact model.
 
@@ -77,18 +78,31 @@ def identify(
     straightness: level lines (ISO 230-1), `known`, or Sect. 3.6 of the paper. prior: whether errors of the sizes of
     [prior] are expected; if not, what readings do not determine is zero and said. ideal_instruments: nothing is unknown
     of the instruments. degree: highest order of the curves (14; 7 without prior). method "stepwise" is the paper's,
-    point by point, with `curves`.
+    point by point, with curves as a "table", a "polynomial" by its procedure, or one whose order positions "held-out"
+    choose.
 
-    Raises InputError where the set-up contradicts the machine, or no reading holds an error; NotConvergedError where
-    the fit does not stand still; UnbelievableError where its values are of no machine.
+    Raises InputError where arguments do not go together, the set-up contradicts the machine, or no reading holds an
+    error; NotConvergedError where the fit does not stand still; UnbelievableError where its values are of no machine;
+    ValueError for arguments of another form.
     """
+    check_among(method=(method, Method), squareness=(squareness, Squareness), curves=(curves, Curves))
+    if degree is not None and not (isinstance(degree, int) and 1 <= degree <= HIGHEST_DEGREE):
+        raise ValueError(f"degree: expected a whole number from 1 to {HIGHEST_DEGREE}; given {degree}")
+    choice = MethodChoice(
+        method=method, squareness=squareness, curves=curves, known=known is not None,
+        noise=noise_model(noise_um, noise_urad),
+        degree=degree, ideal_instruments=ideal_instruments, prior=prior,
+    )  # fmt: skip
+    if unfit := faults_of_choice(choice):
+        raise InputError(unfit)
     values = None if known is None else known.values
+    warn_of_misfit(known)
     measured = believed(model, data, values)
     observed = observations(str(data.folder), measured.setup.runs, measured.readings)
     options = IdentifyOptions(
         "known" if squareness == "known" else "convention",
         values,
-        noise_model(noise_um, noise_urad),
+        choice.noise,
         EstimationOptions(
             prior=prior, ideal=ideal_instruments, degree=degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR)
         ),
@@ -96,7 +110,7 @@ def identify(
     found = (
         identify_estimated(model, observed, options)
         if method == "global"
-        else identify_paper(model, observed, PaperOptions(squareness, values, options.noise.um, curves))
+        else identify_paper(model, observed, PaperOptions(squareness, values, options.noise.um, curves or "table"))
     )
     faults = Faults(str(data.folder))
     check_believable(model.machine, found.values, faults)
@@ -108,7 +122,49 @@ def identify(
         caveats=(*found.report.caveats, *unread_caveats(measured)),
         measurement=measured.setup.report,
     )
-    return Identified(Errors(found.values, _with_known(found.covariance, known)), report)
+    covariance = _with_known(found.covariance, known)
+    return Identified(Errors(found.values, covariance, machine=model.machine), report)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MethodChoice:
+    """How errors are to be identified, as the arguments of `identify`; known: whether values are taken as they are."""
+
+    method: Method
+    squareness: Squareness
+    curves: Curves | None
+    known: bool
+    noise: NoiseModel
+    degree: int | None
+    ideal_instruments: bool
+    prior: bool
+
+
+def faults_of_choice(choice: MethodChoice, spelled: Spelled = argument) -> list[Fault]:
+    """What does not go together."""
+    found, way = [], spelled("method")
+    angles: Squareness = "from-angles"
+    if choice.method == "global":
+        if choice.squareness == angles:
+            place = f"{spelled('squareness')} {angles}"
+            found.append(Fault(place, "", f"goes with {way} stepwise", "convention or known"))
+        if choice.curves is not None:
+            remedy = "method global has curves of its own"
+            found.append(Fault(spelled("curves"), "", f"goes with {way} stepwise", remedy))
+    if choice.squareness == "known" and not choice.known:
+        place = f"{spelled('squareness')} known"
+        found.append(Fault(place, "", "needs the squareness", f"give a file with {spelled('known')}"))
+    if choice.method == "stepwise":
+        for name, used, remedy in (
+            ("noise_um", choice.noise.by_group or choice.noise.repeats, "one value"),
+            ("noise_urad", choice.noise.urad is not None, f"{way} global"),
+            ("degree", choice.degree is not None, f"{way} global"),
+            ("ideal_instruments", choice.ideal_instruments, f"{way} global"),
+            ("prior", not choice.prior, f"{way} global"),
+        ):
+            if used:
+                found.append(Fault(spelled(name), "", f"goes with {way} global", remedy))
+    return found
 
 
 def believed(model: MachineModel, data: DataFolder, known: ErrorValues | None) -> MeasuredData:
@@ -131,9 +187,18 @@ def noise_model(noise_um: Noise, noise_urad: float | None = None) -> NoiseModel:
         return given if noise_urad is None else replace(given, urad=noise_urad)
     by_group = dict(noise_um) if isinstance(noise_um, Mapping) else {}
     whole = None if isinstance(noise_um, Mapping) else float(noise_um)
-    if wrong := [value for value in (*by_group.values(), *([] if whole is None else [whole])) if not value > 0.0]:
-        raise ValueError(f"noise_um: expected micrometres above 0; given {wrong[0]}")
+    for value in (*by_group.values(), whole):
+        check_noise(value)
     return NoiseModel(um=whole, by_group=by_group, urad=noise_urad)
+
+
+def check_noise(um: float | None) -> None:
+    """Raise ValueError where it is no standard deviation of a reading, um; None: it was not given."""
+    low, high = NOISE_UM
+    if um is not None and not um > 0.0:
+        raise ValueError(f"noise_um: expected micrometres above 0; given {um}")
+    if um is not None and not low <= um <= high:
+        raise ValueError(f"noise_um: expected micrometres from {low:g} to {high:g}; given {um}")
 
 
 def _with_known(identified: Covariance, known: Errors | None) -> Covariance:

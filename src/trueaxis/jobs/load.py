@@ -1,12 +1,13 @@
 """Files in, records out: a machine, its model, error values with their covariance, measured data."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 
 import polars as pl
 
 from trueaxis.io.files import write_files
+from trueaxis.jobs.tables import Tabular
 from trueaxis.machine import Machine, read_machine
 from trueaxis.measurement import readings, setup
 from trueaxis.measurement.active_compensation import active_values, moved_setup
@@ -17,28 +18,40 @@ from trueaxis.model.covariance_file import linked
 from trueaxis.model.errors import ErrorValues, dump_errors
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import load_uncertainty
+from trueaxis.reporting.error_table import errors_frame, errors_html
 
 AnyPath = str | PathLike[str]
 KERNELS = "generated"  # the folder that `derive` writes
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Errors:
-    """Error values of a machine and what is known of their uncertainty, all values together."""
+class Errors(Tabular):
+    """Error values of a machine and what is known of their uncertainty, all values together. file: where they were
+    read, which faults name, None where they are in no file; machine: they are of, for ranges and units of the table.
+    """
 
     values: ErrorValues
     covariance: Covariance
+    file: Path | None = None
+    machine: Machine | None = None
+
+    def to_polars(self) -> pl.DataFrame:
+        """A row for each error: value (of a component its largest, at the position `at`), u, what determines it."""
+        return errors_frame(self.values, self.covariance, self.machine)
+
+    def _repr_html_(self) -> str:
+        return errors_html(self.values, self.covariance, self.machine)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class DataFolder:
+class DataFolder(Tabular):
     """Measured data or a measuring plan. folder: where it was read, which faults name; data: runs and readings; active:
     the error values that the control compensated with while measuring, None where none did or nothing is said of it.
     """
 
     folder: Path
-    data: MeasuredData
-    active: ErrorValues | None = None
+    data: MeasuredData = field(repr=False)
+    active: ErrorValues | None = field(default=None, repr=False)
 
     def to_polars(self) -> pl.DataFrame:
         """The readings as in readings.csv: a row each; what is not measured yet has no reading."""
@@ -66,7 +79,7 @@ def load_errors(path: AnyPath, machine: Machine | MachineModel, covariance: AnyP
     spec = _spec_of(machine)
     values = models.load_errors(Path(path), spec)
     file = None if covariance is None else Path(covariance)
-    return Errors(values, load_uncertainty(Path(path), values, spec, file))
+    return Errors(values, load_uncertainty(Path(path), values, spec, file), Path(path), spec)
 
 
 def save_errors(path: AnyPath, errors: Errors, machine: Machine | MachineModel) -> tuple[Path, ...]:

@@ -3,45 +3,46 @@
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
 import numpy.typing as npt
 import polars as pl
 
 from trueaxis.io.faults import InputError
-from trueaxis.jobs.arrays import Positions, positions_of, tool_points
+from trueaxis.jobs.arrays import ORIGIN, Positions, at_least_zero, check_among, positions_of, tool_points
+from trueaxis.jobs.given import with_errors
 from trueaxis.jobs.load import Errors
+from trueaxis.jobs.refused import RefusedError
+from trueaxis.jobs.tables import Printed, Tabular
 from trueaxis.measurement.context_needs import faults_of_points
 from trueaxis.measurement.points import DEVIATION_COLUMNS, PRIOR_COLUMNS, TOOL_COLUMNS, UNCERTAINTY_COLUMNS
 from trueaxis.measurement.predict import check_predicted, deviations
-from trueaxis.model.best_fit import Placements, placements
+from trueaxis.model.best_fit import Placement, Placements, placements
 from trueaxis.model.context import Context
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
+from trueaxis.model.extent import MOST_NAMED, open_names
+from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import home_of, prior_size, tool_uncertainty
+from trueaxis.reporting.reliance import (
+    above_sentence,
+    misfit_sentence,
+    open_sentence,
+    placement_sentence,
+    range_sentences,
+)
 
 Datum = Literal["machine", "home", "best-fit"]
-ORIGIN = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Placement:
-    """The rigid placement of a workpiece that was taken off. centre: (3,), of the points, mm, workpiece frame; shift:
-    (3,), mm, at the centre; rotation: (3,), rad, about x, y and z.
-    """
-
-    centre: FloatArray
-    shift: FloatArray
-    rotation: FloatArray
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Prediction:
+class Prediction(Printed, Tabular):
     """Deviations of tool points, in the workpiece frame.
 
     axes: letters, the rows of positions; positions: (n_axes, n), mm or deg; tool: (3, n), mm; deviation: (3, n), actual
     minus ideal, mm; u: (3, n), its standard uncertainty, u_prior the part of that which rests on [prior], mm, NaN where
-    unknown; open: (3, n), by how much what no reading determines could move the point, mm; placement: with datum
-    "best-fit".
+    unknown; open: (3, n), by how much what no reading determines could move the point, mm; notes: how far they may be
+    relied on; placement: with datum "best-fit". Printed, it is the report of `trueaxis predict`.
     """
 
     axes: tuple[str, ...]
@@ -51,7 +52,11 @@ class Prediction:
     u: FloatArray
     u_prior: FloatArray
     open: FloatArray
+    notes: tuple[str, ...] = ()
     placement: Placement | None = None
+
+    def __str__(self) -> str:
+        return "".join(f"note: {one}\n" for one in self.notes) + f"{self.positions.shape[1]} points\n"
 
     def to_polars(self) -> pl.DataFrame:
         """A row for each point, columns as in the table that `trueaxis predict` writes."""
@@ -74,19 +79,32 @@ def predict(
     tool: npt.ArrayLike = ORIGIN,
     datum: Datum = "machine",
     context: Context | None = None,
+    max_u: float | None = None,
 ) -> Prediction:
     """The deviation of the tool point at axis positions, on the exact model (Eq. 4 of the paper), with uncertainty.
 
     positions: by axis letter, numbers or (n,) each, or (n_axes, n), mm or deg; tool: (3,) or (3, n), the point in the
     tool frame, mm. datum: what deviations and their uncertainties are relative to: the error-free machine; the tool
     point at home; the rigid placement of the workpiece that fits the points best. context: approach directions, times
-    and temperatures, for machines with effects. Raises ValueError where an array has another shape, InputError where
-    the deviation is none that a machine has or an effect lacks what it depends on.
+    and temperatures, for machines with effects. max_u: largest standard uncertainty allowed, mm. Raises ValueError
+    where an array has another shape, InputError where the deviation is none that a machine has or an effect lacks what
+    it depends on, RefusedError where max_u is passed.
     """
+    check_among(datum=(datum, Datum))
     at = positions_of(model, positions)
     there = tool_points(tool, at.shape[1])
     whole = Context.at_rest(len(model.axes), at.shape[1]) if context is None else context
-    return predicted(model.with_values(errors.values), errors.covariance, at, there, whole, datum=datum)
+    at_least_zero(max_u=max_u)
+    done = predicted(with_errors(model, errors), errors.covariance, at, there, whole, datum=datum)
+    if refused := refusal(done, max_u):
+        raise RefusedError((refused,), done)
+    return done
+
+
+def refusal(done: Prediction, max_u: float | None) -> str:
+    """Why the deviations may not be relied on; empty where they may. What is not known counts as infinite."""
+    largest = float(np.max(np.where(np.isnan(done.u), np.inf, done.u), initial=0.0))
+    return above_sentence(largest, max_u) if max_u is not None and largest > max_u else ""
 
 
 def predicted(
@@ -122,5 +140,26 @@ def predicted(
         u=uncertainty.u,
         u_prior=uncertainty.u_prior,
         open=uncertainty.open,
+        notes=_notes(model, covariance, positions, tool, uncertainty.open, placement),
         placement=placement,
     )
+
+
+def _notes(
+    model: MachineModel,
+    covariance: Covariance,
+    positions: FloatArray,
+    tool: FloatArray,
+    opened: FloatArray,
+    placement: Placement | None,
+) -> tuple[str, ...]:
+    """What a user must know of these deviations besides their values."""
+    count = positions.shape[1]
+    fit, rests = model.errors.fit, (opened > 0.0).any(axis=0)
+    found = [] if placement is None else [placement_sentence(placement)]
+    found += [misfit_sentence(fit)] if fit is not None and fit.state == "misfit" else []
+    found += range_sentences(beyond_measured(model.errors, model.axes, positions), count)
+    if rests.any():
+        names = open_names(model, covariance, positions[:, rests][:, :MOST_NAMED], tool[:, rests][:, :1])
+        found.append(open_sentence(int(rests.sum()), count, float(opened.max()), names))
+    return tuple(found)

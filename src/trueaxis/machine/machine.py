@@ -4,10 +4,12 @@ import hashlib
 import json
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
+from pathlib import Path
 
 from trueaxis.effects.kind import Effect, Kind
 from trueaxis.effects.library import BY_NAME
 from trueaxis.error_name import Direction, ErrorName
+from trueaxis.io.html_table import html_table
 from trueaxis.machine.places import Position
 from trueaxis.machine.prior import Prior
 
@@ -47,7 +49,7 @@ class Machine:
     effects: terms beside the geometric errors, in the order of the spec; effect_kinds: the spec's own kinds.
     prior: sizes of errors to expect before measuring.
     start: axis positions before a program, for the axes named, mm and deg; reference_points: those to which G28 and G30
-    go.
+    go. source: the file that it was read from, None where it comes from none; it makes no other machine.
     """
 
     name: str
@@ -64,6 +66,7 @@ class Machine:
     prior: Prior = field(default_factory=Prior)
     start: Position = ()
     reference_points: tuple[tuple[str, Position], ...] = ()
+    source: Path | None = field(default=None, compare=False, repr=False)
 
     @cached_property
     def axes(self) -> tuple[str, ...]:
@@ -121,9 +124,19 @@ class Machine:
     def digest(self) -> str:
         """SHA-256 of the parsed spec: what it says, not how it is laid out.
 
-        References are prose; sizes to expect and the positions that programs rely on change no kernel: left out.
+        References are prose; sizes to expect, positions that programs rely on and the file change no kernel: left out.
         """
         said = asdict(self)
-        for name in ("references", "prior", "start", "reference_points"):
+        for name in ("references", "prior", "start", "reference_points", "source"):
             del said[name]
         return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
+
+    def _repr_html_(self) -> str:
+        """The bodies, for a notebook."""
+        rows = []
+        for one in self.bodies:
+            travel = None if one.travel is None else f"{one.travel[0]:g} to {one.travel[1]:g}"
+            locations = ", ".join(name for _, name in one.position_errors)
+            rows.append((one.number, one.name, one.lower, one.moves, travel, ", ".join(one.motion_errors), locations))
+        head = ("body", "name", "lower", "moves", "travel, mm or deg", "motion errors", "location errors")
+        return html_table(f"{self.name}: {self.title}", head, rows)

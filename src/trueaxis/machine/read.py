@@ -28,7 +28,7 @@ def read_machine(path: Path) -> Machine:
 
     Raises InputError with every fault found, each with key and line and what would be right.
     """
-    return parse_machine(utf8_text(path, input_bytes(path)), Faults(str(path)))
+    return replace(parse_machine(utf8_text(path, input_bytes(path)), Faults(str(path))), source=path)
 
 
 def parse_machine(text: str, faults: Faults) -> Machine:

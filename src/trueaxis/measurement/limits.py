@@ -7,3 +7,4 @@ FASTEST = 1e6  # mm/min: linear motors reach 2e5
 FARTHEST_POINT = 1e5  # mm, from the origin of a frame: the largest gantry machines travel 6e4
 LONGEST_ID = 100  # characters of the id of a run
 MOST_COLUMNS = 300  # of a table: a few dozen are known; the rest are temperatures of sensors
+NOISE_UM = (1e-6, 1e4)  # of a reading, um: a picometre to a centimetre; beyond, it is in another unit, or a slip

@@ -13,6 +13,17 @@ from trueaxis.model.curves import FloatArray
 ROUNDING = 1e-9  # of the largest singular value: a rotation that moves none of the points
 
 
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Placement:
+    """The rigid placement of a workpiece that was taken off. centre: (3,), of the points, mm, workpiece frame; shift:
+    (3,), mm, at the centre; rotation: (3,), rad, about x, y and z.
+    """
+
+    centre: FloatArray
+    shift: FloatArray
+    rotation: FloatArray
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Placements:
     """What the rigid placements of a workpiece make of n points.

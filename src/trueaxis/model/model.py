@@ -219,6 +219,9 @@ class MachineModel:
         result[rows] = moves
         return result
 
+    def _repr_html_(self) -> str:
+        return self.machine._repr_html_()
+
 
 def load_model(
     machine_path: Path, errors_path: Path | None, kernels_dir: Path, *, backend: str | None = None

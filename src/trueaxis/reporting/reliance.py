@@ -4,8 +4,8 @@ from collections.abc import Collection, Mapping, Sequence
 from math import isfinite
 
 from trueaxis.compensation.reliance import Reliance
-from trueaxis.jobs.predict import Placement
 from trueaxis.machine.machine import LINEAR
+from trueaxis.model.best_fit import Placement
 from trueaxis.model.errors import ErrorValues, Fit
 from trueaxis.model.extent import UncertaintyExtent
 from trueaxis.model.measured_range import BeyondMeasured

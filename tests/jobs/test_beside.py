@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import pytest
 
-from trueaxis.cli import beside as module
-from trueaxis.cli.beside import beside
+from trueaxis.jobs import beside as module
+from trueaxis.jobs.beside import beside
 
 Process = subprocess.Popen[bytes]
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from trueaxis.cli.paths import overwritten
+from trueaxis.jobs.outputs import overwritten
 
 
 def test_an_output_may_be_no_input_no_file_of_an_input_folder_and_no_other_output(tmp_path: Path) -> None:

@@ -1,0 +1,201 @@
+"""An NC program in, the same with compensated positions out."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from io import BytesIO
+from os import PathLike
+from pathlib import Path
+from typing import Unpack, get_args
+
+import numpy as np
+import numpy.typing as npt
+import polars as pl
+
+from trueaxis.compensation.changes import Changes
+from trueaxis.compensation.files import Language, compensated
+from trueaxis.compensation.offsets import Offsets
+from trueaxis.compensation.reliance import Limits, judge_of
+from trueaxis.compensation.report import CompensationReport
+from trueaxis.compensation.settings import Settings
+from trueaxis.compensation.tools import ToolTable
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.files import write_files
+from trueaxis.io.input_files import gathering
+from trueaxis.jobs.arrays import ORIGIN, above_zero, at_least_zero, tool_points
+from trueaxis.jobs.compensation_arguments import (
+    CompensationSettings,
+    Tools,
+    WorkOffsets,
+    offsets_of,
+    settings_of,
+    tools_of,
+)
+from trueaxis.jobs.given import check_fit, files_of, kernels_of, name_of, with_errors
+from trueaxis.jobs.load import AnyPath, Errors
+from trueaxis.jobs.outputs import overwritten
+from trueaxis.jobs.refused import RefusedError
+from trueaxis.jobs.tables import Printed, Tabular
+from trueaxis.model.curves import FloatArray
+from trueaxis.model.model import MachineModel
+from trueaxis.reporting.reliance import (
+    error_free_sentences,
+    prior_sentences,
+    program_sentences,
+    refusal_sentences,
+)
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Compensated(Printed, Tabular):
+    """A compensated program. text: of the program; report: counts, lengths of error vectors, what was assumed;
+    `report.good` says whether every point converged, is within tolerance and travel. axes: letters, the rows of
+    positions; lines: (n,), of the given program; programmed, compensated: (n_axes, n), mm or deg, ends of motions with
+    those of chords and cuts, as programmed (NaN where an axis has no known position) and as the words that were written
+    name them; in machine coordinates, under tool centre point control those of the tip. file: where it was written,
+    None where it was not; notes: how far it may be relied on. Printed, it is the report of `trueaxis compensate`.
+    """
+
+    text: str = field(repr=False)
+    report: CompensationReport
+    axes: tuple[str, ...]
+    lines: npt.NDArray[np.int64]
+    programmed: FloatArray
+    compensated: FloatArray
+    file: Path | None
+    notes: tuple[str, ...]
+
+    @property
+    def correction(self) -> FloatArray:
+        """(n_axes, n): compensated less programmed positions, mm or deg."""
+        return self.compensated - self.programmed
+
+    def to_polars(self) -> pl.DataFrame:
+        """A row for each point: line, programmed positions (X ...), compensated ones (X_compensated ...)."""
+        columns = dict(zip(self.axes, self.programmed, strict=True))
+        columns |= {f"{axis}_compensated": row for axis, row in zip(self.axes, self.compensated, strict=True)}
+        return pl.DataFrame({"line": self.lines, **columns}).fill_nan(None)
+
+    def __str__(self) -> str:
+        return "\n".join([str(self.report), *(f"note: {one}" for one in self.notes)]) + "\n"
+
+
+def compensate(
+    model: MachineModel,
+    errors: Errors,
+    program: AnyPath,
+    out: AnyPath | None = None,
+    *,
+    tool: npt.ArrayLike = ORIGIN,
+    offsets: WorkOffsets | None = None,
+    tools: Tools | None = None,
+    format: Language | None = None,  # noqa: A002  the word of the command
+    via_linuxcnc: AnyPath | None = None,
+    max_u: float | None = None,
+    max_correction: float | None = None,
+    accept_misfit: bool = False,
+    accept_u: bool = False,
+    **settings: Unpack[CompensationSettings],
+) -> Compensated:
+    """Rewrite an NC program (ISO 6983 / RS-274) or an APT cutter location file so that geometric errors no longer move
+    the tool (Eqs. 55, 56 of the paper).
+
+    program: the path of its file; out: the file to write; None: nothing is written, the result has the text. tool:
+    (3,), the point to be compensated, tool frame, mm. offsets: the file of work offsets, or by name the machine
+    position of their zeros, {"G54": {"X": 1.0, "Z": (0, 500)}}, mm or deg, a pair asks for the worst case; tools: the
+    file of the tools, or by number a length, mm, or a `Tool`. format: "nc" or "apt"; via_linuxcnc: the folder of
+    LinuxCNC whose interpreter unrolls the program first. max_u: largest standard uncertainty of the tool point in the
+    program, from home, mm; max_correction: largest correction, mm (three times what [prior] lets expect).
+    accept_misfit, accept_u: values that do not fit their readings, or are lost in their noise, are taken. settings: see
+    `CompensationSettings`.
+
+    Raises InputError with every fault of the program and of files; RefusedError where a limit is passed, and nothing is
+    written; ValueError or TypeError for arguments of another form.
+    """
+    above_zero(max_correction=max_correction)
+    at_least_zero(max_u=max_u)
+    if format not in (None, *get_args(Language)):
+        raise ValueError(f"format: expected nc or apt; given {format!r}")
+    source, file = _file(program), None if out is None else Path(out)
+    x, y, z = tool_points(tool, 1)[:, 0].tolist()
+    given = settings_of(settings) | {"tool_point": (x, y, z)}
+    model, given["offsets"], given["tools"] = _read(model, errors, source, file, offsets, tools, accept_misfit)
+    limits = Limits(max_u=max_u, max_correction=max_correction, accept_u=accept_u)
+    changes, buffer = Changes(len(model.axes)), BytesIO()
+    with as_faults(source):
+        report = compensated(
+            source, lambda: buffer, model, of_machine(Settings(**given), model), language=format,
+            judge=judge_of(model, errors.covariance, limits), changes=changes,
+            via_linuxcnc=None if via_linuxcnc is None else Path(via_linuxcnc),
+        )  # fmt: skip
+        if file is not None and not report.refused:
+            write_files({file: buffer.getvalue()})
+    done = Compensated(
+        text="" if report.refused else buffer.getvalue().decode("latin-1"), report=report, axes=model.axes,
+        lines=changes.lines, programmed=changes.programmed, compensated=changes.compensated,
+        file=None if report.refused else file, notes=notes_of(report, model),
+    )  # fmt: skip
+    if report.reliance is not None and report.refused:
+        raise RefusedError(tuple(refusal_sentences(report.reliance, max_u)), done)
+    return done
+
+
+def _read(
+    model: MachineModel,
+    errors: Errors,
+    program: Path,
+    out: Path | None,
+    offsets: WorkOffsets | None,
+    tools: Tools | None,
+    accept_misfit: bool,
+) -> tuple[MachineModel, Offsets, ToolTable | None]:
+    """The model with the values, work offsets and tools. Raises InputError with the faults of all that is read."""
+    found: list[Fault] = []
+    table, systems = None, Offsets()
+    with gathering(found):
+        systems = offsets_of(offsets)
+    with gathering(found):
+        table = tools_of(tools)
+    with gathering(found):
+        model = with_errors(model, errors)
+        check_fit(errors.values, name_of(errors), accept_misfit)
+    files = {"offsets": offsets, "tools": tools}
+    inputs = {"the spec": model.machine.source, **files_of(errors), "program": program}
+    inputs |= {name: Path(one) for name, one in files.items() if isinstance(one, str | PathLike)}
+    found += overwritten(inputs, {"out": out}, kernels_of(model))
+    if found:
+        raise InputError(found)
+    return model, systems, table
+
+
+def of_machine(settings: Settings, model: MachineModel) -> Settings:
+    """The settings with what the spec says of programs: where axes stand before one, the reference points."""
+    points = {code: dict(position) for code, position in model.machine.reference_points}
+    return replace(settings, assumed=dict(model.machine.start), reference_points=points)
+
+
+def notes_of(report: CompensationReport, model: MachineModel) -> tuple[str, ...]:
+    """How far the program may be relied on, in sentences."""
+    found = error_free_sentences(model.error_free)
+    if report.reliance is not None:
+        found += program_sentences(report.reliance)
+        found += prior_sentences(model.errors, report.reliance.uncertainty.components)
+    return tuple(found)
+
+
+@contextmanager
+def as_faults(program: Path) -> Iterator[None]:
+    """What the system cannot read or write is a fault of the program's file, or of the one that it names."""
+    try:
+        yield
+    except OSError as problem:
+        name = problem.filename or program
+        raise InputError([Fault(str(name), "", problem.strerror or str(problem))]) from None
+
+
+def _file(program: AnyPath) -> Path:
+    """A path, and never the text of a program: every other `str` of this interface names a file, too."""
+    if isinstance(program, str) and "\n" in program:
+        lines = program.count("\n") + 1
+        raise ValueError(f"program: expected the path of a file; given a text of {lines} lines: write it to a file")
+    return Path(program)

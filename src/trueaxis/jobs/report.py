@@ -1,0 +1,70 @@
+"""Error values as a document, beside older ones."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy.typing as npt
+
+from trueaxis.io.faults import InputError
+from trueaxis.io.files import write_files
+from trueaxis.jobs.arrays import ORIGIN, tool_points
+from trueaxis.jobs.given import files_of, kernels_of, name_of, with_errors
+from trueaxis.jobs.load import AnyPath, Errors
+from trueaxis.jobs.outputs import named, overwritten
+from trueaxis.model.model import MachineModel
+from trueaxis.reporting.certificate.content import Content, Known, content
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Document:
+    """Error values as a document of two printed pages. content: the figures in it; html: the page; file: where it was
+    written, None where it was not. Printed, it is what `trueaxis report` says.
+    """
+
+    content: Content = field(repr=False)
+    html: str = field(repr=False)
+    file: Path | None
+
+    def __str__(self) -> str:
+        where = "" if self.file is None else f"{named(self.file)}: "
+        return f"{where}{self.content.title}\n"
+
+
+def report(
+    model: MachineModel,
+    errors: Errors,
+    out: AnyPath | None = None,
+    *,
+    against: Errors | None = None,
+    tool: npt.ArrayLike = ORIGIN,
+) -> Document:
+    """Error values as a document: every error with its uncertainty and by what it is determined, the deviation of the
+    tool point over the volume as figures and maps.
+
+    out: the .html file to write; None: nothing is written. against: older values, from which changes are told, and by
+    how many standard uncertainties; tool: (3,), the point in the tool frame whose deviation is shown, mm. Raises
+    InputError where `out` is an input, or values were edited since they were identified; ValueError for arguments of
+    another form or values of another machine.
+    """
+    x, y, z = tool_points(tool, 1)[:, 0].tolist()
+    now = Known(with_errors(model, errors), errors.covariance, name_of(errors))
+    before = None
+    if against is not None:
+        before = Known(with_errors(model, against), against.covariance, name_of(against))
+    file = None if out is None else Path(out)
+    inputs = {"the spec": model.machine.source, **files_of(errors)}
+    inputs |= {f"{name} of against": path for name, path in files_of(against).items()}
+    if found := overwritten(inputs, {"out": file}, kernels_of(model)):
+        raise InputError(found)
+    return documented(now, before, (x, y, z), file)
+
+
+def documented(now: Known, before: Known | None, tool: tuple[float, float, float], out: Path | None) -> Document:
+    """As `report`."""
+    from trueaxis.reporting.certificate.page import certificate  # noqa: PLC0415  matplotlib and Jinja2: only for sound input
+
+    figures = content(now, before, tool)
+    html = certificate(figures, dict(now.model.kinds))
+    if out is not None:
+        write_files({out: html})
+    return Document(content=figures, html=html, file=out)
