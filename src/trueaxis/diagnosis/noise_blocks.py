@@ -43,7 +43,8 @@ class Shapes:
 class Part:
     """Runs that read the same targets, or one run; of one instrument. rows: of its block; of each of n readings: place:
     of its run among those of the base; target: of those of the part; passed: share of the duration of its run; when: typical steps since its
-    start; own: (n, k), orthonormal, what is unknown of the instrument.
+    start; own: (n, k), orthonormal, what is unknown of the instrument. runs: readings of each run, which are neighbours;
+    repeated: (n, targets), 1 where a reading is of a target that is read more than once; alone: (n,), of one read once.
     """
 
     rows: slice
@@ -52,28 +53,14 @@ class Part:
     passed: FloatArray
     when: FloatArray
     own: FloatArray
+    runs: tuple[slice, ...]
+    repeated: FloatArray
+    alone: BoolArray
 
     @property
     def alike(self) -> FloatArray:
         """(n, n): 1 where two readings are of one target."""
         return np.asarray(self.target[:, np.newaxis] == self.target, dtype=np.float64)
-
-    @property
-    def alone(self) -> BoolArray:
-        """(n,): readings of a target that is read once."""
-        return np.asarray(np.bincount(self.target)[self.target] == 1)
-
-    @property
-    def repeated(self) -> FloatArray:
-        """(n, targets): 1 where a reading is of a target that is read more than once."""
-        targets = np.flatnonzero(np.bincount(self.target) > 1)
-        return np.asarray(self.target[:, np.newaxis] == targets, dtype=np.float64)
-
-    @property
-    def runs(self) -> list[slice]:
-        """Readings of each run, which are neighbours."""
-        first = np.flatnonzero(np.diff(self.place, prepend=-1))
-        return [slice(one, end) for one, end in pairwise([*first.tolist(), self.place.size])]
 
     def shapes(self) -> list[Shapes]:
         """Of each run. To be asked for once."""
@@ -166,19 +153,26 @@ def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: 
 
 def _part(rows: Rows, base: Base, place: IntArray, at: IntArray, start: int) -> Part:
     own, passed, when = [], [], []
-    for number in np.unique(place[at]).tolist():
+    first = np.flatnonzero(np.diff(place[at], prepend=-1)).tolist()
+    runs = tuple(slice(one, end) for one, end in pairwise([*first, at.size]))
+    for mine in runs:
+        number = int(place[at[mine.start]])
         run = base.runs[number].rows
-        here = at[place[at] == number] - int(run.at[0])
+        here = at[mine] - int(run.at[0])
         own.append(orthonormal(base.own[number][here]))
         passed.append(run.passed[here])
         when.append(np.cumsum(run.steps)[here])
+    _, target, times = np.unique(rows.target[at], return_inverse=True, return_counts=True)
     return Part(
         rows=slice(start, start + at.size),
         place=place[at],
-        target=np.unique(rows.target[at], return_inverse=True)[1].reshape(-1),
+        target=target,
         passed=np.concatenate(passed),
         when=np.concatenate(when),
         own=np.asarray(block_diag(*own)),
+        runs=runs,
+        repeated=np.asarray(target[:, np.newaxis] == np.flatnonzero(times > 1), dtype=np.float64),
+        alone=times[target] == 1,
     )
 
 

@@ -9,12 +9,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.linalg import block_diag, cho_solve, cholesky, solve_triangular
+from scipy.linalg import block_diag
 from scipy.optimize import minimize
 
 from trueaxis.diagnosis.by_run import few_of
 from trueaxis.diagnosis.noise_blocks import Block, Part, Shapes
-from trueaxis.diagnosis.noise_precision import Precision, precision_of
+from trueaxis.diagnosis.noise_precision import Precision, factor_of, precision_of, solved
 from trueaxis.diagnosis.result import FloatArray
 
 # of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
@@ -66,13 +66,12 @@ class Found:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Told:
-    """What a part tells at some noise. repeated: see `Part`; shapes: of the readings of each run; number: of its instrument; white: (n,), variance of each reading; slow: of unit
+    """What a part tells at some noise. shapes: of the readings of each run; number: of its instrument; white: (n,), variance of each reading; slow: of unit
     size, noise: mm^2, of the readings of each run; precision: of all, what is free taken away; blocks: of each run;
     weighed: (n,), precision of all readings times their values.
     """
 
     part: Part
-    repeated: FloatArray
     shapes: Sequence[Shapes]
     number: int
     white: FloatArray
@@ -81,12 +80,12 @@ class _Told:
     precision: Precision
     weighed: FloatArray
 
-    def slopes(self, age: float) -> FloatArray:
+    def slopes(self, age: float, of_scale: FloatArray) -> FloatArray:
         """(PER,): of minus the logarithm of the likelihood by the logarithm of white noise, by the squares of slow noise,
         wandering, settling and misfit, mm^2, and by the logarithm of the age, of slow noise of unit size.
         """
         found = np.zeros(PER)
-        found[0] = self.of_scale().sum()
+        found[0] = of_scale.sum()
         for here, block, slow, shape in zip(
             self.part.runs, self.precision.blocks(), self.slow, self.shapes, strict=True
         ):
@@ -97,18 +96,14 @@ class _Told:
             found[4] += np.vdot(block, shape.settle)
             block *= slow
             found[AGE] += np.vdot(block, shape.gaps) / age
-        shared = self.weighed @ self.repeated
-        of_repeated = self.precision.within(self.repeated) - float(shared @ shared)
-        found[MISFIT] = 0.5 * (of_repeated + float(np.sum(self._diagonal()[self.part.alone])))
+        shared = self.weighed @ self.part.repeated
+        of_repeated = self.precision.within(self.part.repeated) - float(shared @ shared)
+        found[MISFIT] = 0.5 * (of_repeated + float(np.sum((of_scale / self.white)[self.part.alone])))
         return found
 
     def of_scale(self) -> FloatArray:
-        """(n,): the same by the logarithm of the white noise of each reading."""
-        return self.white * self._diagonal()
-
-    def _diagonal(self) -> FloatArray:
-        """(n,): twice the slope by the variance of each reading."""
-        return np.asarray(self.precision.diagonal() - self.weighed**2)
+        """(n,): of the same by the logarithm of the white noise of each reading."""
+        return np.asarray(self.white * (self.precision.diagonal() - self.weighed**2))
 
 
 class Likelihood:
@@ -119,7 +114,7 @@ class Likelihood:
 
     def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, Guess]) -> None:
         self.block = block
-        self.known = [(one.shapes(), one.repeated, *few_of(block.free[one.rows])) for one in block.parts]
+        self.known = [(one.shapes(), *few_of(block.free[one.rows])) for one in block.parts]
         self.units = np.array([one.noise for one in first.values()])
         self.of_run = np.array([list(first).index(name) for name in instruments])
         self.count = PER * self.units.size
@@ -137,8 +132,9 @@ class Likelihood:
             unit = 2.0 * self.units[one.number]
             _, slow, age, wanders, settles, misfit = sizes[one.number]
             by_size = [1.0, unit * slow, slow**2, unit * wanders, unit * settles, unit * misfit]
-            slope[self.count :] += np.bincount(one.part.place, one.of_scale(), self.of_run.size)
-            slope[PER * one.number : PER * (one.number + 1)] += by_size * one.slopes(age)
+            of_scale = one.of_scale()
+            slope[self.count :] += np.bincount(one.part.place, of_scale, self.of_run.size)
+            slope[PER * one.number : PER * (one.number + 1)] += by_size * one.slopes(age, of_scale)
         return value + 0.5 * float(apart @ apart), slope
 
     def sizes(self, x: FloatArray) -> FloatArray:
@@ -158,36 +154,37 @@ class Likelihood:
     def told(self, x: FloatArray) -> tuple[float, list[_Told]]:
         """Minus the logarithm, and what each part tells."""
         found, held, root = [], [], 0.0
-        weighed = np.empty_like(self.block.values)
-        sizes = self.sizes(x)
-        squares, free_values = np.zeros((self.block.free.shape[1],) * 2), np.zeros(self.block.free.shape[1])
-        for part, (shapes, repeated, few, weights) in zip(self.block.parts, self.known, strict=True):
+        sizes, values = self.sizes(x), self.block.values
+        squares, of_values = np.zeros((self.block.free.shape[1],) * 2), np.zeros(self.block.free.shape[1])
+        for part, (shapes, few, weights) in zip(self.block.parts, self.known, strict=True):
             number = int(self.of_run[part.place[0]])
             level, slow, age, wanders, settles, misfit = sizes[number]
             white = (level * np.exp(x[self.count + part.place])) ** 2
             slowly = [np.exp(one.gaps / -age) for one in shapes]
             alone = white + misfit**2 * part.alone  # what is read once differs from the base as it does from noise
-            noise = [
-                slow**2 * of_slow + wanders**2 * one.wander + settles**2 * one.settle + np.diag(alone[here])
-                for of_slow, one, here in zip(slowly, shapes, part.runs, strict=True)
-            ]
-            precision, of_part = precision_of(noise, repeated, misfit, part.own)
+            noise = []
+            for of_slow, one, here in zip(slowly, shapes, part.runs, strict=True):
+                of_run = slow**2 * of_slow + wanders**2 * one.wander + settles**2 * one.settle
+                of_run.ravel()[:: len(of_run) + 1] += alone[here]
+                noise.append(of_run)
+            precision, of_part = precision_of(noise, part.repeated, misfit, part.own)
             root += of_part
-            through = precision @ few
-            squares += weights.T @ (few.T @ through) @ weights
-            free_values += weights.T @ (through.T @ self.block.values[part.rows])
-            weighed[part.rows] = precision @ self.block.values[part.rows]
+            through = precision @ np.column_stack([few, values[part.rows]])
+            inside = few.T @ through
+            squares += weights.T @ inside[:, :-1] @ weights
+            of_values += weights.T @ inside[:, -1]
             held.append(through)
-            found.append(_Told(part, repeated, shapes, number, white, slowly, noise, precision, weighed[part.rows]))
-        factor = cholesky(squares, lower=True, check_finite=False)
+            found.append(_Told(part, shapes, number, white, slowly, noise, precision, through[:, -1]))
+        factor = factor_of(squares)
         root += float(np.log(np.diag(factor)).sum())
-        told = []
-        for one, through, (_, _, _, weights) in zip(found, held, self.known, strict=True):
-            taken = np.linalg.qr(solve_triangular(factor, weights.T, lower=True, check_finite=False), mode="r")
-            mine = one.part.rows
-            weighed[mine] -= through @ (weights @ cho_solve((factor, True), free_values, check_finite=False))
-            told.append(replace(one, precision=one.precision.less(taken @ through.T), weighed=weighed[mine]))
-        return root + 0.5 * float(self.block.values @ weighed), told
+        told, taken = [], solved(factor, of_values[:, np.newaxis])[:, 0]
+        for one, through, (_, _, weights) in zip(found, held, self.known, strict=True):
+            of_free = solved(factor, weights.T)
+            weighed = one.weighed - through[:, :-1] @ (of_free.T @ taken)
+            rows = np.linalg.qr(of_free, mode="r") @ through[:, :-1].T
+            told.append(replace(one, precision=one.precision.less(rows), weighed=weighed))
+            root += 0.5 * float(values[one.part.rows] @ weighed)
+        return root, told
 
 
 def restricted(
@@ -234,9 +231,11 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
     freedom = np.zeros(len(names))
     for one in of.told(x)[1]:
         freedom[one.number] += sum(map(np.vdot, one.precision.blocks(), one.noise))
-        slopes[one.number] += one.slopes(1.0)[list(SLOW)]
+        slopes[one.number] += one.slopes(1.0, one.of_scale())[list(SLOW)]
         whole = one.precision.dense()
-        for k, shapes in enumerate((one.slow, [each.wander for each in one.shapes], [each.settle for each in one.shapes])):
+        for k, shapes in enumerate(
+            (one.slow, [each.wander for each in one.shapes], [each.settle for each in one.shapes])
+        ):
             both = whole @ block_diag(*shapes)
             information[one.number, k] += 0.5 * float(np.sum(both * both.T))
     sizes = of.sizes(x)

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from scipy.linalg import LinAlgError, block_diag, cholesky, solve_triangular
-from scipy.linalg.lapack import dpotri
+from scipy.linalg import LinAlgError, block_diag
+from scipy.linalg.lapack import dpotrf, dpotri, dtrtrs
 
 from trueaxis.diagnosis.result import FloatArray, IntArray
 
@@ -46,7 +46,7 @@ class Precision:
 
     def diagonal(self) -> FloatArray:
         """(n,)."""
-        of_noise = np.concatenate([np.diag(one) for one in self.inverse])
+        of_noise = np.concatenate([one.ravel()[:: len(one) + 1] for one in self.inverse])
         return np.asarray(of_noise - np.einsum("ij,ij->j", self.taken, self.taken))
 
     def within(self, columns: FloatArray) -> float:
@@ -70,29 +70,43 @@ def precision_of(
     starts = np.cumsum([0, *(len(one) for one in noise)])
     inverse, root = [], 0.0
     for one in noise:
-        half = cholesky(one, lower=True, check_finite=False)
+        half = factor_of(one)
         root += float(np.log(np.diag(half)).sum())
         found, _ = dpotri(half, lower=1, overwrite_c=1)  # its lower triangle: zeros are above that of the factor
-        found += np.tril(found, -1).T
+        found += found.T
+        found.ravel("K")[:: len(found) + 1] *= 0.5
         inverse.append(found.T)  # row by row in memory, as all else is
     of_noise = Precision(starts, tuple(inverse), np.zeros((0, int(starts[-1]))))
     precision = of_noise
     if misfit > 0.0 and repeated.shape[1]:
         shared = of_noise @ repeated
-        factor = cholesky(np.eye(repeated.shape[1]) + misfit**2 * (repeated.T @ shared), lower=True, check_finite=False)
+        factor = factor_of(np.eye(repeated.shape[1]) + misfit**2 * (repeated.T @ shared))
         root += float(np.log(np.diag(factor)).sum())
-        precision = precision.less(misfit * solve_triangular(factor, shared.T, lower=True, check_finite=False))
+        precision = precision.less(misfit * solved(factor, shared.T))
     if own.shape[1]:
         held = precision @ own
         factor = _factor(own.T @ held, np.einsum("ij,ij->j", own, of_noise @ own))
         root += float(np.log(np.diag(factor)).sum())
-        precision = precision.less(solve_triangular(factor, held.T, lower=True, check_finite=False))
+        precision = precision.less(solved(factor, held.T))
     return precision, root
 
 
 def _factor(squares: FloatArray, whole: FloatArray) -> FloatArray:
     """Cholesky factor of squares (k, k). whole: (k,), their diagonal before the misfit was taken away."""
     try:
-        return np.asarray(cholesky(squares, lower=True, check_finite=False))
+        return factor_of(squares)
     except LinAlgError:
-        return np.asarray(cholesky(squares + np.diag(ROUNDING * whole), lower=True, check_finite=False))
+        return factor_of(squares + np.diag(ROUNDING * whole))
+
+
+def factor_of(matrix: FloatArray) -> FloatArray:
+    """Lower Cholesky factor, by LAPACK itself: of matrices this small the checks of SciPy take longer than the work."""
+    found, failed = dpotrf(matrix, lower=1, clean=1)
+    if failed:
+        raise LinAlgError("not positive definite")
+    return np.asarray(found)
+
+
+def solved(factor: FloatArray, columns: FloatArray) -> FloatArray:
+    """Columns (n, k) divided by a lower factor (n, n)."""
+    return np.asarray(dtrtrs(factor, columns, lower=1)[0])

@@ -141,6 +141,15 @@ class Whitening:
             found[:, held] = 0.0
         return found
 
+    def aside(self, place: int) -> tuple[FloatArray, FloatArray]:
+        """(m, k): orthonormal, what is taken away of one run after white and slow noise; (k,): its share."""
+        run = self._of(place)
+        return run.aside, run.share
+
+    def by_rows(self, place: int, columns: FloatArray) -> FloatArray:
+        """(m, k): columns of one run by white and slow noise alone, row by row in memory; they are overwritten."""
+        return self._of(place).alone.by_rows(columns)
+
     def _of(self, place: int) -> _OfRun:
         if place not in self._each:
             self._each[place] = _of_run(self.runs[place], self.own[place])
