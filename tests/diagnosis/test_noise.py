@@ -196,8 +196,8 @@ def test_a_misfit_of_a_billion_times_the_noise_is_positive_definite() -> None:
     """As of a run in another unit: rounding of the misfit alone is more than the noise."""
     repeated = np.repeat(np.eye(6), 4, axis=0)
     within = np.eye(24) - 0.25 * repeated @ repeated.T  # what repeats differ by alone is known
-    for own in (np.tile(np.eye(4), 6).T[:, :1], repeated[:, :1], np.ones((24, 1))):
-        own = own / np.linalg.norm(own)
+    for column in (np.tile(np.eye(4), 6).T[:, :1], repeated[:, :1], np.ones((24, 1))):
+        own = column / np.linalg.norm(column)
         precision, logarithm = precision_of([np.eye(12), np.eye(12)], repeated, 1e9, own)
         assert np.isfinite(logarithm)
         contrast = within @ own

@@ -41,10 +41,11 @@ class Shapes:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """Runs that read the same targets, or one run; of one instrument. rows: of its block; of each of n readings: place:
-    of its run among those of the base; target: of those of the part; passed: share of the duration of its run; when: typical steps since its
-    start; own: (n, k), orthonormal, what is unknown of the instrument. runs: readings of each run, which are neighbours;
-    repeated: (n, targets), 1 where a reading is of a target that is read more than once; alone: (n,), of one read once.
+    """Runs that read the same targets, or one run; of one instrument. rows: of its block; runs: of it, readings of each
+    run, which are neighbours; of each of n readings: place: of its run among those of the base; target: of those of the
+    part; passed: share of the duration of its run; when: typical steps since its start; own: (n, k), orthonormal, what
+    is unknown of the instrument; repeated: (n, targets), 1 where it is of a target that is read more than once; alone:
+    (n,), whether it is of one that is read once.
     """
 
     rows: slice

@@ -66,9 +66,9 @@ class Found:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Told:
-    """What a part tells at some noise. shapes: of the readings of each run; number: of its instrument; white: (n,), variance of each reading; slow: of unit
-    size, noise: mm^2, of the readings of each run; precision: of all, what is free taken away; blocks: of each run;
-    weighed: (n,), precision of all readings times their values.
+    """What a part tells at some noise. shapes: of the readings of each run; number: of its instrument; white: (n,),
+    variance of each reading; slow: of unit size, noise: mm^2, of the readings of each run; precision: of all, what is
+    free taken away; weighed: (n,), precision of all readings times their values.
     """
 
     part: Part
@@ -81,21 +81,19 @@ class _Told:
     weighed: FloatArray
 
     def slopes(self, age: float, of_scale: FloatArray) -> FloatArray:
-        """(PER,): of minus the logarithm of the likelihood by the logarithm of white noise, by the squares of slow noise,
-        wandering, settling and misfit, mm^2, and by the logarithm of the age, of slow noise of unit size.
+        """(PER,): of minus the logarithm of the likelihood by the logarithm of white noise, by the squares of slow
+        noise, wandering, settling and misfit, mm^2, and by the logarithm of the age, of slow noise of unit size.
         """
         found = np.zeros(PER)
         found[0] = of_scale.sum()
         for here, block, slow, shape in zip(
             self.part.runs, self.precision.blocks(), self.slow, self.shapes, strict=True
         ):
-            block -= np.outer(self.weighed[here], self.weighed[here])
-            block *= 0.5
-            found[1] += np.vdot(block, slow)
-            found[3] += np.vdot(block, shape.wander)
-            found[4] += np.vdot(block, shape.settle)
-            block *= slow
-            found[AGE] += np.vdot(block, shape.gaps) / age
+            half = 0.5 * (block - np.outer(self.weighed[here], self.weighed[here]))
+            found[1] += np.vdot(half, slow)
+            found[3] += np.vdot(half, shape.wander)
+            found[4] += np.vdot(half, shape.settle)
+            found[AGE] += np.vdot(half * slow, shape.gaps) / age
         shared = self.weighed @ self.part.repeated
         of_repeated = self.precision.within(self.part.repeated) - float(shared @ shared)
         found[MISFIT] = 0.5 * (of_repeated + float(np.sum((of_scale / self.white)[self.part.alone])))

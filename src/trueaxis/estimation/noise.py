@@ -4,6 +4,7 @@ With D the matrix that takes away what is left of the slow part of the reading b
 run is tridiagonal, its Cholesky factor bidiagonal: time and memory grow with the number of readings alone.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -59,6 +60,16 @@ class Whitening:
         self._before: FloatArray | None = None
         self._solved: FloatArray | None = None
 
+    @classmethod
+    def joined(cls, runs: "Sequence[Whitening]") -> "Whitening":
+        """Of several runs, one after the other: they know nothing of each other."""
+        found = cls.__new__(cls)
+        found._kept = np.concatenate([one._kept for one in runs])
+        found._factor = np.concatenate([one._factor for one in runs], axis=1)
+        found._factor[1, np.cumsum([one._kept.size for one in runs]) - 1] = 0.0
+        found._blocks, found._at, found._before, found._solved = None, 0, None, None
+        return found
+
     @property
     def log_root(self) -> float:
         """Half the logarithm of the determinant of the covariance."""
@@ -93,7 +104,7 @@ class Whitening:
         if not self._kept.any():
             columns /= self._factor[0, :, np.newaxis]
             return columns
-        found, kept = np.empty_like(columns), self._kept[:, np.newaxis]
+        found, kept, before = np.empty_like(columns), self._kept[:, np.newaxis], columns[:1]
         for start, inverse in zip(range(0, columns.shape[0], BLOCK), self._by_blocks(), strict=True):
             part = columns[start : start + BLOCK]
             rows, last = part.shape[0], part[-1].copy()
