@@ -210,8 +210,8 @@ def test_a_misfit_of_a_billion_times_the_noise_is_positive_definite() -> None:
 def test_the_precision_is_that_of_the_whole_covariance(seed: int) -> None:
     """Inverse less what free columns take, its slopes, and the determinants."""
     source = np.random.default_rng(seed)
-    sizes, targets = source.integers(3, 9, size=3), source.integers(2, 7)
-    noise = [(root := source.standard_normal((m, m))) @ root.T + np.eye(m) for m in sizes]
+    sizes, targets = source.integers(3, 9, size=3), int(source.integers(2, 7))
+    noise = [(half := source.standard_normal((m, m))) @ half.T + np.eye(m) for m in sizes]
     repeated = np.eye(targets)[source.integers(0, targets, size=sizes.sum())]
     own = np.linalg.qr(source.standard_normal((sizes.sum(), 2)))[0]
     misfit = float(source.uniform(0.0, 5.0))

@@ -161,8 +161,8 @@ class Likelihood:
             slowly = [np.exp(one.gaps / -age) for one in shapes]
             alone = white + misfit**2 * part.alone  # what is read once differs from the base as it does from noise
             noise = []
-            for of_slow, one, here in zip(slowly, shapes, part.runs, strict=True):
-                of_run = slow**2 * of_slow + wanders**2 * one.wander + settles**2 * one.settle
+            for of_slow, shape, here in zip(slowly, shapes, part.runs, strict=True):
+                of_run = slow**2 * of_slow + wanders**2 * shape.wander + settles**2 * shape.settle
                 of_run.ravel()[:: len(of_run) + 1] += alone[here]
                 noise.append(of_run)
             precision, of_part = precision_of(noise, part.repeated, misfit, part.own)
