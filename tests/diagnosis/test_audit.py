@@ -6,7 +6,8 @@ import pytest
 from tests.diagnosis.prepared import WHITE, Field, field
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.audit import Audit, audit
-from trueaxis.diagnosis.scan import prepared, residual_of, scanned
+from trueaxis.diagnosis.prepared import inner_of, prepared
+from trueaxis.diagnosis.scan import residual_of, scanned
 from trueaxis.diagnosis.search import Ground
 from trueaxis.diagnosis.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
@@ -39,7 +40,7 @@ def test_what_is_as_large_as_the_detection_limit_is_found_about_half_the_time(ef
     assert limit.state != "unobservable"
     source = np.random.default_rng(3)
     signature = signature_of(where.readings, effect)
-    known = prepared(signature, where.whitening, where.base)
+    known = prepared(signature, inner_of(where.whitening, where.base))
     shares = []
     for factor in (0.3, 1.0, 3.0):
         signal = parameter_signature(where.readings, effect, np.array([factor * limit.detection]))[0]

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.linalg import block_diag
 from statsmodels.regression.mixed_linear_model import MixedLM
 from statsmodels.tsa.arima_process import arma_generate_sample
 
@@ -14,7 +15,7 @@ from tests.hidden_effects.case import Case
 from tests.hidden_effects.design import Design
 from trueaxis.diagnosis.base import Base, base_of
 from trueaxis.diagnosis.noise import COURSES, REPEATS, STATED, UNKNOWN, display_step, noise_of_runs
-from trueaxis.diagnosis.noise_fit import _precision
+from trueaxis.diagnosis.noise_precision import precision_of
 from trueaxis.diagnosis.result import NoiseOf
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.estimation.noise import Noise
@@ -193,9 +194,34 @@ def test_repeats_of_a_coarse_display_are_no_proof(repeats: int) -> None:
 
 def test_a_misfit_of_a_billion_times_the_noise_is_positive_definite() -> None:
     """As of a run in another unit: rounding of the misfit alone is more than the noise."""
-    root = np.repeat(np.random.default_rng(1).standard_normal((6, 6)), 4, axis=0)
-    covariance = np.eye(24) + 1e18 * root @ root.T
-    assert np.linalg.eigvalsh(covariance).min() < 0.0
-    precision, logarithm = _precision(covariance, np.ones((24, 1)))
-    assert np.isfinite(precision).all()
-    assert np.isfinite(logarithm)
+    repeated = np.repeat(np.eye(6), 4, axis=0)
+    within = np.eye(24) - 0.25 * repeated @ repeated.T  # what repeats differ by alone is known
+    for column in (np.tile(np.eye(4), 6).T[:, :1], repeated[:, :1], np.ones((24, 1))):
+        own = column / np.linalg.norm(column)
+        precision, logarithm = precision_of([np.eye(12), np.eye(12)], repeated, 1e9, own)
+        assert np.isfinite(logarithm)
+        contrast = within @ own
+        size = float(np.linalg.norm(contrast))
+        held = contrast / size if size > 1e-9 else np.zeros_like(own)
+        assert precision.dense() == pytest.approx(within - held @ held.T, abs=1e-3)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_precision_is_that_of_the_whole_covariance(seed: int) -> None:
+    """Inverse less what free columns take, its slopes, and the determinants."""
+    source = np.random.default_rng(seed)
+    sizes, targets = source.integers(3, 9, size=3), int(source.integers(2, 7))
+    noise = [(half := source.standard_normal((m, m))) @ half.T + np.eye(m) for m in sizes]
+    repeated = np.eye(targets)[source.integers(0, targets, size=sizes.sum())]
+    own = np.linalg.qr(source.standard_normal((sizes.sum(), 2)))[0]
+    misfit = float(source.uniform(0.0, 5.0))
+    found, root = precision_of(noise, repeated, misfit, own)
+    inverse = np.linalg.inv(block_diag(*noise) + misfit**2 * repeated @ repeated.T)
+    held = own.T @ inverse @ own
+    dense = inverse - inverse @ own @ np.linalg.solve(held, own.T @ inverse)
+    assert found.dense() == pytest.approx(dense, abs=1e-10)
+    assert found @ repeated == pytest.approx(dense @ repeated, abs=1e-10)
+    assert found.diagonal() == pytest.approx(np.diag(dense), abs=1e-10)
+    assert block_diag(*found.blocks()) == pytest.approx(dense * block_diag(*map(np.ones_like, noise)), abs=1e-10)
+    assert found.within(repeated) == pytest.approx(np.trace(repeated.T @ dense @ repeated), abs=1e-9)
+    assert root == pytest.approx(0.5 * (np.linalg.slogdet(held)[1] - np.linalg.slogdet(inverse)[1]), abs=1e-9)

@@ -12,15 +12,22 @@ from scipy.stats import f, kstest
 
 from tests.diagnosis.prepared import SIGMA, SLOW, SMALL, WHITE, Field, dense_covariance, field, noise_of
 from tests.hidden_effects.design import Design
-from trueaxis.diagnosis import scan
+from trueaxis.diagnosis import prepared
 from trueaxis.diagnosis.freedom import Freedom
-from trueaxis.diagnosis.scan import Scanned, prepared, residual_of, scanned
+from trueaxis.diagnosis.prepared import Prepared, inner_of
+from trueaxis.diagnosis.scan import Scanned, residual_of, scanned
 from trueaxis.diagnosis.signatures import Signature, signature_of
 from trueaxis.effects.kind import Effect
 from trueaxis.estimation.noise import Noise
 
 FloatArray = npt.NDArray[np.float64]
 FOUR_LINES = Design(lines=4, repeats=2, targets=15, samples=48)
+
+
+@cache
+def prepared_of(where: Field, signature: Signature) -> Prepared:
+    """Once, however many values are scanned."""
+    return prepared.prepared(signature, inner_of(where.whitening, where.base))
 
 
 def scan_of(where: Field, effect: Effect, values: FloatArray, grid: int | None = None) -> Scanned:
@@ -33,8 +40,9 @@ def scan_of(where: Field, effect: Effect, values: FloatArray, grid: int | None =
 
 def scanned_in(where: Field, signature: Signature, white: FloatArray) -> Scanned:
     """white: (n,), whitened."""
-    known = prepared(signature, where.whitening, where.base)
-    return scanned(signature, known, residual_of(where.whitening, where.base, white, where.freedom))
+    return scanned(
+        signature, prepared_of(where, signature), residual_of(where.whitening, where.base, white, where.freedom)
+    )
 
 
 @pytest.mark.parametrize(
@@ -97,12 +105,13 @@ def under_noise(count: int) -> dict[Effect, FloatArray]:
     where = field(SMALL, WHITE)
     source = np.random.default_rng(11)
     size = where.readings.rows.size
-    residuals = where.base.rest(source.standard_normal((size, count)))
+    draws = where.base.rest(source.standard_normal((size, count))).T
+    residuals = [residual_of(where.whitening, where.base, one, where.freedom) for one in draws]
     effects = where.ground(np.zeros(size)).effects
     found = {}
     for effect in effects:
         signature = signature_of(where.readings, effect)
-        one = [scanned_in(where, signature, residuals[:, k]) for k in range(count)]
+        one = [scanned(signature, prepared_of(where, signature), residual) for residual in residuals]
         found[effect] = np.array([[each.statistic, each.p_value, each.tries] for each in one]).T
     return found
 
@@ -181,9 +190,9 @@ def test_a_grid_in_pieces_is_the_grid(effect: Effect, entries: int, monkeypatch:
     """Memory is bounded, point by point if need be; nothing else changes."""
     where = field(FOUR_LINES, SLOW, settles=2.0 * SIGMA)
     signature = signature_of(where.readings, effect)
-    whole = prepared(signature, where.whitening, where.base)
-    monkeypatch.setattr(scan, "ENTRIES", entries)
-    pieces = prepared(signature, where.whitening, where.base)
+    whole = prepared.prepared(signature, inner_of(where.whitening, where.base))
+    monkeypatch.setattr(prepared, "ENTRIES", entries)
+    pieces = prepared.prepared(signature, inner_of(where.whitening, where.base))
     assert pieces.whole == pytest.approx(whole.whole, rel=1e-12)
     assert pieces.gram == pytest.approx(whole.gram, rel=1e-9, abs=1e-12 * whole.whole.max())
     assert pieces.length == pytest.approx(whole.length, rel=1e-6)

@@ -10,6 +10,8 @@ from scipy.stats import chi2
 from tests.diagnosis.prepared import SIGMA, field, prepared
 from tests.hidden_effects.case import Case
 from trueaxis.diagnosis import scan
+from trueaxis.diagnosis.prepared import inner_of
+from trueaxis.diagnosis.prepared import prepared as prepare
 from trueaxis.diagnosis.rows import rows_of
 from trueaxis.diagnosis.search import Ground, search, without
 from trueaxis.diagnosis.signatures import parameter_signature, signature_of
@@ -64,7 +66,7 @@ def test_candidates_are_compared_as_if_the_noise_were_known() -> None:
     where = field()
     values = where.whitening(signal(X, 30.0))
     signature = signature_of(where.readings, X)
-    known = scan.prepared(signature, where.whitening, where.base)
+    known = prepare(signature, inner_of(where.whitening, where.base))
     found = {}
     for freedom in (1e6, 12.0):
         vague = replace(where.freedom, of_rows=np.full(values.size, freedom))

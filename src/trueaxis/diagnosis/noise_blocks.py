@@ -6,7 +6,7 @@ of a target, from one side, with one set-up; what differs between them is noise,
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import zip_longest
+from itertools import pairwise, zip_longest
 
 import numpy as np
 from scipy.linalg import block_diag
@@ -15,7 +15,7 @@ from scipy.sparse.csgraph import connected_components
 
 from trueaxis.diagnosis.base import Base
 from trueaxis.diagnosis.projection import orthonormal
-from trueaxis.diagnosis.result import FloatArray, IntArray
+from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.diagnosis.whiten import RANK, settling, wandering
 
@@ -30,22 +30,22 @@ NORMAL_MEDIAN = 0.6744897501960817  # of the absolute value of a standard normal
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shapes:
-    """(n, n) of any two readings of a part: same: 1 where of one run; gaps: typical steps between them; wander,
-    settle: their covariance of unit size; alike: 1 where they are of one target.
+    """Of a run of m readings, (m, m) of any two: gaps: typical steps between them; wander, settle: their covariance of
+    unit size.
     """
 
-    same: FloatArray
     gaps: FloatArray
     wander: FloatArray
     settle: FloatArray
-    alike: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """Runs that read the same targets, or one run; of one instrument. rows: of its block; of each of n readings: place:
-    of its run among those of the base; target; passed: share of the duration of its run; when: typical steps since its
-    start; own: (n, k), orthonormal, what is unknown of the instrument.
+    """Runs that read the same targets, or one run; of one instrument. rows: of its block; runs: of it, readings of each
+    run, which are neighbours; of each of n readings: place: of its run among those of the base; target: of those of the
+    part; passed: share of the duration of its run; when: typical steps since its start; own: (n, k), orthonormal, what
+    is unknown of the instrument; repeated: (n, targets), 1 where it is of a target that is read more than once; alone:
+    (n,), whether it is of one that is read once.
     """
 
     rows: slice
@@ -54,23 +54,23 @@ class Part:
     passed: FloatArray
     when: FloatArray
     own: FloatArray
+    runs: tuple[slice, ...]
+    repeated: FloatArray
+    alone: BoolArray
 
     @property
     def alike(self) -> FloatArray:
         """(n, n): 1 where two readings are of one target."""
         return np.asarray(self.target[:, np.newaxis] == self.target, dtype=np.float64)
 
-    def shapes(self) -> Shapes:
-        """To be asked for once: they are by far the largest of all."""
-        same = (self.place[:, np.newaxis] == self.place).astype(np.float64)
-        course, walk = settling(self.passed), wandering(self.passed)
-        return Shapes(
-            same=same,
-            gaps=np.abs(self.when[:, np.newaxis] - self.when),
-            wander=same * (walk @ walk.T),
-            settle=same * np.outer(course, course),
-            alike=self.alike,
-        )
+    def shapes(self) -> list[Shapes]:
+        """Of each run. To be asked for once."""
+        found = []
+        for here in self.runs:
+            course, walk, when = settling(self.passed[here]), wandering(self.passed[here]), self.when[here]
+            gaps = np.abs(when[:, np.newaxis] - when)
+            found.append(Shapes(gaps=gaps, wander=walk @ walk.T, settle=np.outer(course, course)))
+        return found
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -154,19 +154,26 @@ def _block(rows: Rows, base: Base, values: FloatArray, place: IntArray, groups: 
 
 def _part(rows: Rows, base: Base, place: IntArray, at: IntArray, start: int) -> Part:
     own, passed, when = [], [], []
-    for number in np.unique(place[at]).tolist():
+    first = np.flatnonzero(np.diff(place[at], prepend=-1)).tolist()
+    runs = tuple(slice(one, end) for one, end in pairwise([*first, at.size]))
+    for mine in runs:
+        number = int(place[at[mine.start]])
         run = base.runs[number].rows
-        here = at[place[at] == number] - int(run.at[0])
+        here = at[mine] - int(run.at[0])
         own.append(orthonormal(base.own[number][here]))
         passed.append(run.passed[here])
         when.append(np.cumsum(run.steps)[here])
+    _, target, times = np.unique(rows.target[at], return_inverse=True, return_counts=True)
     return Part(
         rows=slice(start, start + at.size),
         place=place[at],
-        target=rows.target[at],
+        target=target,
         passed=np.concatenate(passed),
         when=np.concatenate(when),
         own=np.asarray(block_diag(*own)),
+        runs=runs,
+        repeated=np.asarray(target[:, np.newaxis] == np.flatnonzero(times > 1), dtype=np.float64),
+        alone=times[target] == 1,
     )
 
 

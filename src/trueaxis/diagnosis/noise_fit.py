@@ -6,14 +6,15 @@ of V is tr(P dV) - y' P dV P y. What the base gets wrong is a part of V: a value
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.linalg import LinAlgError, cholesky, solve_triangular
-from scipy.linalg.lapack import dpotri
+from scipy.linalg import block_diag
 from scipy.optimize import minimize
 
+from trueaxis.diagnosis.by_run import few_of
 from trueaxis.diagnosis.noise_blocks import Block, Part, Shapes
+from trueaxis.diagnosis.noise_precision import Precision, factor_of, precision_of, solved
 from trueaxis.diagnosis.result import FloatArray
 
 # of an instrument: logarithm of white noise, slow noise, logarithm of its time constant, wandering, settling, misfit of
@@ -30,7 +31,6 @@ FARTHEST = 2.0  # of this logarithm
 STILL, MOST_STEPS = 1e-6, 50  # relative change of the logarithm of the likelihood: a hundredth of what matters
 LEAST = 0.1  # of the first guess, from where a size starts that was smaller before
 STEPS = 200  # of a standard deviation that is averaged
-ROUNDING = 1e-13  # of a variance: a misfit a million times the noise is positive definite only with it
 FAR_BELOW, FAR_ABOVE = 20.0, 5.0  # standard uncertainties of its square
 
 
@@ -66,32 +66,42 @@ class Found:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Told:
-    """What a part tells at some noise. number: of its instrument; white: (n,), variance of each reading; slow: (n, n),
-    of unit size; noise: (n, n), mm^2; precision: (n, n), what is free taken away; weighed: (n,), precision of all
-    readings times their values.
+    """What a part tells at some noise. shapes: of the readings of each run; number: of its instrument; white: (n,),
+    variance of each reading; slow: of unit size, noise: mm^2, of the readings of each run; precision: of all, what is
+    free taken away; weighed: (n,), precision of all readings times their values.
     """
 
     part: Part
-    shape: Shapes
+    shapes: Sequence[Shapes]
     number: int
     white: FloatArray
-    slow: FloatArray
-    noise: FloatArray
-    precision: FloatArray
+    slow: list[FloatArray]
+    noise: list[FloatArray]
+    precision: Precision
     weighed: FloatArray
 
-    def slope(self, shape: FloatArray) -> float:
-        """Of minus the logarithm of the likelihood by the size of a shape, mm^2, of the covariance."""
-        return 0.5 * float(np.vdot(self.precision, shape) - self.weighed @ shape @ self.weighed)
+    def slopes(self, age: float, of_scale: FloatArray) -> FloatArray:
+        """(PER,): of minus the logarithm of the likelihood by the logarithm of white noise, by the squares of slow
+        noise, wandering, settling and misfit, mm^2, and by the logarithm of the age, of slow noise of unit size.
+        """
+        found = np.zeros(PER)
+        found[0] = of_scale.sum()
+        for here, block, slow, shape in zip(
+            self.part.runs, self.precision.blocks(), self.slow, self.shapes, strict=True
+        ):
+            half = 0.5 * (block - np.outer(self.weighed[here], self.weighed[here]))
+            found[1] += np.vdot(half, slow)
+            found[3] += np.vdot(half, shape.wander)
+            found[4] += np.vdot(half, shape.settle)
+            found[AGE] += np.vdot(half * slow, shape.gaps) / age
+        shared = self.weighed @ self.part.repeated
+        of_repeated = self.precision.within(self.part.repeated) - float(shared @ shared)
+        found[MISFIT] = 0.5 * (of_repeated + float(np.sum((of_scale / self.white)[self.part.alone])))
+        return found
 
     def of_scale(self) -> FloatArray:
-        """(n,): the same by the logarithm of the white noise of each reading."""
-        return np.asarray(self.white * (np.diag(self.precision) - self.weighed**2))
-
-    @property
-    def shapes(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Of slow noise, wandering and settling."""
-        return self.slow, self.shape.wander, self.shape.settle
+        """(n,): of the same by the logarithm of the white noise of each reading."""
+        return np.asarray(self.white * (self.precision.diagonal() - self.weighed**2))
 
 
 class Likelihood:
@@ -102,7 +112,7 @@ class Likelihood:
 
     def __init__(self, block: Block, instruments: Sequence[str], first: Mapping[str, Guess]) -> None:
         self.block = block
-        self.shapes = [one.shapes() for one in block.parts]
+        self.known = [(one.shapes(), *few_of(block.free[one.rows])) for one in block.parts]
         self.units = np.array([one.noise for one in first.values()])
         self.of_run = np.array([list(first).index(name) for name in instruments])
         self.count = PER * self.units.size
@@ -117,17 +127,12 @@ class Likelihood:
         value, told = self.told(x)
         sizes = self.sizes(x)
         for one in told:
-            of_scale, unit = one.of_scale(), 2.0 * self.units[one.number]
+            unit = 2.0 * self.units[one.number]
             _, slow, age, wanders, settles, misfit = sizes[one.number]
+            by_size = [1.0, unit * slow, slow**2, unit * wanders, unit * settles, unit * misfit]
+            of_scale = one.of_scale()
             slope[self.count :] += np.bincount(one.part.place, of_scale, self.of_run.size)
-            slope[PER * one.number : PER * (one.number + 1)] += [
-                of_scale.sum(),
-                unit * slow * one.slope(one.slow),
-                slow**2 * one.slope(one.slow * one.shape.gaps / age),
-                unit * wanders * one.slope(one.shape.wander),
-                unit * settles * one.slope(one.shape.settle),
-                unit * misfit * one.slope(one.shape.alike),
-            ]
+            slope[PER * one.number : PER * (one.number + 1)] += by_size * one.slopes(age, of_scale)
         return value + 0.5 * float(apart @ apart), slope
 
     def sizes(self, x: FloatArray) -> FloatArray:
@@ -146,52 +151,38 @@ class Likelihood:
 
     def told(self, x: FloatArray) -> tuple[float, list[_Told]]:
         """Minus the logarithm, and what each part tells."""
-        found, root = [], 0.0
-        through, weighed = np.empty_like(self.block.free), np.empty_like(self.block.values)
-        sizes = self.sizes(x)
-        for one, shape in zip(self.block.parts, self.shapes, strict=True):
-            number = int(self.of_run[one.place[0]])
+        found, held, root = [], [], 0.0
+        sizes, values = self.sizes(x), self.block.values
+        squares, of_values = np.zeros((self.block.free.shape[1],) * 2), np.zeros(self.block.free.shape[1])
+        for part, (shapes, few, weights) in zip(self.block.parts, self.known, strict=True):
+            number = int(self.of_run[part.place[0]])
             level, slow, age, wanders, settles, misfit = sizes[number]
-            slowly = shape.gaps / -age
-            np.exp(slowly, out=slowly)
-            slowly *= shape.same
-            white = (level * np.exp(x[self.count + one.place])) ** 2
-            noise = slow**2 * slowly
-            noise += wanders**2 * shape.wander
-            noise += settles**2 * shape.settle
-            noise[np.diag_indices(white.size)] += white
-            precision, own_root = _precision(noise + misfit**2 * shape.alike, one.own)
-            root += own_root
-            through[one.rows] = precision @ self.block.free[one.rows]
-            weighed[one.rows] = precision @ self.block.values[one.rows]
-            found.append(_Told(one, shape, number, white, slowly, noise, precision, weighed[one.rows]))
-        factor = cholesky(self.block.free.T @ through, lower=True, check_finite=False)
+            white = (level * np.exp(x[self.count + part.place])) ** 2
+            slowly = [np.exp(one.gaps / -age) for one in shapes]
+            alone = white + misfit**2 * part.alone  # what is read once differs from the base as it does from noise
+            noise = []
+            for of_slow, shape, here in zip(slowly, shapes, part.runs, strict=True):
+                of_run = slow**2 * of_slow + wanders**2 * shape.wander + settles**2 * shape.settle
+                of_run.ravel()[:: len(of_run) + 1] += alone[here]
+                noise.append(of_run)
+            precision, of_part = precision_of(noise, part.repeated, misfit, part.own)
+            root += of_part
+            through = precision @ np.column_stack([few, values[part.rows]])
+            inside = few.T @ through
+            squares += weights.T @ inside[:, :-1] @ weights
+            of_values += weights.T @ inside[:, -1]
+            held.append(through)
+            found.append(_Told(part, shapes, number, white, slowly, noise, precision, through[:, -1]))
+        factor = factor_of(squares)
         root += float(np.log(np.diag(factor)).sum())
-        taken = solve_triangular(factor, through.T, lower=True, check_finite=False)
-        weighed -= taken.T @ (taken @ self.block.values)
-        for told in found:
-            mine = taken[:, told.part.rows]
-            told.precision[...] -= mine.T @ mine
-        return root + 0.5 * float(self.block.values @ weighed), found
-
-
-def _precision(covariance: FloatArray, own: FloatArray) -> tuple[FloatArray, float]:
-    """Inverse of a covariance less what own columns take, and half the log determinants."""
-    try:
-        factor = cholesky(covariance, lower=True, check_finite=False)
-    except LinAlgError:
-        covariance[np.diag_indices(len(covariance))] *= 1.0 + ROUNDING
-        factor = cholesky(covariance, lower=True, check_finite=False)
-    root = float(np.log(np.diag(factor)).sum())
-    inverse, _ = dpotri(factor, lower=1, overwrite_c=1)  # its lower triangle: zeros are above that of the factor
-    inverse += np.tril(inverse, -1).T
-    if own.shape[1]:
-        held = inverse @ own
-        part = cholesky(own.T @ held, lower=True, check_finite=False)
-        root += float(np.log(np.diag(part)).sum())
-        taken = solve_triangular(part, held.T, lower=True, check_finite=False)
-        inverse -= taken.T @ taken
-    return np.asarray(inverse.T), root  # row by row in memory, as all else is
+        told, taken = [], solved(factor, of_values[:, np.newaxis])[:, 0]
+        for one, through, (_, _, weights) in zip(found, held, self.known, strict=True):
+            of_free = solved(factor, weights.T)
+            weighed = one.weighed - through[:, :-1] @ (of_free.T @ taken)
+            rows = np.linalg.qr(of_free, mode="r") @ through[:, :-1].T
+            told.append(replace(one, precision=one.precision.less(rows), weighed=weighed))
+            root += 0.5 * float(values[one.part.rows] @ weighed)
+        return root, told
 
 
 def restricted(
@@ -224,7 +215,7 @@ def _scaled(of: Likelihood, x: FloatArray) -> None:
     slope, information = np.zeros((2, of.of_run.size))
     for one in of.told(x)[1]:
         slope -= np.bincount(one.part.place, one.of_scale(), of.of_run.size)
-        both = (one.white * (one.white[:, np.newaxis] * one.precision**2)).sum(axis=0)
+        both = (one.white * (one.white[:, np.newaxis] * one.precision.dense() ** 2)).sum(axis=0)
         information += 2.0 * np.bincount(one.part.place, both, of.of_run.size)
     step = np.maximum(1.0 + 2.0 * slope / (information + UNEVEN**-2), np.exp(-2.0 * FARTHEST))
     x[of.count :] += np.where(information > 0.0, 0.5 * np.log(step), 0.0)
@@ -237,10 +228,13 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
     slopes, information = np.zeros((2, len(names), 3))
     freedom = np.zeros(len(names))
     for one in of.told(x)[1]:
-        freedom[one.number] += float(np.sum(one.precision * one.noise))
-        for k, shape in enumerate(one.shapes):
-            both = one.precision @ shape
-            slopes[one.number, k] += one.slope(shape)
+        freedom[one.number] += sum(map(np.vdot, one.precision.blocks(), one.noise))
+        slopes[one.number] += one.slopes(1.0, one.of_scale())[list(SLOW)]
+        whole = one.precision.dense()
+        for k, shapes in enumerate(
+            (one.slow, [each.wander for each in one.shapes], [each.settle for each in one.shapes])
+        ):
+            both = whole @ block_diag(*shapes)
             information[one.number, k] += 0.5 * float(np.sum(both * both.T))
     sizes = of.sizes(x)
     best = sizes[:, list(SLOW)] ** 2

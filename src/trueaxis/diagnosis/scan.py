@@ -6,32 +6,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from trueaxis.diagnosis.freedom import Freedom
+from trueaxis.diagnosis.prepared import Prepared
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import FloatArray
-from trueaxis.diagnosis.rows import as_slice
 from trueaxis.diagnosis.signatures import Signature
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.effects.kind import Effect
-from trueaxis.estimation.effects.variable_projection import UNOBSERVABLE, explained
+from trueaxis.estimation.effects.variable_projection import explained
 from trueaxis.estimation.tails import log_chi2_tail, log_f_tail
 
-ENTRIES = 1 << 18  # of a signature's columns at a time: 2 MB, which stay in the processor's cache
 FAR = 100.0  # a statistic from which the number of tries does not matter
-NOTHING = 1e-200  # squares, in units of the noise, whose inverse would leave the range of numbers
 LN10 = float(np.log(10.0))
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Prepared:
-    """What of a candidate stays the same whatever the readings are and whichever causes are found.
-
-    whole: (points,), sum of squares of the signature in standard deviations of the readings; gram: (points, k, k), the
-    signature times itself, whitened, base and unknowns of all runs taken away; length: of the curve along the grid.
-    """
-
-    whole: FloatArray
-    gram: FloatArray
-    length: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,40 +55,6 @@ class Scanned:
     evidence: float
     preference: float
     missing: str = ""
-
-
-def prepared(signature: Signature, whitening: Whitening, base: Projection) -> Prepared:
-    """The candidate's signature whitened and the base taken away; base: without causes.
-
-    The cost grows with the readings that it reaches times rank of the base times points of the grid. Points are taken a
-    few at a time, so that memory does not.
-    """
-    points, k = len(signature.points), signature.terms.shape[2]
-    step = max(ENTRIES // max(signature.support.size * k, 1), 1)
-    parts = [
-        _prepared(signature, whitening, base, slice(start, min(start + step + 1, points)))
-        for start in range(0, points, step)
-    ]
-    whole, gram = (np.concatenate([part[of][:step] for part in parts]) for of in (0, 1))
-    # what the base and the runs hold is rounding, and what dies away before the first reading is nothing
-    held = np.trace(gram, axis1=1, axis2=2) <= np.maximum(UNOBSERVABLE * whole, NOTHING)
-    gram = np.where(held[:, np.newaxis, np.newaxis], 0.0, gram)
-    cross = np.concatenate([part[2] for part in parts])[: points - 1]
-    return Prepared(whole, gram, _length(gram, cross))
-
-
-def _prepared(
-    signature: Signature, whitening: Whitening, base: Projection, points: slice
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """(points,) and (points, k, k), whole and gram, and (points - 1, k, k), the gram of each point with the next."""
-    columns = signature.columns(points)
-    size, count, k = columns.shape
-    white = whitening.part(signature.support, columns.reshape(size, count * k))
-    held = base.inner(white, signature.support).reshape(-1, count, k)
-    full = white.reshape(size, count, k)
-    whole = np.square(columns).reshape(size, count * k).T @ whitening.sigma[as_slice(signature.support)] ** -2.0
-    cross = _gram(full[:, :-1], full[:, 1:]) - _gram(held[:, :-1], held[:, 1:])
-    return whole.reshape(count, k).sum(axis=1), _gram(full, full) - _gram(held, held), cross
 
 
 def residual_of(whitening: Whitening, base: Projection, values: FloatArray, freedom: Freedom) -> Residual:
@@ -151,14 +102,3 @@ def _gram(columns: FloatArray, others: FloatArray) -> FloatArray:
 
 def _one_sided(signature: Signature) -> bool:
     return any(one.role == "root" for one in signature.kind.parameters)
-
-
-def _length(gram: FloatArray, cross: FloatArray) -> float:
-    """Length of the curve that the signature, base projected out, draws on the unit sphere along the grid.
-
-    gram: (points, k, k); cross: (points - 1, k, k), of each point with the next.
-    """
-    inverse = np.linalg.pinv(gram, rcond=UNOBSERVABLE, hermitian=True)
-    shared = np.einsum("pij,pjk,plk,pli->p", inverse[:-1], cross, inverse[1:], cross)
-    angle = np.arccos(np.sqrt(np.clip(shared / gram.shape[1], 0.0, 1.0)))
-    return float(np.sum(angle))

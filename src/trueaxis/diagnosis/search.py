@@ -2,15 +2,17 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Protocol, TypeVar
 
 import numpy as np
 
 from trueaxis.diagnosis.freedom import Freedom
 from trueaxis.diagnosis.grids import grid_of
+from trueaxis.diagnosis.prepared import Inner, Prepared, inner_of, prepared
 from trueaxis.diagnosis.projection import Projection
 from trueaxis.diagnosis.result import FloatArray
-from trueaxis.diagnosis.scan import Prepared, Residual, Scanned, prepared, residual_of, scanned
+from trueaxis.diagnosis.scan import Residual, Scanned, residual_of, scanned
 from trueaxis.diagnosis.signatures import Readings, Signature, signature_of
 from trueaxis.diagnosis.whiten import Whitening
 from trueaxis.effects.kind import Effect
@@ -60,7 +62,7 @@ class Search:
     threshold: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Ground:
     """What is searched on: candidates, whitened readings less what is expected, noise and base.
 
@@ -80,6 +82,11 @@ class Ground:
     each: Each = map
     known: dict[Effect, Prepared] = field(default_factory=dict, repr=False)
 
+    @cached_property
+    def inner(self) -> Inner:
+        """Whitening and base, as signatures are multiplied by them."""
+        return inner_of(self.whitening, self.base)
+
     @property
     def threshold(self) -> float:
         """Evidence that a candidate has to reach: Bonferroni over the candidates."""
@@ -92,7 +99,7 @@ class Ground:
     def knows(self, signature: Signature) -> Prepared:
         """Of a candidate on its grid, prepared once."""
         if signature.effect not in self.known:
-            self.known[signature.effect] = prepared(signature, self.whitening, self.base)
+            self.known[signature.effect] = prepared(signature, self.inner)
         return self.known[signature.effect]
 
 
@@ -161,7 +168,7 @@ def zoomed(ground: Ground, residual: Residual, scan: Scanned) -> Found:
         for _ in range(2):
             fine = _between(points, place, name)
             signature = signature_of(ground.readings, scan.effect, fine)
-            closer = scanned(signature, prepared(signature, ground.whitening, ground.base), residual)
+            closer = scanned(signature, prepared(signature, ground.inner), residual)
             points, place = fine, closer.place
             if closer.statistic >= best.statistic:
                 best = _with_tries(closer, scan.tries)

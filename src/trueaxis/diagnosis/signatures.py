@@ -54,6 +54,13 @@ class Signature:
         of_rows = by_point if isinstance(self.place, slice) else np.take(by_point, self.place, axis=2)
         return np.asarray((of_rows * self.lever).transpose(2, 0, 1))
 
+    def rows_of(self, here: slice, points: slice) -> FloatArray:
+        """(m, points k), mm: the columns at some of the points, of some places in the support, row by row in memory."""
+        place = here if isinstance(self.place, slice) else self.place[here]
+        chosen = self.terms[:, points]
+        found = chosen[place].reshape(-1, chosen.shape[1] * chosen.shape[2])
+        return np.asarray(found * self.lever[here, np.newaxis])
+
     def products(self, vectors: FloatArray) -> FloatArray:
         """(j, n_points, k): those with vectors (size, j)."""
         count, points, k = self.terms.shape

@@ -12,7 +12,7 @@ import numpy as np
 
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.rows import runs_among
-from trueaxis.estimation.noise import Noise
+from trueaxis.estimation.noise import BLOCK, Noise
 from trueaxis.estimation.noise import Whitening as OfOneRun
 
 SETTLED = 0.2  # of the duration of a run: its time constant of settling
@@ -88,6 +88,7 @@ class Whitening:
     runs: tuple[RunNoise, ...]
     own: tuple[FloatArray, ...]
     _each: dict[int, _OfRun] = field(default_factory=dict, repr=False)
+    _several: dict[tuple[int, ...], OfOneRun] = field(default_factory=dict, repr=False)
 
     @property
     def sigma(self) -> FloatArray:
@@ -140,6 +141,21 @@ class Whitening:
         if held.any():
             found[:, held] = 0.0
         return found
+
+    def aside(self, place: int) -> tuple[FloatArray, FloatArray]:
+        """(m, k): orthonormal, what is taken away of one run after white and slow noise; (k,): its share."""
+        run = self._of(place)
+        return run.aside, run.share
+
+    def alone(self, places: Sequence[int], columns: FloatArray) -> FloatArray:
+        """(m, k): columns of some runs, one after the other, by white and slow noise alone; they are overwritten."""
+        if len(places) == 1:
+            run = self._of(places[0]).alone
+            return run.by_rows(columns) if columns.shape[1] >= BLOCK else run.every(columns)
+        key = tuple(places)
+        if key not in self._several:
+            self._several[key] = OfOneRun.joined([self._of(place).alone for place in places])
+        return self._several[key].every(columns)
 
     def _of(self, place: int) -> _OfRun:
         if place not in self._each:

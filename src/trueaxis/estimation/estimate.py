@@ -55,7 +55,8 @@ class EstimationOptions:
     """noise: standard deviation of the readings of runs, by index, mm; that of an instrument is estimated unless all of
     its runs are there; start: values of effects, which spare the search of those that the readings do not depend on
     linearly; prior: whether anything is expected of the machine's errors: if not, what the readings do not determine is
-    zero, and `open`; ideal: whether nothing is unknown of the instruments; degree: of the curves.
+    zero, and `open`; ideal: whether nothing is unknown of the instruments; degree: of the curves; misread: whether runs
+    are looked for that were misread: not where readings are changes, of which no sign and no unit can be wrong.
     """
 
     noise: Mapping[int, float] = field(default_factory=dict)
@@ -63,6 +64,7 @@ class EstimationOptions:
     prior: bool = True
     ideal: bool = False
     degree: int = DEGREE
+    misread: bool = True
 
 
 USUAL = EstimationOptions()
@@ -165,7 +167,10 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    misread, contradicting = _wrong(setting, Fitted(state=state, sizes=sizes, x=x), posterior)
+    misread: dict[int, Misread] = {}
+    contradicting: list[Contradiction] = []
+    if setting.options.misread:
+        misread, contradicting = _wrong(setting, Fitted(state=state, sizes=sizes, x=x), posterior)
     ratios = likelier(sizes, found, x) if setting.options.prior else {}
     if setting.options.prior:
         posterior = averaged(sizes, found, x)

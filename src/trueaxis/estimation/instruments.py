@@ -140,8 +140,31 @@ def own_columns(
     return np.stack(columns, axis=1)
 
 
-def shared_unknowns(runs: Sequence[Run], present: Sequence[int], straightness: Sequence[bool]) -> list[SharedUnknown]:
-    """All unknowns that runs share, in a fixed order."""
+def alignments(runs: Sequence[Run], order: Sequence[int]) -> dict[int, int]:
+    """Of each run of a laser, by index, the number of its alignment.
+
+    A laser is on one line at a time: a line that it comes back to after another was aligned anew, unless sessions are
+    named, which then say it. order: indices of the runs, as they were taken.
+    """
+    found: dict[int, int] = {}
+    last: dict[Hashable, tuple[Hashable, int]] = {}
+    for index in order:
+        run = runs[index]
+        if run.instrument != "laser":
+            continue
+        line, number = last.get(run.device, (None, -1))
+        now = (run.target, run.reference, run.direction)
+        number += now != line
+        last[run.device] = now, number
+        found[index] = 0 if run.session else number
+    return found
+
+
+def shared_unknowns(
+    runs: Sequence[Run], present: Sequence[int], straightness: Sequence[bool], order: Sequence[int] | None = None
+) -> list[SharedUnknown]:
+    """All unknowns that runs share, in a fixed order. order: in which the runs present were taken; by index if None."""
+    aligned = alignments(runs, present if order is None else order)
     members: dict[tuple[str, Hashable, int], list[int]] = {}
     for index in present:
         run = runs[index]
@@ -163,7 +186,8 @@ def shared_unknowns(runs: Sequence[Run], present: Sequence[int], straightness: S
         else:
             scale = "laser scale" if run.device is None or run.device.scale_u is None else "stated scale"
             keys = [(scale, (run.session, run.device), 0)]
-            keys.append(("laser cosine", (run.session, run.target, run.reference, run.direction), 0))
+            line = (run.session, run.device, aligned[index], run.target, run.reference, run.direction)
+            keys.append(("laser cosine", line, 0))
         for key in keys:
             members.setdefault(key, []).append(index)
     return [

@@ -101,6 +101,16 @@ class Layout:
         return found
 
 
+def _order(observed: Observations) -> list[int]:
+    """Indices of the runs with readings as they were taken: by their clock, else as they stand in setup.toml."""
+    present: list[int] = np.unique(observed.run).tolist()
+    time = None if observed.context is None else observed.context.time
+    if time is None or not np.isfinite(time).all():
+        return present
+    started = {index: float(time[observed.run == index].min()) for index in present}
+    return sorted(present, key=lambda index: started[index])
+
+
 def layout_of(
     model: MachineModel,
     observed: Observations,
@@ -113,7 +123,7 @@ def layout_of(
     components = tuple(name for name in model.components if name not in given.motion_errors)
     locations = tuple(name for name in model.location_errors if name not in given.parameters)
     straightness = straight_runs(model, observed.runs, observed.run, observed.positions)
-    shared = shared_unknowns(observed.runs, np.unique(observed.run).tolist(), straightness)
+    shared = shared_unknowns(observed.runs, np.unique(observed.run).tolist(), straightness, _order(observed))
     bases = tuple(travel_basis(model.travel[name.axis], degree) for name in components)
     prior, machine = model.prior, model.machine
     sizes = [

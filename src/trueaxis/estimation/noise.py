@@ -4,6 +4,7 @@ With D the matrix that takes away what is left of the slow part of the reading b
 run is tridiagonal, its Cholesky factor bidiagonal: time and memory grow with the number of readings alone.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +12,8 @@ from scipy.linalg import cholesky_banded
 from scipy.linalg.lapack import dtbtrs
 
 from trueaxis.measurement.machine import FloatArray
+
+BLOCK = 32  # rows of the factor that are divided by at once, as a dense matrix
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,9 +55,20 @@ class Whitening:
         band[1, :-1] = -white * kept[1:]
         self._kept = kept
         self._factor = np.asarray(cholesky_banded(band, lower=True, check_finite=False))
+        self._blocks: FloatArray | None = None
         self._at = 0
         self._before: FloatArray | None = None
         self._solved: FloatArray | None = None
+
+    @classmethod
+    def joined(cls, runs: "Sequence[Whitening]") -> "Whitening":
+        """Of several runs, one after the other: they know nothing of each other."""
+        found = cls.__new__(cls)
+        found._kept = np.concatenate([one._kept for one in runs])
+        found._factor = np.concatenate([one._factor for one in runs], axis=1)
+        found._factor[1, np.cumsum([one._kept.size for one in runs]) - 1] = 0.0
+        found._blocks, found._at, found._before, found._solved = None, 0, None, None
+        return found
 
     @property
     def log_root(self) -> float:
@@ -84,6 +98,37 @@ class Whitening:
         found = np.array(columns, order="F")
         found[1:] -= self._kept[1:, np.newaxis] * columns[:-1]
         return np.asarray(dtbtrs(self._factor, found, uplo="L", trans="N", overwrite_b=1)[0])
+
+    def by_rows(self, columns: FloatArray) -> FloatArray:
+        """All rows (n, k), whitened, row by row in memory as they come; they are overwritten. For many columns."""
+        if not self._kept.any():
+            columns /= self._factor[0, :, np.newaxis]
+            return columns
+        found, kept, before = np.empty_like(columns), self._kept[:, np.newaxis], columns[:1]
+        for start, inverse in zip(range(0, columns.shape[0], BLOCK), self._by_blocks(), strict=True):
+            part = columns[start : start + BLOCK]
+            rows, last = part.shape[0], part[-1].copy()
+            part[1:] -= kept[start + 1 : start + rows] * part[:-1]
+            if start:
+                part[0] -= kept[start] * before + self._factor[1, start - 1] * found[start - 1]
+            before = last
+            np.matmul(inverse[:rows, :rows], part, out=found[start : start + BLOCK])
+        return found
+
+    def _by_blocks(self) -> FloatArray:
+        """(blocks, BLOCK, BLOCK): inverses of the blocks on the diagonal of the factor."""
+        if self._blocks is None:
+            count = -(-self._kept.size // BLOCK)
+            padded = np.ones((2, count * BLOCK))
+            padded[:, : self._kept.size] = self._factor
+            root, below = padded.reshape(2, count, BLOCK, 1)
+            found = np.zeros((count, BLOCK, BLOCK))
+            for k in range(BLOCK):
+                found[:, k, k] = 1.0
+                found[:, k, :k] -= below[:, k - 1] * found[:, k - 1, :k]
+                found[:, k] /= root[:, k]
+            self._blocks = found
+        return self._blocks
 
     def weighed(self, column: FloatArray) -> FloatArray:
         """(n,): the inverse of the covariance times a column of all rows."""
