@@ -74,9 +74,11 @@ class Anew:
 def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, extend: Extend) -> Anew:
     """All errors of the machine beside the causes named.
 
-    Where none is, the diagnosis stands without a fit that does not stand still; else see `reidentified`.
+    Where none is, the diagnosis stands without a fit that does not stand still; else see `reidentified`. Where a cause
+    is not part of the extended machine, readings that it explains fit no values, which says nothing against them.
     """
-    extended, named = extend(found), bool(named_effects(found))
+    effects = named_effects(found)
+    extended, named = extend(found), bool(effects)
     start = start_values(found) if named else ()
     try:
         values, errors, fit = reidentified(extended, model.errors, kept_readings(data, found), start)
@@ -84,7 +86,8 @@ def identified_anew(model: MachineModel, data: MeasuredData, found: Diagnosis, e
         if named:
             raise
         return Anew()
-    wrong = fit.runs if fit is not None and fit.state == "misfit" else ()
+    whole = len(effects) == len(found.causes)
+    wrong = fit.runs if whole and fit is not None and fit.state == "misfit" else ()
     return Anew(values if named else None, errors, wrong)
 
 
