@@ -17,6 +17,7 @@ from trueaxis.diagnosis.scan import Scanned
 from trueaxis.diagnosis.search import FALSE_ALARMS, RIVAL, Found, Ground, Search, best_of, scan_all, with_rivals
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.stale import Changes, free_besides, stale_values
+from trueaxis.diagnosis.verdict import size_is_significant
 
 MOST = 3  # effects that are looked at as explaining the readings about as well as stale values
 LIKELIER = -float(np.log10(FALSE_ALARMS))  # decades by which an effect must be likelier than stale values to be named
@@ -34,8 +35,8 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     """The effect that explains the readings instead of stale values, and what is stale beside it.
 
     None where none does, or where both explain alike: that is then said with what is stale. An effect must reach the
-    threshold of any candidate, leave nothing stale, and be the likelier by LIKELIER. known: (n,) each, mm, what
-    instruments do that are off.
+    threshold of any candidate, have a size beyond its uncertainty, leave nothing stale, and be the likelier by
+    LIKELIER. known: (n,) each, mm, what instruments do that are off.
     """
     free = free_besides(null, known, ())
     tight = replace(ground, plain=free, base=free, wide=free, known={})
@@ -47,7 +48,8 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
         return None, changes
     (best,) = with_rivals(tight, Search((best,), scans, free, free.rest(tight.values), ground.threshold)).causes
     tried = [(one, *_instead(tight, null, one, known)) for one in (best.scan, *best.rivals)[:MOST]]
-    vanishes = tuple(one.effect for one, _, left in tried if not left.stale)
+    # an effect that aliases to a slow curve at targets of one distance has any size
+    vanishes = tuple(one.effect for one, cause, left in tried if not left.stale and size_is_significant(cause))
     scan, cause, left = tried[0]
     if scan.effect in vanishes and scan.preference >= behind + LIKELIER:
         return Named(best, cause), left

@@ -1,5 +1,6 @@
-"""A cause that cannot be told from a rival stands: the machine extended without it fits no run, and says nothing."""
+"""What a shop measures first, a line of each axis: backlash keeps its name and its rival, a new scale has no name."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -39,24 +40,26 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> tuple[ta.MachineModel,
     return model, errors, ta.simulate(model, errors, ta.load_data(folder, model), noise_um=0.2, seed=3)
 
 
+def _changed(data: ta.DataFolder, folder: Path, change: np.ndarray) -> ta.DataFolder:
+    """With readings that are larger, (n,) mm."""
+    readings = replace(data.data.readings, reading=data.data.readings.reading + change)
+    ta.save_data(folder, replace(data, data=replace(data.data, readings=readings)))
+    return ta.load_data(folder, ta.load_machine(ROOT / "machines/dmu60p.toml"))
+
+
 def test_backlash_of_one_line_is_named_with_its_rival(
     measured: tuple[ta.MachineModel, ta.Errors, ta.DataFolder], tmp_path: Path
 ) -> None:
+    """The machine that is extended without it fits no run: that says nothing against it."""
     model, errors, data = measured
-    ta.save_data(tmp_path / "data", data)
-    table = (tmp_path / "data/readings.csv").read_text().splitlines()
-    column = table[0].split(",").index("reading")
-    lines, last, direction = [table[0]], 0.0, 1.0
-    for row in table[1:]:
-        cells = row.split(",")
-        if cells[0] == "X":
-            position = float(cells[table[0].split(",").index("X")])
-            direction = float(np.sign(position - last)) or direction
-            last = position
-            cells[column] = repr(float(cells[column]) + 0.5 * WIDTH * (direction - 1.0))
-        lines.append(",".join(cells))
-    (tmp_path / "data/readings.csv").write_text("\n".join(lines) + "\n")
-    found = ta.diagnose(model, ta.load_data(tmp_path / "data", model), errors)
+    moves = np.diff(data.data.readings.positions[0], prepend=0.0)
+    direction, last = np.zeros(moves.size), 1.0
+    for row, move in enumerate(moves.tolist()):
+        last = direction[row] = float(np.sign(move)) or last
+    lost = 0.5 * WIDTH * (direction - 1.0)
+    found = ta.diagnose(
+        model, _changed(data, tmp_path / "data", np.where(data.data.readings.run == 0, lost, 0.0)), errors
+    )
     (cause,) = found.diagnosis.causes
     assert found.verdict == "ambiguous"
     assert {(one.kind, one.component) for one in (cause.effect, *(rival.effect for rival in cause.rivals))} == {
@@ -64,3 +67,15 @@ def test_backlash_of_one_line_is_named_with_its_rival(
         ("backlash", "EBX"),
     }
     assert found.diagnosis.misfits == ()
+
+
+def test_a_new_scale_is_no_cyclic_error_that_aliases_to_it(
+    measured: tuple[ta.MachineModel, ta.Errors, ta.DataFolder], tmp_path: Path
+) -> None:
+    """Targets of one distance see a pitch near a fifth of it as a slow curve, of any amplitude."""
+    model, errors, data = measured
+    longer = np.where(data.data.readings.run == 0, 2e-5 * data.data.readings.positions[0], 0.0)
+    found = ta.diagnose(model, _changed(data, tmp_path / "data", longer), errors)
+    assert (found.verdict, found.diagnosis.causes) == ("recalibrate", ())
+    (stale,) = found.diagnosis.stale
+    assert "EXX" in (stale.component, *stale.alike)
