@@ -179,7 +179,7 @@ WRONG: list[tuple[str, dict[str, Any], str]] = [
     ("export", {"step": 0.0}, "step: expected a finite number above 0; given 0.0"),
     ("fit", {"max_order": 99}, "max_order: expected a whole number from 1 to 15; given 99"),
     ("fit", {"alpha": 2.0}, "alpha: expected a number above 0 and below 1; given 2.0"),
-    ("plan", {"instruments": "laser"}, "instruments: expected a list, of laser, ballbar, probe; given 'laser'"),
+    ("plan", {"instruments": "laser"}, "instruments: expected a list, of laser, ballbar, probe, angle; given 'laser'"),
     ("plan", {"propose": 0}, "propose: expected a whole number from 1 to 100; given 0"),
     (
         "plan",

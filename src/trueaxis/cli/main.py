@@ -152,7 +152,10 @@ def _nearest(word: str, known: Sequence[str]) -> str:
     """`, did you mean --out?`; empty where none is near."""
     near = [name for name in known if name.startswith(word)]
     if not near:  # without the dashes, which make all options alike
-        near = [f"--{name}" for name in difflib.get_close_matches(word[2:], [name[2:] for name in known])]
+        near = [
+            f"--{name}"
+            for name in difflib.get_close_matches(word.removeprefix("--"), [one.removeprefix("--") for one in known])
+        ]
     return f", did you mean {' or '.join(near)}?" if near else ""
 
 

@@ -167,10 +167,7 @@ def _estimated(setting: _Setting, effects: EffectUnknowns) -> Estimate:
         u = np.maximum(np.linalg.norm(whole.spread, axis=1), LEAST_STEP / STILL)
         last = float(np.max(np.abs((state.unknowns - before.unknowns) / layout.sizes) / u, initial=0.0))
         converged = last < STILL
-    misread: dict[int, Misread] = {}
-    contradicting: list[Contradiction] = []
-    if setting.options.misread:
-        misread, contradicting = _wrong(setting, Fitted(state=state, sizes=sizes, x=x), posterior)
+    misread, contradicting = _wrong(setting, Fitted(state=state, sizes=sizes, x=x), posterior)
     ratios = likelier(sizes, found, x) if setting.options.prior else {}
     if setting.options.prior:
         posterior = averaged(sizes, found, x)
@@ -224,7 +221,7 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         noise = {}
         fitted = refit(setting.runs)
         posterior = fitted.posterior()
-    misread = misread_runs(fitted, posterior, refit)
+    misread = misread_runs(fitted, posterior, refit) if options.misread else {}
     sure = {index: one for index, one in misread.items() if one.sure}
     if not sure:
         return misread, contradictions(fitted, posterior, refit, SURE)

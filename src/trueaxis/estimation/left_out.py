@@ -14,7 +14,7 @@ from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import block_diag, cho_factor, cho_solve, null_space, qr
+from scipy.linalg import block_diag, null_space, qr
 
 from trueaxis.estimation.fitted import Fitted
 from trueaxis.estimation.instruments import own_kinds
@@ -32,8 +32,8 @@ MOST = 0.25  # share of the runs that may contradict the others: beyond it the m
 TRIALS = 3  # suspects that are left out on trial, each at the cost of an estimate
 ZERO = " zero"  # the end of the name of its class
 TOLD = 0.1  # of the noise: what an unknown changes readings by, as large as expected, from where on it counts as such
-ROUNDING = 1e-9  # of the largest variance
-MOST_DIRECTIONS = 2000  # of a group: 0.3 s and 32 MB; of larger ones the runs are judged alone
+NOTHING = 1e-6  # of the noise: a variance that is rounding, where the others let expect nothing of a direction
+MOST_DIRECTIONS = 800  # of a group: half a second; of larger ones the runs are judged alone
 
 Group = tuple[int, ...]  # runs, by their index
 
@@ -163,7 +163,7 @@ def beside_all(fitted: Fitted, posterior: Posterior, groups: Sequence[Group]) ->
         )
         kept = np.eye(spread.shape[0]) - spread @ spread.T - of_run @ of_run.T
         among = [rows[index] for index in group]
-        found[group] = _far(among, kept + (kept * (_noise(among) - 1.0)) @ kept)
+        found[group] = _far(among, kept + (kept * (_noise(among) - 1.0)) @ kept, NOTHING)
     return found
 
 
@@ -191,7 +191,7 @@ def beside_others(
         zeros.append(rows[-1].own[:, [kind.endswith(ZERO) for kind in kinds]])
     spread, of_run = np.vstack([one.others for one in rows]) @ expected.spread, block_diag(*(one.own for one in rows))
     covariance = spread @ spread.T + of_run @ of_run.T + np.diag(_noise(rows))
-    return _far(rows, covariance, null_space(block_diag(*zeros).T) if zeros_free else None)
+    return _far(rows, covariance, seen=null_space(block_diag(*zeros).T) if zeros_free else None)
 
 
 def _noise(rows: Sequence[_Rows]) -> FloatArray:
@@ -231,15 +231,15 @@ def _rows(
     )
 
 
-def _far(rows: Sequence[_Rows], covariance: FloatArray, seen: FloatArray | None = None) -> Far:
-    """By what is left of the readings of some runs, and its covariance; seen: (k, q), directions that count, else all.
+def _far(rows: Sequence[_Rows], covariance: FloatArray, least: float = 0.0, seen: FloatArray | None = None) -> Far:
+    """By what is left of the readings of some runs, and its covariance.
 
-    Where the others let expect nothing no variance is left in `beside_all`: such a direction adds nothing.
+    least: variance up to which a direction has none; seen: (k, q), directions that count, else all.
     """
     left = np.concatenate([one.left for one in rows])
     if seen is not None:
         left, covariance = seen.T @ left, seen.T @ covariance @ seen
-    covariance = covariance + ROUNDING * np.diag(covariance).max(initial=0.0) * np.eye(left.size)
-    square = float(left @ cho_solve(cho_factor(covariance), left)) if left.size else 0.0
-    k = max(left.size, 1)
+    variance, turned = np.linalg.eigh(covariance)
+    told = variance > least
+    square, k = float(np.sum((turned.T @ left)[told] ** 2 / variance[told])), max(int(told.sum()), 1)
     return Far(log_f_tail(square / k, k, sum(one.freedom for one in rows)), float(np.sqrt(square / k)))
