@@ -11,10 +11,12 @@ import numpy as np
 
 from trueaxis.diagnosis.imperfection import imperfections
 from trueaxis.diagnosis.null import Null
+from trueaxis.diagnosis.projection import Projection, orthonormal
 from trueaxis.diagnosis.refit import Fitted, refit
-from trueaxis.diagnosis.result import FloatArray
+from trueaxis.diagnosis.result import FloatArray, Stale
 from trueaxis.diagnosis.scan import Scanned
 from trueaxis.diagnosis.search import FALSE_ALARMS, RIVAL, Found, Ground, Search, best_of, scan_all, with_rivals
+from trueaxis.diagnosis.separation import APART
 from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.diagnosis.stale import Changes, free_besides, stale_values
 from trueaxis.diagnosis.verdict import size_is_significant
@@ -35,8 +37,9 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     """The effect that explains the readings instead of stale values, and what is stale beside it.
 
     None where none does, or where both explain alike: that is then said with what is stale. An effect must reach the
-    threshold of any candidate, have a size beyond its uncertainty, leave nothing stale, and be the likelier by
-    LIKELIER. known: (n,) each, mm, what instruments do that are off.
+    threshold of any candidate, have a size beyond its uncertainty, leave nothing stale, be the likelier by LIKELIER,
+    and say of the readings what no change of one component does: a new scale of one axis is one number, too. known:
+    (n,) each, mm, what instruments do that are off.
     """
     free = free_besides(null, known, ())
     tight = replace(ground, plain=free, base=free, wide=free, known={})
@@ -51,9 +54,19 @@ def contest(ground: Ground, null: Null, changes: Changes, known: Sequence[FloatA
     # an effect that aliases to a slow curve at targets of one distance has any size
     vanishes = tuple(one.effect for one, cause, left in tried if not left.stale and size_is_significant(cause))
     scan, cause, left = tried[0]
-    if scan.effect in vanishes and scan.preference >= behind + LIKELIER:
+    alone = len(changes.stale) == 1 and _imitates(null, free, changes.stale[0], cause)
+    if scan.effect in vanishes and scan.preference >= behind + LIKELIER and not alone:
         return Named(best, cause), left
     return None, replace(changes, stale=tuple(replace(one, effects=vanishes) for one in changes.stale))
+
+
+def _imitates(null: Null, free: Projection, stale: Stale, cause: Fitted) -> bool:
+    """Whether a change of the stale component alone makes the readings what the effect makes them."""
+    at = np.flatnonzero(np.array(null.base.components) == stale.component)
+    columns = null.whitening(null.base.machine.take(at).dense())
+    basis, signal = orthonormal(free.rest(columns)), free.rest(null.whitening(cause.signal))
+    left = signal - basis @ (basis.T @ signal)
+    return bool(left @ left < APART * (signal @ signal))
 
 
 def _instead(tight: Ground, null: Null, scan: Scanned, known: Sequence[FloatArray]) -> tuple[Fitted, Changes]:
