@@ -105,7 +105,7 @@ def reidentified(
     dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
     bare = ErrorValues(model.name, dimensions)
     before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
-    options = IdentifyOptions(known=bare, estimation=EstimationOptions(start=tuple(start), misread=False))
+    options = IdentifyOptions(known=bare, estimation=EstimationOptions(start=tuple(start), changes=True))
     found = identify_estimated(model, replace(observed, reading=observed.reading - before), options)
     values = changed(given, found.values, model.location_errors)
     return values, _table(model, given, values, found), found.values.fit

@@ -55,8 +55,8 @@ class EstimationOptions:
     """noise: standard deviation of the readings of runs, by index, mm; that of an instrument is estimated unless all of
     its runs are there; start: values of effects, which spare the search of those that the readings do not depend on
     linearly; prior: whether anything is expected of the machine's errors: if not, what the readings do not determine is
-    zero, and `open`; ideal: whether nothing is unknown of the instruments; degree: of the curves; misread: whether runs
-    are looked for that were misread: not where readings are changes, of which no sign and no unit can be wrong.
+    zero, and `open`; ideal: whether nothing is unknown of the instruments; degree: of the curves; changes: whether
+    readings are changes against values given: one run may then hold all that has changed, and contradicts nothing.
     """
 
     noise: Mapping[int, float] = field(default_factory=dict)
@@ -64,7 +64,7 @@ class EstimationOptions:
     prior: bool = True
     ideal: bool = False
     degree: int = DEGREE
-    misread: bool = True
+    changes: bool = False
 
 
 USUAL = EstimationOptions()
@@ -221,7 +221,9 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         noise = {}
         fitted = refit(setting.runs)
         posterior = fitted.posterior()
-    misread = misread_runs(fitted, posterior, refit) if options.misread else {}
+    misread = misread_runs(fitted, posterior, refit)
+    if options.changes:
+        return misread, []
     sure = {index: one for index, one in misread.items() if one.sure}
     if not sure:
         return misread, contradictions(fitted, posterior, refit, SURE)
