@@ -25,19 +25,22 @@ home = {{ X = 0.0, Y = 0.0, Z = 0.0 }}
 @pytest.fixture(scope="module")
 def measured(tmp_path_factory: pytest.TempPathFactory) -> tuple[ta.MachineModel, ta.Errors, ta.DataFolder]:
     """A line of each axis, three times there and back, and nothing else: as a shop measures first."""
-    folder = tmp_path_factory.mktemp("lines")
     model = ta.load_model(ROOT / "machines/dmu60p.toml", ROOT / "generated")
     errors = ta.load_errors(ROOT / "machines/dmu60p_errors.json", model)
+    return model, errors, _lines(tmp_path_factory.mktemp("lines"), model, errors, 3)
+
+
+def _lines(folder: Path, model: ta.MachineModel, errors: ta.Errors, passes: int) -> ta.DataFolder:
     setup, rows = 'schema = 1\nmachine = "dmu60p"\n', ["run,seq,time_s,X,Y,Z,reading"]
     for number, axis in enumerate("XYZ"):
         setup += RUN.format(axis=axis, direction=[float(k == number) for k in range(3)])
         there = np.linspace(*model.travel[axis], 21)
-        for seq, position in enumerate(np.tile([*there, *there[::-1]], 3)):
+        for seq, position in enumerate(np.tile([*there, *there[::-1]], passes)):
             at = [position if k == number else 0.0 for k in range(3)]
             rows.append(f"{axis},{seq},{5 * len(rows)},{','.join(f'{value:.3f}' for value in at)},")
     (folder / "setup.toml").write_text(setup)
     (folder / "readings.csv").write_text("\n".join(rows) + "\n")
-    return model, errors, ta.simulate(model, errors, ta.load_data(folder, model), noise_um=0.2, seed=3)
+    return ta.simulate(model, errors, ta.load_data(folder, model), noise_um=0.1, seed=3)
 
 
 def _changed(data: ta.DataFolder, folder: Path, change: np.ndarray) -> ta.DataFolder:

@@ -226,9 +226,11 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
     is normal about its best value, and the standard deviation anything from 0 on.
     """
     slopes, information = np.zeros((2, len(names), 3))
-    freedom = np.zeros(len(names))
+    freedom, sizes = np.zeros(len(names)), of.sizes(x)
     for one in of.told(x)[1]:
-        freedom[one.number] += sum(map(np.vdot, one.precision.blocks(), one.noise))
+        misfit = sizes[one.number, MISFIT]  # what it may be of readings that are alone is no noise that is known
+        of_base = misfit**2 * float(one.precision.diagonal()[one.part.alone].sum())
+        freedom[one.number] += sum(map(np.vdot, one.precision.blocks(), one.noise)) - of_base
         slopes[one.number] += one.slopes(1.0, one.of_scale())[list(SLOW)]
         whole = one.precision.dense()
         for k, shapes in enumerate(
@@ -236,7 +238,6 @@ def _averaged(of: Likelihood, names: Sequence[str], x: FloatArray) -> dict[str, 
         ):
             both = whole @ block_diag(*shapes)
             information[one.number, k] += 0.5 * float(np.sum(both * both.T))
-    sizes = of.sizes(x)
     best = sizes[:, list(SLOW)] ** 2
     usual = (np.array(SPREAD)[list(SLOW)] * of.units[:, np.newaxis]) ** 2
     most = np.maximum(FAR_ABOVE**2 * usual, 4.0 * best)
