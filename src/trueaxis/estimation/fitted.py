@@ -11,7 +11,7 @@ from trueaxis.measurement.machine import FloatArray
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Fitted:
-    """x: the sizes, as numbers of `sizes`."""
+    """x: (n_sizes,), the sizes, as the standard normal numbers that `sizes` takes."""
 
     state: State
     sizes: Sizes

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.linalg import block_diag, null_space, qr
 
 from trueaxis.estimation.fitted import Fitted
-from trueaxis.estimation.instruments import own_kinds
+from trueaxis.estimation.instruments import CLASSES, own_kinds
 from trueaxis.estimation.jacobian import Derivative, derivatives
 from trueaxis.estimation.noise import Whitening
 from trueaxis.estimation.noise_of_residuals import AS_MANY
@@ -30,7 +30,6 @@ from trueaxis.measurement.machine import FloatArray
 
 MOST = 0.25  # share of the runs that may contradict the others: beyond it the model does
 TRIALS = 3  # suspects that are left out on trial, each at the cost of an estimate
-ZERO = " zero"  # the end of the name of its class
 TOLD = 0.1  # of the noise: what an unknown changes readings by, as large as expected, from where on it counts as such
 NOTHING = 1e-6  # of the noise: a variance that is rounding, where the others let expect nothing of a direction
 MOST_DIRECTIONS = 800  # of a group: half a second; of larger ones the runs are judged alone
@@ -61,7 +60,7 @@ class Contradiction:
     without: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Rows:
     """A run in the r directions in which unknowns may change its readings: own (r, k), whitened derivatives by its own
     unknowns in their sizes (k, 1), mm or rad, and others (r, n); left: (r,), what is left of the readings; noise:
@@ -188,7 +187,7 @@ def beside_others(
         left = residual_of(layout, model, one, now.unknowns, np.zeros(len(kinds)))
         scale = scales[one.rows.index] if one.instrument in now.stated else 1.0
         rows.append(_rows(without, expected, one, derivatives(layout, one.kept()), left, scale))
-        zeros.append(rows[-1].own[:, [kind.endswith(ZERO) for kind in kinds]])
+        zeros.append(rows[-1].own[:, [CLASSES[kind].zero for kind in kinds]])
     spread, of_run = np.vstack([one.others for one in rows]) @ expected.spread, block_diag(*(one.own for one in rows))
     covariance = spread @ spread.T + of_run @ of_run.T + np.diag(_noise(rows))
     return _far(rows, covariance, seen=null_space(block_diag(*zeros).T) if zeros_free else None)
