@@ -1,5 +1,6 @@
 """What results have in common: a report that notebooks show, and tables, as frames of Polars and of pandas."""
 
+from abc import ABC, abstractmethod
 from html import escape
 from typing import Any
 
@@ -15,14 +16,14 @@ class Printed:
         return f"<pre>{escape(str(self))}</pre>"
 
 
-class Tabular:
+class Tabular(ABC):
     """What has `to_polars` has `to_pandas`, too."""
 
     __slots__ = ()
 
+    @abstractmethod
     def to_polars(self) -> pl.DataFrame:
         """The result as a table."""
-        raise NotImplementedError
 
     def to_pandas(self) -> Any:
         """The same as a pandas.DataFrame. Raises ModuleNotFoundError where pandas is not installed."""
