@@ -17,17 +17,15 @@ _BEFORE_CODE, _AFTER_CODE = 195, 185
 _IN_BACKTICKS = r"\$`([^`]+)`\$"
 # A dollar of a shell variable has no partner, or white space beside it.
 _IN_DOLLARS = r"(?<![\\$\w])\$(?![\s$])([^$\n]*?[^\s$\\])\$(?![\w$])"
-# Brackets around a matrix grow with it only where they are said to open and to close.
-_OPENS = re.compile(r"<mo>(&#x00(?:05B|028|07B|07C);)</mo>(?=<mtable)")
-_CLOSES = re.compile(r"(?<=</mtable>)<mo>(&#x00(?:05D|029|07D|07C);)</mo>")
+# Brackets grow with a matrix only in fonts for mathematics, which not every device has: the style sheet draws them.
+_BRACKETED = re.compile(r"<mo>&#x0005B;</mo><mtable>(.*?</mtable>)<mo>&#x0005D;</mo>")
 
 
 def mathml(latex: str, display: str) -> str:
     """A formula as a MathML element; display: block or inline."""
     known = latex.replace("{aligned}", "{split}")  # the converter's name of the same
     made = re.sub(r' xmlns="[^"]*"', "", convert(known, display=display), count=1)
-    made = _OPENS.sub(r'<mo form="prefix" stretchy="true">\1</mo>', made)
-    made = _CLOSES.sub(r'<mo form="postfix" stretchy="true">\1</mo>', made)
+    made = _BRACKETED.sub(r'<mtable class="bracketed">\1', made)
     if "\\" in made or "<mi>&" in made.replace("<mi>&#", "<mi>"):
         raise ValueError(f"a formula is not known to the converter: {latex}")
     return made
