@@ -12,7 +12,7 @@ from markdown import Markdown
 from markdown.extensions import Extension
 from markdown.inlinepatterns import InlineProcessor
 
-# Formulas between dollars and backticks come before code spans (190 in Markdown), those between plain dollars after them.
+# Code spans have 190 in Markdown: formulas between dollars and backticks come before them, plain dollars after them.
 _BEFORE_CODE, _AFTER_CODE = 195, 185
 _IN_BACKTICKS = r"\$`([^`]+)`\$"
 # A dollar of a shell variable has no partner, or white space beside it.
@@ -37,7 +37,9 @@ def block(source: str, *_: Any, **__: Any) -> str:
 
 
 class _Inline(InlineProcessor):
-    def handleMatch(self, m: re.Match[str], data: str) -> tuple[str, int, int]:  # type: ignore[override]  # noqa: N802
+    def handleMatch(  # type: ignore[override]
+        self, m: re.Match[str], data: str
+    ) -> tuple[str, int, int]:
         """The formula of one match, kept from further reading."""
         return self.md.htmlStash.store(mathml(html.unescape(m.group(1)), "inline")), m.start(0), m.end(0)
 
@@ -45,12 +47,12 @@ class _Inline(InlineProcessor):
 class Formulas(Extension):
     """Formulas in sentences."""
 
-    def extendMarkdown(self, md: Markdown) -> None:  # noqa: N802  the name that Markdown asks for
+    def extendMarkdown(self, md: Markdown) -> None:
         """Register both forms."""
         md.inlinePatterns.register(_Inline(_IN_BACKTICKS, md), "formula-backticks", _BEFORE_CODE)
         md.inlinePatterns.register(_Inline(_IN_DOLLARS, md), "formula-dollars", _AFTER_CODE)
 
 
-def makeExtension(**options: Any) -> Formulas:  # noqa: N802  the name that Markdown asks for
+def makeExtension(**options: Any) -> Formulas:
     """The extension."""
     return Formulas(**options)

@@ -9,8 +9,10 @@ from mkdocs.structure.files import File, Files
 
 import trueaxis
 from trueaxis.cli.main import build_parser
+from trueaxis.cli.verbosity import VERBOSITY
 
-_WIDTH = 100  # of usage lines
+_WIDTH = 80  # of usage lines
+_EVERYWHERE = frozenset((*VERBOSITY, "-h", "--help"))  # options that every command has: said once
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
@@ -24,7 +26,13 @@ def commands_page() -> str:
     """Every command with its usage, arguments and options, as its parser has them."""
     parser = build_parser()
     (commands,) = (action for action in parser._actions if isinstance(action, argparse._SubParsersAction))
-    parts = ["# Commands", escaped(parser.description), *option_table(parser)]
+    shared = option_table(parser, leaving_out=frozenset())
+    parts = [
+        "# Commands",
+        escaped(parser.description),
+        "Options of the program; `-v` and `-q` stand before or behind the name of any command:",
+        *shared,
+    ]
     for name, command in commands.choices.items():
         parts += [f"## trueaxis {name}", *command_section(command)]
     parts += ["## Exit codes", escaped((parser.epilog or "").partition("Exit codes: ")[2].capitalize())]
@@ -33,7 +41,12 @@ def commands_page() -> str:
 
 def command_section(command: argparse.ArgumentParser) -> list[str]:
     """Description, usage and options of one command."""
-    return [escaped(command.description), f"```text\n{usage(command)}\n```", *option_table(command), escaped(command.epilog)]
+    return [
+        escaped(command.description),
+        f"```text\n{usage(command)}\n```",
+        *option_table(command),
+        escaped(command.epilog),
+    ]
 
 
 def usage(command: argparse.ArgumentParser) -> str:
@@ -42,12 +55,14 @@ def usage(command: argparse.ArgumentParser) -> str:
     return command.format_usage().removeprefix("usage: ").rstrip()
 
 
-def option_table(parser: argparse.ArgumentParser) -> list[str]:
-    """Arguments and options as a table."""
+def option_table(parser: argparse.ArgumentParser, leaving_out: frozenset[str] = _EVERYWHERE) -> list[str]:
+    """Arguments and options as a table; leaving_out: options that stand elsewhere."""
     rows = []
     formatter = argparse.HelpFormatter(parser.prog)
     for action in parser._actions:
-        if isinstance(action, argparse._SubParsersAction | argparse._HelpAction) or action.help == argparse.SUPPRESS:
+        if isinstance(action, argparse._SubParsersAction) or action.help == argparse.SUPPRESS:
+            continue
+        if leaving_out.intersection(action.option_strings):
             continue
         names = formatter._format_action_invocation(action).replace("|", "\\|")
         meaning = escaped(formatter._expand_help(action)) if action.help else ""

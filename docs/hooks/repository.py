@@ -1,7 +1,7 @@
 """Files outside docs/ that pages of the site link to: README, equations, machine specs, modules.
 
-In the repository a link is a path; on the site the same link leads to the page that is made of that file. A folder is a list of
-its files. So no page is written twice, and every link that works in the repository works on the site.
+In the repository a link is a path; on the site the same link leads to the page that is made of that file. A folder is
+a list of its files. So no page is written twice, and every link that works in the repository works on the site.
 """
 
 import json
@@ -14,13 +14,20 @@ from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
 ROOT = Path(__file__).resolve().parents[2]
-# Markdown outside docs/ with its place on the site.
-PAGES = {
-    "README.md": "index.md",
-    "CHANGELOG.md": "CHANGELOG.md",
-    "CONTRIBUTING.md": "CONTRIBUTING.md",
-    "benchmarks/README.md": "benchmarks/README.md",
+# Markdown outside docs/ -> its place on the site.
+PAGES = {"README.md": "index.md"} | {
+    path: path
+    for path in (
+        "CHANGELOG.md",
+        "CONTRIBUTING.md",
+        "benchmarks/README.md",
+        "generated/cframe_mill/equations.md",
+        "generated/dmu60p/equations.md",
+        "generated/dmu60p_5axis/equations.md",
+        "generated/headhead_mill/equations.md",
+    )
 }
+_SOURCES = {uri: path for path, uri in PAGES.items()}
 SHOWN = "repository"  # where files are shown that are no Markdown
 LANGUAGES = {".py": "python", ".toml": "toml", ".c": "c", ".h": "c", ".json": "json", ".cff": "yaml", ".yml": "yaml"}
 _LINK = re.compile(r"(?<=\]\()([^)\s#:]+)(?=[)#])")
@@ -28,7 +35,7 @@ _LINK = re.compile(r"(?<=\]\()([^)\s#:]+)(?=[)#])")
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
     """Add the pages outside docs/, and a page for every other file or folder that some page links to."""
-    for source, uri in pages().items():
+    for source, uri in PAGES.items():
         files.append(File.generated(config, uri, abs_src_path=str(ROOT / source)))
     texts = {file.src_uri: file.content_string for file in files.documentation_pages()}
     wanted = {target for uri, text in texts.items() for target in targets(text, uri)}
@@ -53,12 +60,6 @@ def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Fil
     return _LINK.sub(on_site, markdown)
 
 
-def pages() -> dict[str, str]:
-    """Markdown outside docs/ -> its place on the site."""
-    equations = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("generated/*/equations.md"))
-    return PAGES | {path: path for path in equations}
-
-
 def targets(text: str, uri: str) -> set[str]:
     """Files and folders of the repository that a page links to, but for what is a page or lies in docs/ already."""
     if uri.startswith(f"{SHOWN}/"):
@@ -75,14 +76,13 @@ def resolved(link: str, page: str) -> str | None:
 
 def repository_path(uri: str) -> str:
     """Where the source of a page lies."""
-    sources = {made: source for source, made in pages().items()}
-    return sources.get(uri, f"docs/{uri}")
+    return _SOURCES.get(uri, f"docs/{uri}")
 
 
 def site_uri(path: str) -> str:
     """The source URI on the site of a file or folder of the repository."""
-    if path in pages():
-        return pages()[path]
+    if path in PAGES:
+        return PAGES[path]
     if path.startswith("docs/") and not path.endswith(".ipynb") and (ROOT / path).is_file():
         return path.removeprefix("docs/")
     return f"{SHOWN}/{path}.md"
@@ -92,7 +92,9 @@ def shown(path: str) -> str:
     """The page of a file or of a folder."""
     whole = ROOT / path
     if whole.is_dir():
-        names = sorted(f"{one.name}/" if one.is_dir() else one.name for one in whole.iterdir() if one.name[0] not in "._")
+        names = sorted(
+            f"{one.name}/" if one.is_dir() else one.name for one in whole.iterdir() if one.name[0] not in "._"
+        )
         return f"# {path}/\n\nA folder of the repository:\n\n" + "".join(f"- `{name}`\n" for name in names)
     text = whole.read_text(encoding="utf-8")
     if whole.suffix == ".ipynb":
