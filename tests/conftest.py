@@ -19,7 +19,11 @@ def pytest_sessionstart(session: pytest.Session) -> None:
         folder = ROOT / "generated" / spec.stem
         if f"!generated/{spec.stem}" in tracked:
             continue
-        made = derived(spec) / spec.stem
+        try:
+            made = derived(spec) / spec.stem
+        except Exception as problem:  # of the derivation: the tests that need these kernels fail, others may run
+            print(f"{spec.name} could not be derived: {problem!r}")
+            continue
         if not folder.is_dir() or any(_differs(file, folder / file.name) for file in made.iterdir()):
             shutil.copytree(made, folder, dirs_exist_ok=True)
 

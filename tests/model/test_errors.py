@@ -53,21 +53,21 @@ def test_the_file_of_the_contract_is_read(tmp_path: Path) -> None:
     errors = read(tmp_path, VALID)
     assert errors.parameters == {"q_wx": 0.0, "eps_xy": -5e-6}
     assert errors.motion_errors == {
-        "EXX": PolynomialCurve((1, 2, 3), (1e-5, -2e-8, 1e-11)),
+        "EXX": PolynomialCurve(powers=(1, 2, 3), coefficients=(1e-5, -2e-8, 1e-11)),
         "EBX": TableCurve((0.0, 30.0, 60.0), (0.0, 1e-6, 2e-6)),
     }
 
 
 def test_what_is_not_named_is_absent_and_so_zero(tmp_path: Path) -> None:
     errors = read(tmp_path, {"schema": 1, "machine": "dmu60p"})
-    assert errors == ErrorValues("dmu60p", {}, {}, {}, ())
+    assert errors == ErrorValues(machine="dmu60p", parameters={}, motion_errors={}, u={}, undetermined=())
 
 
 @pytest.mark.parametrize(
     "fit", [Fit("converged"), Fit("converged", 1.02), Fit("misfit", 961.0, ("Y2", "X1"))], ids=lambda fit: fit.state
 )
 def test_how_the_fit_ended_is_kept(tmp_path: Path, fit: Fit) -> None:
-    text = dump_errors(ErrorValues("dmu60p", fit=fit), components=COMPONENTS, parameters=PARAMETERS)
+    text = dump_errors(ErrorValues(machine="dmu60p", fit=fit), components=COMPONENTS, parameters=PARAMETERS)
     assert read_text(tmp_path, text).fit == fit
 
 
@@ -89,9 +89,9 @@ def test_a_wrong_fit_is_a_fault(tmp_path: Path, fit: Any, place: str) -> None:
 
 
 def test_the_measured_range_of_a_polynomial_is_kept(tmp_path: Path) -> None:
-    curve = PolynomialCurve((1, 2), (1e-5, -2e-8), None, (10.0, 480.0))
+    curve = PolynomialCurve(powers=(1, 2), coefficients=(1e-5, -2e-8), u=None, measured=(10.0, 480.0))
     text = dump_errors(
-        ErrorValues("dmu60p", motion_errors={"EXX": curve}), components=COMPONENTS, parameters=PARAMETERS
+        ErrorValues(machine="dmu60p", motion_errors={"EXX": curve}), components=COMPONENTS, parameters=PARAMETERS
     )
     assert read_text(tmp_path, text).motion_errors == {"EXX": curve}
     assert TableCurve((0.0, 5.0, 9.0), (0.0, 0.0, 0.0)).measured == (0.0, 9.0)
@@ -258,7 +258,7 @@ def polynomials(draw: st.DrawFn) -> PolynomialCurve:
     count = len(powers)
     coefficients = draw(st.lists(FINITE, min_size=count, max_size=count))
     u = draw(st.none() | st.lists(U, min_size=count, max_size=count).map(tuple))
-    return PolynomialCurve(tuple(powers), tuple(coefficients), u)
+    return PolynomialCurve(powers=tuple(powers), coefficients=tuple(coefficients), u=u)
 
 
 @given(curve=polynomials(), value=FINITE, order=st.permutations(COMPONENTS))
@@ -266,9 +266,13 @@ def polynomials(draw: st.DrawFn) -> PolynomialCurve:
 def test_what_is_written_reads_back_and_does_not_depend_on_insertion_order(
     tmp_path: Path, curve: PolynomialCurve, value: float, order: list[str]
 ) -> None:
-    errors = ErrorValues("dmu60p", {"eps_xz": value, "eps_xy": -value}, dict.fromkeys(order, curve))
+    errors = ErrorValues(
+        machine="dmu60p", parameters={"eps_xz": value, "eps_xy": -value}, motion_errors=dict.fromkeys(order, curve)
+    )
     text = dump_errors(errors, components=COMPONENTS, parameters=PARAMETERS)
-    straight = ErrorValues("dmu60p", {"eps_xy": -value, "eps_xz": value}, dict.fromkeys(COMPONENTS, curve))
+    straight = ErrorValues(
+        machine="dmu60p", parameters={"eps_xy": -value, "eps_xz": value}, motion_errors=dict.fromkeys(COMPONENTS, curve)
+    )
     assert text == dump_errors(straight, components=COMPONENTS, parameters=PARAMETERS)
     back = read_text(tmp_path, text)
     assert back.parameters == errors.parameters

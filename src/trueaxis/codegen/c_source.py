@@ -48,7 +48,7 @@ class Declaration:
     signature: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class FunctionText(Declaration):
     """What the source prints of one routine; calls: whether its body calls functions, which is not vectorised."""
 
@@ -138,21 +138,21 @@ def _function(prefix: str, routine: Routine) -> FunctionText:
     direct = {target.name: value for target, value in routine.body if target.name in stored and target.name not in body}
     head = _declaration(prefix, routine)
     return FunctionText(
-        head.name,
-        head.comment,
-        head.signature,
-        tuple(a.name for a in routine.inputs if used.isdisjoint(a.rows)),
-        tuple(constants),
-        tuple(_assigned(assignment, printer) for assignment in routine.batch),
-        tuple(_loads(varying, _used(routine.preparation), names)),
-        tuple(
+        name=head.name,
+        comment=head.comment,
+        signature=head.signature,
+        unused=tuple(a.name for a in routine.inputs if used.isdisjoint(a.rows)),
+        constants=tuple(constants),
+        batch=tuple(_assigned(assignment, printer) for assignment in routine.batch),
+        positions=tuple(_loads(varying, _used(routine.preparation), names)),
+        preparation=tuple(
             TrigonometryText(names[target.name], f"{names[target.name]}_block", printer.doprint(value))
             for target, value in routine.preparation
         ),
-        any(value.has(sp.Function) for _, value in routine.body),
-        tuple(_loads(varying, body, names)),
-        tuple(_assigned(assignment, printer) for assignment in routine.body if assignment[0].name not in direct),
-        tuple(
+        calls=any(value.has(sp.Function) for _, value in routine.body),
+        rows=tuple(_loads(varying, body, names)),
+        body=tuple(_assigned(assignment, printer) for assignment in routine.body if assignment[0].name not in direct),
+        stores=tuple(
             _wrapped(f"{place} = {printer.doprint(direct[row]) if row in direct else names[row]};")
             for row, place in outputs
         ),

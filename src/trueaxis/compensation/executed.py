@@ -16,7 +16,7 @@ from trueaxis.compensation.solve import Solution
 from trueaxis.compensation.word_choice import choose
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Executed:
     """Ends of the blocks to be written, in order.
 
@@ -85,7 +85,7 @@ def _chosen(
     point = np.arange(stretch.first, stretch.last)
     programmed = path.points[:, part]
     none = np.zeros(point.size, dtype=bool)
-    plain = Executed(near, programmed, point, none, none)
+    plain = Executed(positions=near, reference=programmed, point=point, passed=none, stopped=none)
     free = ~held.any(axis=0)
     if settings.words == "nearest" or settings.ball is None:
         return plain
@@ -141,17 +141,19 @@ def _chosen(
         for row, linear in enumerate(rows):
             positions[linear, column] = ends[row, kept]
             reference[linear, column] += way[kept] * direction[row, index]
-    return Executed(positions, reference, point[source], passed, np.zeros_like(passed))
+    return Executed(
+        positions=positions, reference=reference, point=point[source], passed=passed, stopped=np.zeros_like(passed)
+    )
 
 
 def joined(parts: list[Executed]) -> Executed:
     """Several stretches as one."""
     return Executed(
-        np.concatenate([part.positions for part in parts], axis=1),
-        np.concatenate([part.reference for part in parts], axis=1),
-        np.concatenate([part.point for part in parts]),
-        np.concatenate([part.passed for part in parts]),
-        np.concatenate([part.stopped for part in parts]),
+        positions=np.concatenate([part.positions for part in parts], axis=1),
+        reference=np.concatenate([part.reference for part in parts], axis=1),
+        point=np.concatenate([part.point for part in parts]),
+        passed=np.concatenate([part.passed for part in parts]),
+        stopped=np.concatenate([part.stopped for part in parts]),
     )
 
 

@@ -172,7 +172,7 @@ def believed(model: MachineModel, data: DataFolder, known: ErrorValues | None) -
 
     Raises InputError where set-up or readings contradict the machine, whose dimensions are those known.
     """
-    placed = model.with_values(known or ErrorValues(model.name))
+    placed = model.with_values(known or ErrorValues(machine=model.name))
     if faults := setup_faults(placed, data.data, data.folder):
         raise InputError(faults)
     return data.data if data.active is None else uncompensated(model, data.data, data.active)

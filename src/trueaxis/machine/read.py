@@ -66,17 +66,17 @@ def _machine(top: Fields, complain: Complain, faults: Faults) -> Machine:
     references.refuse_others("motion_X, motion_XY, ..., system_1, ..., squareness")
     rotations = top.choice("rotations", ROTATIONS) or ROTATIONS[0]
     machine = Machine(
-        name,
-        title,
-        with_squareness(outline.bodies, effects),
-        outline.workpiece,
-        outline.tool,
-        degree or 7,
-        rotations == "true",
-        runs or None,
-        said,
-        effects,
-        kinds,
+        name=name,
+        title=title,
+        bodies=with_squareness(outline.bodies, effects),
+        workpiece=outline.workpiece,
+        tool=outline.tool,
+        curve_degree=degree or 7,
+        true_rotation=rotations == "true",
+        runs=runs or None,
+        references=said,
+        effects=effects,
+        effect_kinds=kinds,
     )
     units = {parameter: machine.parameter_unit(parameter) for parameter in machine.location_errors}
     prior = read_prior(top, machine.components, units)

@@ -25,7 +25,7 @@ from trueaxis.template_folders import template_folders
 TEMPLATE = "report.html.j2"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class CauseText:
     """A cause as its card shows it. parameters: name and value with U; formula: MathML, may be empty."""
 
@@ -41,7 +41,7 @@ class CauseText:
     pictures: tuple[Picture, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Section:
     """A part of the page; left out where there is nothing in it."""
 
@@ -157,44 +157,65 @@ def _sections(
 ) -> list[Section]:
     return [
         Section(
-            "stale",
-            "Values that are no longer true",
-            "The readings ask for other values than those given. Change: what they ask for less what was given, where "
-            "it exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; p: of all of it.",
-            (),
-            (tables.stale(diagnosis),),
-        ),
-        Section("next", "What to measure next", "", (), (tables.next_runs(diagnosis, kinds),)),
-        Section(
-            "gain",
-            "Before and after",
-            _sentence(predicted_scatter(diagnosis.gain)),
-            pictures["gain"],
-            (tables.circularity(diagnosis),),
+            name="stale",
+            title="Values that are no longer true",
+            intro="The readings ask for other values than those given. Change: what they ask for less what was given, "
+            "where it exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; "
+            "p: of all of it.",
+            pictures=(),
+            tables=(tables.stale(diagnosis),),
         ),
         Section(
-            "residuals",
-            "Residuals",
-            f"Measured less model, {UM}: with the values given, refitted, and with the extended model.",
-            pictures["residuals"],
-            (),
+            name="next",
+            title="What to measure next",
+            intro="",
+            pictures=(),
+            tables=(tables.next_runs(diagnosis, kinds),),
         ),
         Section(
-            "circles",
-            "Circles",
-            "Radial deviations measured, and what the extended model says of them.",
-            pictures["circles"],
-            (),
+            name="gain",
+            title="Before and after",
+            intro=_sentence(predicted_scatter(diagnosis.gain)),
+            pictures=pictures["gain"],
+            tables=(tables.circularity(diagnosis),),
         ),
-        Section("periods", "Periods", "", pictures["periods"], ()),
-        Section("structure", "Is noise all that is left?", "", pictures["structure"], (tables.checks(diagnosis),)),
-        Section("evidence", "Evidence", "", pictures["evidence"], (tables.scan(diagnosis),)),
         Section(
-            "limits",
-            "What these runs can and cannot see",
-            "",
-            pictures["limits"],
-            (tables.limits(diagnosis),),
+            name="residuals",
+            title="Residuals",
+            intro=f"Measured less model, {UM}: with the values given, refitted, and with the extended model.",
+            pictures=pictures["residuals"],
+            tables=(),
         ),
-        Section("noise", "Noise and outliers", "", (), (tables.noise(diagnosis), tables.outliers(diagnosis))),
+        Section(
+            name="circles",
+            title="Circles",
+            intro="Radial deviations measured, and what the extended model says of them.",
+            pictures=pictures["circles"],
+            tables=(),
+        ),
+        Section(name="periods", title="Periods", intro="", pictures=pictures["periods"], tables=()),
+        Section(
+            name="structure",
+            title="Is noise all that is left?",
+            intro="",
+            pictures=pictures["structure"],
+            tables=(tables.checks(diagnosis),),
+        ),
+        Section(
+            name="evidence", title="Evidence", intro="", pictures=pictures["evidence"], tables=(tables.scan(diagnosis),)
+        ),
+        Section(
+            name="limits",
+            title="What these runs can and cannot see",
+            intro="",
+            pictures=pictures["limits"],
+            tables=(tables.limits(diagnosis),),
+        ),
+        Section(
+            name="noise",
+            title="Noise and outliers",
+            intro="",
+            pictures=(),
+            tables=(tables.noise(diagnosis), tables.outliers(diagnosis)),
+        ),
     ]
