@@ -47,9 +47,9 @@ class Section:
 
     name: str
     title: str
-    intro: str
-    pictures: tuple[Picture, ...]
-    tables: tuple[Table, ...]
+    intro: str = ""
+    pictures: tuple[Picture, ...] = ()
+    tables: tuple[Table, ...] = ()
 
 
 def report_html(diagnosis: Diagnosis, pictures: Pictures) -> str:
@@ -162,14 +162,11 @@ def _sections(
             intro="The readings ask for other values than those given. Change: what they ask for less what was given, "
             "where it exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; "
             "p: of all of it.",
-            pictures=(),
             tables=(tables.stale(diagnosis),),
         ),
         Section(
             name="next",
             title="What to measure next",
-            intro="",
-            pictures=(),
             tables=(tables.next_runs(diagnosis, kinds),),
         ),
         Section(
@@ -184,38 +181,30 @@ def _sections(
             title="Residuals",
             intro=f"Measured less model, {UM}: with the values given, refitted, and with the extended model.",
             pictures=pictures["residuals"],
-            tables=(),
         ),
         Section(
             name="circles",
             title="Circles",
             intro="Radial deviations measured, and what the extended model says of them.",
             pictures=pictures["circles"],
-            tables=(),
         ),
-        Section(name="periods", title="Periods", intro="", pictures=pictures["periods"], tables=()),
+        Section(name="periods", title="Periods", pictures=pictures["periods"], tables=()),
         Section(
             name="structure",
             title="Is noise all that is left?",
-            intro="",
             pictures=pictures["structure"],
             tables=(tables.checks(diagnosis),),
         ),
-        Section(
-            name="evidence", title="Evidence", intro="", pictures=pictures["evidence"], tables=(tables.scan(diagnosis),)
-        ),
+        Section(name="evidence", title="Evidence", pictures=pictures["evidence"], tables=(tables.scan(diagnosis),)),
         Section(
             name="limits",
             title="What these runs can and cannot see",
-            intro="",
             pictures=pictures["limits"],
             tables=(tables.limits(diagnosis),),
         ),
         Section(
             name="noise",
             title="Noise and outliers",
-            intro="",
-            pictures=(),
             tables=(tables.noise(diagnosis), tables.outliers(diagnosis)),
         ),
     ]
