@@ -1,11 +1,16 @@
 """The tutorials of docs/tutorials, run as a reader does."""
 
+import json
+import tomllib
 from pathlib import Path
+from typing import Any
 
 import pytest
+from jsonschema import Draft7Validator
 
 from tests import tutorials
 from tests.machines import ROOT
+from trueaxis.schemas.__main__ import schemas
 
 FOLDER = ROOT / "docs" / "tutorials"
 PAGES = sorted(path.stem for path in FOLDER.glob("*.md") if path.name != "README.md")
@@ -16,6 +21,23 @@ PAGES = sorted(path.stem for path in FOLDER.glob("*.md") if path.name != "README
 def test_every_step_does_what_the_page_says(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     assert tutorials.run((FOLDER / f"{name}.md").read_text(encoding="utf-8"), tmp_path) >= 5
+    files = [path for path in sorted(tmp_path.rglob("*")) if path.suffix in (".toml", ".json")]
+    files = [path for path in files if path.name != "manifest.json"]
+    assert len(files) >= 3
+    for path in files:  # what is written by hand and by commands is what editors are told to expect
+        schema = schemas()[f"{kind_of(path)}.schema.json"]
+        assert list(Draft7Validator(schema).iter_errors(tree_of(path))) == [], path
+
+
+def kind_of(path: Path) -> str:
+    if path.suffix == ".json":
+        return "diagnosis" if path.name == "diagnosis.json" else "errors"
+    return "setup" if path.name == "setup.toml" else "machine"
+
+
+def tree_of(path: Path) -> Any:
+    text = path.read_text(encoding="utf-8")
+    return json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
 
 
 def test_the_five_are_there_and_the_index_names_them() -> None:

@@ -129,67 +129,69 @@ def test_uncertainties_ride_along(tmp_path: Path) -> None:
     assert again.undetermined == errors.undetermined
 
 
-@pytest.mark.parametrize(
-    ("change", "expected"),
-    [
-        ({"schema": 2}, "schema: 2 is not a known schema"),
-        ({"schema": True}, "schema: true is not a known schema"),
-        ({"machine": "other"}, 'machine: "other" is another machine; the machine is "dmu60p"'),
-        ({"parameters": {"eps_xX": 1.0}}, "parameters.eps_xX: the machine has no parameter eps_xX; did you mean eps_x"),
-        ({"parameters": {"q_wx": "1"}}, 'parameters.q_wx: "1" is not a number'),
-        ({"parameters": {"q_wx": True}}, "parameters.q_wx: true is not a number"),
-        ({"parameters": []}, "parameters: a list is not an object"),
-        ({"motion_errors": {"EXZ": {}}}, "motion_errors.EXZ: the machine has no motion error EXZ"),
-        ({"motion_errors": {"EXX": 3}}, "motion_errors.EXX: 3 is not an error curve"),
-        ({"effects": [{"kind": "backlash"}]}, "effects[0]: the machine has no effect backlash; add it to the"),
-        ({"u": {"eps_xy": -1.0}}, "u.eps_xy: -1.0 is negative"),
-        ({"paramters": {}}, "paramters: is not a key of an error-values file; did you mean parameters?"),
-        ({"undetermined": {}}, "undetermined: an object is not a list"),
-        ({"undetermined": [3]}, "undetermined[0]: is not an object of combination and parameters"),
-        ({"undetermined": [{"combination": "", "parameters": [1]}]}, "undetermined[0].parameters: is not a list of n"),
-        ({"parameters": {"zzz": 1.0}}, "parameters.zzz: the machine has no parameter zzz; known: q_wx, eps_xy, eps_xz"),
-        ({"undetermined": [{"combination": 3, "parameters": []}]}, "undetermined[0].combination: 3 is not a text"),
-    ],
-)
+# What is changed in VALID, and how the fault begins.
+CHANGES: list[tuple[dict[str, Any], str]] = [
+    ({"schema": 2}, "schema: 2 is not a known schema"),
+    ({"schema": True}, "schema: true is not a known schema"),
+    ({"machine": "other"}, 'machine: "other" is another machine; the machine is "dmu60p"'),
+    ({"parameters": {"eps_xX": 1.0}}, "parameters.eps_xX: the machine has no parameter eps_xX; did you mean eps_x"),
+    ({"parameters": {"q_wx": "1"}}, 'parameters.q_wx: "1" is not a number'),
+    ({"parameters": {"q_wx": True}}, "parameters.q_wx: true is not a number"),
+    ({"parameters": []}, "parameters: a list is not an object"),
+    ({"motion_errors": {"EXZ": {}}}, "motion_errors.EXZ: the machine has no motion error EXZ"),
+    ({"motion_errors": {"EXX": 3}}, "motion_errors.EXX: 3 is not an error curve"),
+    ({"effects": [{"kind": "backlash"}]}, "effects[0]: the machine has no effect backlash; add it to the"),
+    ({"u": {"eps_xy": -1.0}}, "u.eps_xy: -1.0 is negative"),
+    ({"paramters": {}}, "paramters: is not a key of an error-values file; did you mean parameters?"),
+    ({"undetermined": {}}, "undetermined: an object is not a list"),
+    ({"undetermined": [3]}, "undetermined[0]: is not an object of combination and parameters"),
+    ({"undetermined": [{"combination": "", "parameters": [1]}]}, "undetermined[0].parameters: is not a list of n"),
+    ({"parameters": {"zzz": 1.0}}, "parameters.zzz: the machine has no parameter zzz; known: q_wx, eps_xy, eps_xz"),
+    ({"undetermined": [{"combination": 3, "parameters": []}]}, "undetermined[0].combination: 3 is not a text"),
+]
+
+
+@pytest.mark.parametrize(("change", "expected"), CHANGES)
 def test_each_fault_has_its_key_and_remedy(tmp_path: Path, change: dict[str, Any], expected: str) -> None:
     assert any(fault.startswith(expected) for fault in faults_of(tmp_path, json.dumps({**VALID, **change})))
 
 
-@pytest.mark.parametrize(
-    ("curve", "expected"),
-    [
-        ({"powers": [1]}, "motion_errors.EXX.basis: is missing"),
-        ({"basis": "spline"}, 'motion_errors.EXX.basis: "spline" is not a basis'),
-        ({"basis": "polynomial", "powers": [1]}, "motion_errors.EXX.coefficients: is missing"),
-        (
-            {"basis": "polynomial", "powers": [1, 2], "coefficients": [1.0]},
-            "motion_errors.EXX.coefficients: has 1 entr",
-        ),
-        (
-            {"basis": "polynomial", "powers": [1, 1], "coefficients": [1, 2]},
-            "motion_errors.EXX.powers[1]: power 1 is gi",
-        ),
-        (
-            {"basis": "polynomial", "powers": [1.5], "coefficients": [1]},
-            "motion_errors.EXX.powers[0]: 1.5 is not a powe",
-        ),
-        (
-            {"basis": "polynomial", "powers": [-1], "coefficients": [1]},
-            "motion_errors.EXX.powers[0]: -1.0 is not a powe",
-        ),
-        ({"basis": "polynomial", "powers": 1, "coefficients": [1]}, "motion_errors.EXX.powers: 1 is not a list"),
-        ({"basis": "table", "positions": [], "values": []}, "motion_errors.EXX.positions: is empty"),
-        ({"basis": "table", "positions": [0, 0], "values": [0, 1]}, "motion_errors.EXX.positions[1]: 0.0 follows 0.0"),
-        ({"basis": "table", "positions": [1, 0], "values": [0, 1]}, "motion_errors.EXX.positions[1]: 0.0 follows 1.0"),
-        ({"basis": "table", "positions": [0, 1], "values": [0]}, "motion_errors.EXX.values: has 1 entries; as many as"),
-        (
-            {"basis": "table", "positions": [0], "values": [0], "powers": []},
-            "motion_errors.EXX.powers: is not a key of",
-        ),
-        ({"basis": "table", "positions": [0], "values": [0], "u": 1}, "motion_errors.EXX.u: 1 is not a list"),
-        ({"basis": "table", "positions": [0], "values": [10**400]}, "motion_errors.EXX.values[0]: is not a finite nu"),
-    ],
-)
+# Wrong curves, and how the fault begins.
+CURVES: list[tuple[dict[str, Any], str]] = [
+    ({"powers": [1]}, "motion_errors.EXX.basis: is missing"),
+    ({"basis": "spline"}, 'motion_errors.EXX.basis: "spline" is not a basis'),
+    ({"basis": "polynomial", "powers": [1]}, "motion_errors.EXX.coefficients: is missing"),
+    (
+        {"basis": "polynomial", "powers": [1, 2], "coefficients": [1.0]},
+        "motion_errors.EXX.coefficients: has 1 entr",
+    ),
+    (
+        {"basis": "polynomial", "powers": [1, 1], "coefficients": [1, 2]},
+        "motion_errors.EXX.powers[1]: power 1 is gi",
+    ),
+    (
+        {"basis": "polynomial", "powers": [1.5], "coefficients": [1]},
+        "motion_errors.EXX.powers[0]: 1.5 is not a powe",
+    ),
+    (
+        {"basis": "polynomial", "powers": [-1], "coefficients": [1]},
+        "motion_errors.EXX.powers[0]: -1.0 is not a powe",
+    ),
+    ({"basis": "polynomial", "powers": 1, "coefficients": [1]}, "motion_errors.EXX.powers: 1 is not a list"),
+    ({"basis": "table", "positions": [], "values": []}, "motion_errors.EXX.positions: is empty"),
+    ({"basis": "table", "positions": [0, 0], "values": [0, 1]}, "motion_errors.EXX.positions[1]: 0.0 follows 0.0"),
+    ({"basis": "table", "positions": [1, 0], "values": [0, 1]}, "motion_errors.EXX.positions[1]: 0.0 follows 1.0"),
+    ({"basis": "table", "positions": [0, 1], "values": [0]}, "motion_errors.EXX.values: has 1 entries; as many as"),
+    (
+        {"basis": "table", "positions": [0], "values": [0], "powers": []},
+        "motion_errors.EXX.powers: is not a key of",
+    ),
+    ({"basis": "table", "positions": [0], "values": [0], "u": 1}, "motion_errors.EXX.u: 1 is not a list"),
+    ({"basis": "table", "positions": [0], "values": [10**400]}, "motion_errors.EXX.values[0]: is not a finite nu"),
+]
+
+
+@pytest.mark.parametrize(("curve", "expected"), CURVES)
 def test_each_fault_of_a_curve(tmp_path: Path, curve: dict[str, Any], expected: str) -> None:
     found = faults_of(tmp_path, with_curve(curve))
     assert len(found) == 1
