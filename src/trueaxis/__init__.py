@@ -53,7 +53,7 @@ if TYPE_CHECKING:
     from trueaxis.model.errors import ErrorValues
     from trueaxis.model.model import MachineModel
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = [
     "Compensated",
     "CompensationSettings",
