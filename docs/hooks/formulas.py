@@ -11,6 +11,7 @@ from latex2mathml.converter import convert
 from markdown import Markdown
 from markdown.extensions import Extension
 from markdown.inlinepatterns import InlineProcessor
+from pymdownx.superfences import SuperFencesException
 
 # Code spans have 190 in Markdown: formulas between dollars and backticks come before them, plain dollars after them.
 _BEFORE_CODE, _AFTER_CODE = 195, 185
@@ -22,12 +23,16 @@ _BRACKETED = re.compile(r"<mo>&#x0005B;</mo><mtable>(.*?</mtable>)<mo>&#x0005D;<
 
 
 def mathml(latex: str, display: str) -> str:
-    """A formula as a MathML element; display: block or inline."""
+    """A formula as a MathML element; display: block or inline.
+
+    Raises SuperFencesException, which ends the build (others of a fence are passed over), where the converter does not
+    know a command.
+    """
     known = latex.replace("{aligned}", "{split}")  # the converter's name of the same
     made = re.sub(r' xmlns="[^"]*"', "", convert(known, display=display), count=1)
     made = _BRACKETED.sub(r'<mtable class="bracketed">\1', made)
     if "\\" in made or "<mi>&" in made.replace("<mi>&#", "<mi>"):
-        raise ValueError(f"a formula is not known to the converter: {latex}")
+        raise SuperFencesException(f"a formula is not known to the converter: {latex}")
     return made
 
 
