@@ -42,7 +42,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--format", choices=FORMATS, required=True, help="of the control")
     parser.add_argument(
         "--out", type=Path, required=True, metavar="PATH",
-        help="file to write; a folder for heidenhain-com and linuxcnc-comp",
+        help="file to write; a folder for heidenhain-com, linuxcnc-comp and linuxcnc-kins",
     )  # fmt: skip
     parser.add_argument(
         "--step", type=positive, metavar="MM",

@@ -1,14 +1,15 @@
 """Error values as compensation tables of a control."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from trueaxis.compensation.reliance import PRIOR_SIZES
-from trueaxis.controllers.formats import FORMATS, Export, export_tables, problem_of
+from trueaxis.controllers.formats import FORMATS, KINS, Export, export_module, export_tables, problem_of
+from trueaxis.controllers.linuxcnc_kins.as_loaded import taken_by_module
 from trueaxis.controllers.remaining import Remaining
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
@@ -21,10 +22,12 @@ from trueaxis.jobs.tables import Printed
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent
+from trueaxis.model.manifest import verified_control_code
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import prior_size
 from trueaxis.reporting.control_tables import ACCEPT_WORSE, export_sentences, head_lines, worse_sentence
+from trueaxis.reporting.linuxcnc_kins import example_position, readme
 from trueaxis.reporting.reliance import (
     error_free_sentences,
     extent_sentences,
@@ -93,7 +96,8 @@ def export(
 ) -> Exported:
     """Error values as tables that a control reads; docs/controllers has the formats, with their sources.
 
-    format: "isg-csv", "siemens-enc", "siemens-cec", "heidenhain-com" or "linuxcnc-comp"; out: the file to write, or the
+    format: "isg-csv", "siemens-enc", "siemens-cec", "heidenhain-com", "linuxcnc-comp" or "linuxcnc-kins" (sources of a
+    kinematics module); out: the file to write, or the
     folder of a format of several; None: nothing is written. step: largest distance of positions in a table, mm or deg;
     tool: (3,), the point in the tool frame that tables of single axes are made for, mm. max_u: largest standard
     uncertainty of the tool point over the travel, mm; max_correction: largest deviation, mm (three times what [prior]
@@ -132,7 +136,12 @@ def exported(
     if problem := problem_of(name, model, options.step):
         raise InputError([Fault(str(model.machine.source or model.name), f"{spelled('format')} {name}", problem)])
     positions = travel_positions(model, covariance)
-    made = export_tables(name, model, tool, options.step, positions, head_lines(name, model))
+    if name == KINS:
+        made = export_module(model, tool, positions, _control_code(model))
+    else:
+        made = export_tables(name, model, tool, options.step, positions, head_lines(name, model))
+    if name == KINS:
+        made = _with_readme(model, tool, made)
     contents = _contents(out, made)
     outputs: dict[str, Path | None] = {f"{path.name} of {spelled('out')}": path for path in contents}
     if found := overwritten(inputs, outputs, options.kernels):
@@ -160,6 +169,21 @@ def exported(
     if refusals:
         raise RefusedError(tuple(refusals), done)
     return done
+
+
+def _control_code(model: MachineModel) -> dict[str, bytes]:
+    """The kernels of the machine for the cycle of a control. Raises InputError where they were not derived."""
+    folder = Path(model.kernels.module.__file__ or "").parent
+    spec = model.machine.source or f"{model.name}.toml"
+    return verified_control_code(folder, remedy=f"run: trueaxis derive {spec} --out {folder.parent}")
+
+
+def _with_readme(model: MachineModel, tool: FloatArray, made: Export) -> Export:
+    at = example_position(model)
+    taken = taken_by_module(model, tool)(at, np.zeros(len(model.axes)))
+    return replace(
+        made, files={**made.files, "README.md": readme(model, tool, -taken, export_sentences(KINS, model, made))}
+    )
 
 
 def _contents(out: Path | None, made: Export) -> dict[Path, bytes | str]:
