@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from trueaxis.compensation.reliance import PRIOR_SIZES
 from trueaxis.controllers.formats import FORMATS, KINS, Export, export_module, export_tables, problem_of
-from trueaxis.controllers.linuxcnc_kins.as_loaded import taken_by_module
+from trueaxis.controllers.linuxcnc_kins.as_loaded import BEYOND, taken_by_module
 from trueaxis.controllers.remaining import Remaining
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
@@ -26,7 +26,13 @@ from trueaxis.model.manifest import verified_control_code
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import prior_size
-from trueaxis.reporting.control_tables import ACCEPT_WORSE, export_sentences, head_lines, worse_sentence
+from trueaxis.reporting.control_tables import (
+    ACCEPT_WORSE,
+    export_sentences,
+    head_lines,
+    module_limit_sentence,
+    worse_sentence,
+)
 from trueaxis.reporting.linuxcnc_kins import example_position, readme
 from trueaxis.reporting.reliance import (
     error_free_sentences,
@@ -136,19 +142,14 @@ def exported(
     if problem := problem_of(name, model, options.step):
         raise InputError([Fault(str(model.machine.source or model.name), f"{spelled('format')} {name}", problem)])
     positions = travel_positions(model, covariance)
-    if name == KINS:
-        made = export_module(model, tool, positions, _control_code(model))
-    else:
-        made = export_tables(name, model, tool, options.step, positions, head_lines(name, model))
-    if name == KINS:
-        made = _with_readme(model, tool, made)
+    made = _made(name, model, tool, options.step, positions)
     contents = _contents(out, made)
     outputs: dict[str, Path | None] = {f"{path.name} of {spelled('out')}": path for path in contents}
     if found := overwritten(inputs, outputs, options.kernels):
         raise InputError(found)
     extent = uncertainty_extent(model, covariance, positions, tool)
     beyond = travel_sentences(beyond_measured(model.errors, model.axes, positions))
-    refusals = _refusals(options, model, tool, positions, extent)
+    refusals = _refusals(name, options, model, tool, positions, extent)
     if made.remaining.worse and not options.accept_worse:
         refusals.append(worse_sentence(name, made.remaining))
     if not refusals:
@@ -171,19 +172,17 @@ def exported(
     return done
 
 
-def _control_code(model: MachineModel) -> dict[str, bytes]:
-    """The kernels of the machine for the cycle of a control. Raises InputError where they were not derived."""
+def _made(name: str, model: MachineModel, tool: FloatArray, step: float | None, positions: FloatArray) -> Export:
+    """The files of a format, and what remains with them."""
+    if name != KINS:
+        return export_tables(name, model, tool, step, positions, head_lines(name, model))
     folder = Path(model.kernels.module.__file__ or "").parent
     spec = model.machine.source or f"{model.name}.toml"
-    return verified_control_code(folder, remedy=f"run: trueaxis derive {spec} --out {folder.parent}")
-
-
-def _with_readme(model: MachineModel, tool: FloatArray, made: Export) -> Export:
-    at = example_position(model)
-    taken = taken_by_module(model, tool)(at, np.zeros(len(model.axes)))
-    return replace(
-        made, files={**made.files, "README.md": readme(model, tool, -taken, export_sentences(KINS, model, made))}
-    )
+    kernels = verified_control_code(folder, remedy=f"run: trueaxis derive {spec} --out {folder.parent}")
+    made = export_module(model, tool, positions, kernels)
+    moves = -taken_by_module(model, tool)(example_position(model), np.zeros(len(model.axes)))
+    page = readme(model, tool, moves, export_sentences(name, model, made))
+    return replace(made, files={**made.files, "README.md": page})
 
 
 def _contents(out: Path | None, made: Export) -> dict[Path, bytes | str]:
@@ -191,7 +190,12 @@ def _contents(out: Path | None, made: Export) -> dict[Path, bytes | str]:
 
 
 def _refusals(
-    options: ExportOptions, model: MachineModel, tool: FloatArray, positions: FloatArray, extent: UncertaintyExtent
+    name: str,
+    options: ExportOptions,
+    model: MachineModel,
+    tool: FloatArray,
+    positions: FloatArray,
+    extent: UncertaintyExtent,
 ) -> list[str]:
     """Why nothing may be written."""
     sentences = []
@@ -208,4 +212,6 @@ def _refusals(
             f"the tool point is off by {off[worst]:.4g} mm at {at}, more than {allowed[worst]:.4g} mm; "
             "--max-correction allows more, or larger sizes in [prior] of the spec, if the machine is that far off"
         )
+    if name == KINS and off.max() > BEYOND:
+        sentences.append(module_limit_sentence(float(off.max()), BEYOND))
     return sentences

@@ -48,6 +48,13 @@ def worse_sentence(name: str, left: Remaining) -> str:
     )
 
 
+def module_limit_sentence(off: float, limit: float) -> str:
+    """Why a module is not written that would stop the machine within its travel; mm."""
+    return (
+        f"the tool point is off by up to {off:.4g} mm within the travel, and the module corrects {limit:g} mm at most"
+    )
+
+
 def head_lines(name: str, model: MachineModel) -> list[str]:
     """Comments for the head of a file."""
     values = "values: actual minus ideal" if name == ISG else "values: actual minus commanded, zero at home"
