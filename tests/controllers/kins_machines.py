@@ -8,7 +8,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from tests.controllers.kins_module import bodies_text
+from tests.controllers.kins_module import KinsModule, bodies_text, compiled, write_module
 from tests.exact_chain import DIGITS, ExactChain
 from tests.machines import ROOT
 from trueaxis.machine import Machine
@@ -19,6 +19,8 @@ from trueaxis.model.model import MachineModel, load_model
 
 KERNELS = ROOT / "generated"
 LINEAR = "XYZ"
+EXACT = 1e-11  # mm
+OFFSET = (0.5, -0.75, 120.25)  # of G43, mm
 
 
 @cache
@@ -121,3 +123,20 @@ def _legendre_sum(curve: LegendreCurve, at: Any) -> Any:
 
 def length(vector: Any) -> float:
     return float(DIGITS.sqrt(DIGITS.fsum(part**2 for part in vector)))
+
+
+def poses(model: MachineModel, count: int, seed: int) -> list[dict[str, float]]:
+    """Random ones within the travel, and two corners."""
+    draw = np.random.default_rng(seed)
+    corners = [{axis: model.travel[axis][end] for axis in model.axes} for end in (0, 1)]
+    return corners + [{axis: float(draw.uniform(*model.travel[axis])) for axis in model.axes} for _ in range(count)]
+
+
+def built(folder: Path, model: MachineModel, *flags: str, kernels: Path | None = None) -> Path:
+    return compiled(write_module(folder / "module", model, kernels or kernels_folder(model.name)), *flags)
+
+
+def joints_of(module: KinsModule, pose: Mapping[str, float], axes: tuple[str, ...]) -> dict[str, float]:
+    code, joints = module.inverse(pose, len(axes))
+    assert code == 0
+    return dict(zip(axes, joints, strict=True))

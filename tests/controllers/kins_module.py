@@ -127,6 +127,11 @@ class KinsModule:
         code = self._library.kinematicsForward(given, ctypes.byref(world), None, None)
         return code, {letter: getattr(world, letter.lower()) for letter in LETTERS}
 
+    def time(self, low: Any, high: Any, calls: int, *, forward: bool) -> float:
+        """ns a call; only of a library with timing.c."""
+        self._library.stub_time.restype = ctypes.c_double
+        return float(self._library.stub_time(low, high, calls, int(forward)))
+
     def type(self) -> int:
         return int(self._library.kinematicsType())
 

@@ -84,18 +84,20 @@ static double smooth(double phase)
 
 static void ramp_tool(double by)
 {
+    double asked[3]; /* read once: another thread may write the pins */
     int usable = 1;
     int changed = 0;
     for (int k = 0; k < 3; ++k) {
-        usable = usable && fabs(*pins->tool[k]) <= LONGEST_TOOL; /* false for NaN */
-        changed = changed || *pins->tool[k] != tool_to[k];
+        asked[k] = *pins->tool[k];
+        usable = usable && fabs(asked[k]) <= LONGEST_TOOL; /* false for NaN */
+        changed = changed || asked[k] != tool_to[k];
     }
     if (!usable) {
         *pins->fault = 1;
     } else if (changed) {
         for (int k = 0; k < 3; ++k) {
             tool_from[k] = tool_now[k];
-            tool_to[k] = *pins->tool[k];
+            tool_to[k] = asked[k];
         }
         tool_phase = 0.0;
     }
@@ -115,6 +117,7 @@ static void ramp_tool(double by)
 /* Once a servo cycle, before motion-controller: a step of an input becomes a ramp. */
 static void update(void *unused, long period)
 {
+    const int enabled = *pins->enable;
     const double asked = *pins->ramp_time;
     const double ramp = asked >= SHORTEST_RAMP && asked < HUGE_VAL ? asked : SHORTEST_RAMP;
     const double by = (double)period * 1e-9 / ramp;
@@ -123,10 +126,10 @@ static void update(void *unused, long period)
         *pins->fault = 0;
     }
     ramp_tool(by);
-    enable_phase = *pins->enable ? fmin(enable_phase + by, 1.0) : fmax(enable_phase - by, 0.0);
+    enable_phase = enabled ? fmin(enable_phase + by, 1.0) : fmax(enable_phase - by, 0.0);
     share = smooth(enable_phase);
     *pins->share = share;
-    *pins->settled = enable_phase == (*pins->enable ? 1.0 : 0.0) && tool_phase == 1.0;
+    *pins->settled = enable_phase == (enabled ? 1.0 : 0.0) && tool_phase == 1.0;
 }
 
 int kinematicsForward(const double *joints, EmcPose *world, const KINEMATICS_FORWARD_FLAGS *fflags,
