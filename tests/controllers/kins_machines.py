@@ -41,8 +41,8 @@ def with_random_errors(model: MachineModel, seed: int) -> MachineModel:
         curves[name] = _curve(number % 4, model.travel[name.axis], size, draw)
     curves.pop(model.components[0])  # one that is silent
     parameters = {name: float(draw.normal() * 100.0) for name in model.dimensions}
-    for name in model.location_errors:
-        parameters[name] = float(draw.normal() * (5e-5 if model.machine.parameter_unit(name) == "rad" else 0.02))
+    for parameter in model.location_errors:
+        parameters[parameter] = float(draw.normal() * (5e-5 if model.machine.parameter_unit(parameter) == "rad" else 0.02))
     return model.with_values(ErrorValues(model.name, parameters, curves))
 
 

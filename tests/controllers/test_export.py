@@ -201,7 +201,7 @@ def test_a_module_has_no_step(tmp_path: Path, capsys: pytest.CaptureFixture[str]
 def test_a_module_is_made_of_kernels_as_they_were_derived(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     kernels = tmp_path / "generated"
     shutil.copytree(KERNELS / "dmu60p", kernels / "dmu60p")
-    words = ["--kernels", kernels]
+    words: list[str | Path] = ["--kernels", kernels]
     assert export("linuxcnc-kins", tmp_path / "good", *words) == 0
     assert export("linuxcnc-kins", kernels / "dmu60p", *words) == 2
     assert f"{kernels / 'dmu60p' / 'control.c'}: control.c of --out lies among the kernels" in capsys.readouterr().err
