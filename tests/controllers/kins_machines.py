@@ -42,7 +42,9 @@ def with_random_errors(model: MachineModel, seed: int) -> MachineModel:
     curves.pop(model.components[0])  # one that is silent
     parameters = {name: float(draw.normal() * 100.0) for name in model.dimensions}
     for parameter in model.location_errors:
-        parameters[parameter] = float(draw.normal() * (5e-5 if model.machine.parameter_unit(parameter) == "rad" else 0.02))
+        parameters[parameter] = float(
+            draw.normal() * (5e-5 if model.machine.parameter_unit(parameter) == "rad" else 0.02)
+        )
     return model.with_values(ErrorValues(model.name, parameters, curves))
 
 

@@ -97,7 +97,19 @@ def measured(folder: Path) -> pl.DataFrame:
     table = pl.DataFrame(rows, infer_schema_length=None).with_columns(pl.lit(None, pl.Float64).alias("reading"))
     table.write_csv(plan / "readings.csv")
     noise = ["--noise-um", NOISE_UM, "--seed", SEED]
-    run("simulate", spec, "--errors", errors, "--data", plan, "--out", folder / "data", *noise, "--kernels", folder / "generated")
+    run(
+        "simulate",
+        spec,
+        "--errors",
+        errors,
+        "--data",
+        plan,
+        "--out",
+        folder / "data",
+        *noise,
+        "--kernels",
+        folder / "generated",
+    )
     return pl.read_csv(folder / "data" / "readings.csv")
 
 
@@ -108,12 +120,12 @@ def run(*words: object) -> None:
 
 def instrument_files(readings: pl.DataFrame) -> dict[str, str]:
     files = {}
-    for axis in TRAVEL:
+    for axis, ends in TRAVEL.items():
         one = readings.filter(pl.col("run") == axis)
         passes = one["reading"].to_numpy().reshape(PASSES, TARGETS) * 1e3
         passes[1::2] = passes[1::2, ::-1]
         files[f"{axis.lower()}.rtl"] = rtl(
-            np.linspace(*TRAVEL[axis], TARGETS).tolist(), passes, axis=axis, machine="Mill 4", digits=2
+            np.linspace(*ends, TARGETS).tolist(), passes, axis=axis, machine="Mill 4", digits=2
         )
     one = readings.filter(pl.col("run") == "circle")
     angles = np.degrees(np.arctan2(one["Y"].to_numpy() - 200.0, one["X"].to_numpy() - 300.0)) % 360.0
