@@ -13,7 +13,7 @@ import pytest
 
 from tests.controllers.kins_machines import ExactMachine, kernels_folder, length, machine_model, with_random_errors
 from tests.controllers.kins_module import write_module
-from tests.controllers.linuxcnc_simulator.machine import Session, installed, run, unavailable
+from tests.controllers.linuxcnc_simulator.machine import JOINT_ACCELERATION, Session, installed, run, unavailable
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.model import MachineModel
 
@@ -116,6 +116,9 @@ def test_joints_are_those_of_the_exact_machine(tmp_path: Path, name: str) -> Non
         at = session.offset[row] + TOOL[row] + programmed[axis]
         assert drilled["deepest"][0][row] == pytest.approx(at, abs=ALLOWED)
     assert max(differences(model, session)) < ALLOWED
+    assert len(session.joints) > 10_000
+    acceleration = np.abs(np.diff(session.joints, 2, axis=0)).max() * 1e6  # of cycles of 1 ms
+    assert acceleration < 1.05 * JOINT_ACCELERATION  # nothing jumps: neither a new tool nor the correction, off and on
 
 
 def main() -> None:

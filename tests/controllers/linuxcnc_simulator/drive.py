@@ -4,6 +4,7 @@ joints stand after each, and what the pins of the module say. Run by LinuxCNC wi
 """
 
 import json
+import signal
 import subprocess
 import time
 from collections.abc import Callable
@@ -47,6 +48,9 @@ def main() -> None:
     component = hal.component("drive")
     component.ready()
 
+    with Path("samples.txt").open("w") as samples:
+        sampler = subprocess.Popen(["halsampler"], stdout=samples)
+
     def polled(true: Callable[[], bool]) -> Callable[[], bool]:
         def now() -> bool:
             status.poll()
@@ -89,6 +93,8 @@ def main() -> None:
                 "on": status.task_state == linuxcnc.STATE_ON,
             }
         )
+    sampler.send_signal(signal.SIGINT)
+    sampler.wait(10)
     told = []
     while (error := errors.poll()) is not None:
         told.append(error[1])

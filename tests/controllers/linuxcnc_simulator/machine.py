@@ -11,12 +11,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from tests.controllers.machines import FloatArray
 from trueaxis.controllers.linuxcnc_kins import SOURCE
 
 DRIVE = Path(__file__).parent / "drive.py"
 MODULES = Path("/usr/lib/linuxcnc/modules")  # where LinuxCNC's packages look for modules
 LIBRARY = f"{Path(SOURCE).stem}.so"
 SECONDS = 300
+JOINT_ACCELERATION = 11000  # mm/s2, deg/s2: a tenth more than the axes have
 NOBODY = "65534"  # the simulator's real-time part does not run as root
 
 INI = """[EMC]
@@ -60,7 +64,7 @@ TYPE = {kind}
 MIN_LIMIT = {joint_low}
 MAX_LIMIT = {joint_high}
 MAX_VELOCITY = 1100
-MAX_ACCELERATION = 11000
+MAX_ACCELERATION = {most}
 HOME_SEQUENCE = 0
 """
 HAL = """loadrt [KINS]KINEMATICS
@@ -75,13 +79,14 @@ net change iocontrol.0.tool-change => iocontrol.0.tool-changed
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Session:
-    """What was done: a record after each command, errors that LinuxCNC told, the work offset at the end, mm, everything
-    printed.
+    """What was done: a record after each command, errors that LinuxCNC told, the work offset at the end, mm, joints
+    (n, n_joints) in every cycle of 1 ms, mm or deg, and everything printed.
     """
 
     done: list[dict[str, Any]]
     errors: list[str]
     offset: list[float]
+    joints: FloatArray
     log: str
 
 
@@ -129,9 +134,18 @@ def _configure(
     for joint, (axis, (low, high)) in enumerate(travel.items()):
         kind, room = ("LINEAR", 5.0) if axis in "XYZ" else ("ANGULAR", 0.0)
         text += AXIS.format(
-            axis=axis, low=low, high=high, joint=joint, kind=kind, joint_low=low - room, joint_high=high + room
+            axis=axis,
+            low=low,
+            high=high,
+            joint=joint,
+            kind=kind,
+            joint_low=low - room,
+            joint_high=high + room,
+            most=JOINT_ACCELERATION,
         )
-    links = "".join(f"net j{n} joint.{n}.motor-pos-cmd => joint.{n}.motor-pos-fb\n" for n in range(len(axes)))
+    links = f"loadrt sampler depth=16000 cfg={'f' * len(axes)}\naddf sampler.0 servo-thread\n"
+    for n in range(len(axes)):
+        links += f"net j{n} joint.{n}.motor-pos-cmd => joint.{n}.motor-pos-fb sampler.0.pin.{n}\n"
     files = {"sim.ini": text, "sim.hal": HAL + links, "trueaxiskins.hal": hal, "tool.tbl": tools}
     files["commands.json"] = json.dumps({"joints": len(axes), "commands": list(commands)})
     for file, content in files.items():
@@ -151,4 +165,6 @@ def _run(folder: Path) -> Session:
     log = ended.stdout + ended.stderr
     assert (folder / "done.json").exists(), log
     record = json.loads((folder / "done.json").read_text())
-    return Session(done=record["done"], errors=record["errors"], offset=record["offset"], log=log)
+    rows = (folder / "samples.txt").read_text().splitlines()
+    joints = np.array([[float(word) for word in row.split()] for row in rows if "overrun" not in row])
+    return Session(done=record["done"], errors=record["errors"], offset=record["offset"], joints=joints, log=log)
