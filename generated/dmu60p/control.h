@@ -37,7 +37,7 @@ typedef struct {
 
 /*
  * Forward kinematics: from commanded positions to the pose, the positions at which the ideal machine would have its
- * tool point where this one has it. Positions of rotary axes stay as they are.
+ * tool point where this one has it.
  * in positions: 3 values, mm; out pose: 3 values
  * Returns 0, or -1 where the pose is not finite.
  */

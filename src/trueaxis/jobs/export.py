@@ -30,6 +30,7 @@ from trueaxis.reporting.control_tables import (
     ACCEPT_WORSE,
     export_sentences,
     head_lines,
+    left_text,
     module_limit_sentence,
     worse_sentence,
 )
@@ -65,7 +66,7 @@ class Exported(Printed):
             + worse
             + (
                 f"RMS of the tool point over the travel, from home: {left.before * 1e3:.3g} um, "
-                f"{left.after * 1e3:.3g} um left\n"
+                f"{left_text(left.after)} left\n"
             )
         )
 

@@ -19,6 +19,7 @@ _HOLDS = {
 
 
 ACCEPT_WORSE = "--accept-worse"
+_LEAST = 1e-6  # mm: a nanometre
 _BESIDE = {"siemens-enc": "siemens-cec", "siemens-cec": "siemens-enc"}  # formats for one control, loaded together
 
 
@@ -46,6 +47,11 @@ def worse_sentence(name: str, left: Remaining) -> str:
         f"where it is {left.before * 1e3:.3g} um without them: errors that they hold and errors that they do not hold "
         f"make up for one another in part; what helps: {', or '.join(helps)}; {ACCEPT_WORSE} writes them as they are"
     )
+
+
+def left_text(rms: float) -> str:
+    """What remains, rms in mm: no digits that no machine has."""
+    return f"{rms * 1e3:.3g} um" if rms >= _LEAST else f"less than {_LEAST * 1e3:g} um"
 
 
 def module_limit_sentence(off: float, limit: float) -> str:

@@ -145,6 +145,7 @@ def _limits(model: MachineModel, notes: Sequence[str]) -> str:
 
 - Travel: {ends}. Up to 5 mm (deg) beyond, curves go on; farther out they hold
   their value. Rotary positions of more than one turn count as they are, not modulo 360.
+- LinuxCNC wants all joints homed before world mode (`KINEMATICS_BOTH`), and screens show joints until then.
 - Rotary axes are not turned: the tool point is put right, the direction of the tool axis stays as it is.
 - With tool centre point control by another kinematics module this one cannot be loaded: LinuxCNC takes one.
 - Work offsets that were touched off before it was loaded are off by the correction there: touch off again.

@@ -59,7 +59,7 @@ static double table_at(const curve *of, double position)
 static double legendre_at(const curve *of, double position)
 {
     const double clamped = position < of->low ? of->low : position > of->high ? of->high : position;
-    const double half = 0.5 * (of->high - of->low);
+    const double half = of->high > of->low ? 0.5 * (of->high - of->low) : 1.0;
     const double scaled = (clamped - 0.5 * (of->low + of->high)) / half;
     double before = 1.0;
     double current = scaled;
