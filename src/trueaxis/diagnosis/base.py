@@ -97,7 +97,7 @@ def _few_of_run(parts: Sequence[Derivative]) -> tuple[FloatArray, FloatArray]:
 def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
     """The base of some rows; dimensions keep the values that the model has."""
     dimensions = {name: model.errors.parameters.get(name, 0.0) for name in model.dimensions}
-    known = ErrorValues(model.name, dimensions)
+    known = ErrorValues(machine=model.name, parameters=dimensions)
     bare = model.with_values(known)
     observed = Observations(
         "", rows.runs, rows.run, rows.positions, rows.reading, rows.seq, rows.directions.astype(np.int8), rows.context

@@ -100,7 +100,9 @@ def estimate(
     given: values that are taken as they are, dimensions too. Raises NothingHeldError where no reading holds an error of
     the machine, InputError where the readings lack a column that an effect depends on.
     """
-    given = with_locations(model, replace(given or ErrorValues(model.name), u={}, undetermined=(), covariance=None))
+    given = with_locations(
+        model, replace(given or ErrorValues(machine=model.name), u={}, undetermined=(), covariance=None)
+    )
     model = model.with_values(given)
     sought = sought_effects(model, observed, given, options.start)
     setting = _Setting(
