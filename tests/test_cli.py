@@ -187,7 +187,15 @@ def small(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Path:
 class TestDerive:
     def test_it_writes_the_machines_files(self, paper: Derived) -> None:
         names = sorted(path.name for path in (paper.folder / "dmu60p").iterdir())
-        assert names == ["equations.md", "kernels.c", "kernels.h", "kernels.py", "manifest.json"]
+        assert names == [
+            "control.c",
+            "control.h",
+            "equations.md",
+            "kernels.c",
+            "kernels.h",
+            "kernels.py",
+            "manifest.json",
+        ]
 
     def test_it_shows_the_lower_body_array_and_the_order_of_systems(self, paper: Derived) -> None:
         shown = paper.shown

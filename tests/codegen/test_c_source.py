@@ -9,9 +9,10 @@ import jinja2.meta
 import pytest
 import sympy as sp
 
-from tests.machines import DMU60P, FIVE_AXIS, machine_at
+from tests.machines import DMU60P, FIVE_AXIS, machine_at, machine_of, serial_text
 from trueaxis.codegen.c_printer import CPrinter
 from trueaxis.codegen.c_source import c_header, c_source, header_context, source_context
+from trueaxis.codegen.control_source import control_context, control_header_context, control_sources
 from trueaxis.codegen.horner import horner_coefficients
 from trueaxis.codegen.templates import environment
 from trueaxis.derivation.library import derive_routines
@@ -43,6 +44,8 @@ def folder(machine: Machine, routines: tuple[Routine, ...], tmp_path_factory: py
 def write(folder: Path, machine: Machine, routines: tuple[Routine, ...]) -> None:
     (folder / "kernels.c").write_text(c_source(machine, routines))
     (folder / "kernels.h").write_text(c_header(machine, routines))
+    for name, text in control_sources(machine, routines).items():
+        (folder / name).write_text(text)
 
 
 def compiler_or_skip(name: str) -> str:
@@ -55,9 +58,10 @@ def run(*command: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
 
 
+@pytest.mark.parametrize("source", ["kernels.c", "control.c"])
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])
-def test_compiles_without_a_warning(compiler: str, folder: Path) -> None:
-    command = (compiler_or_skip(compiler), *STRICT, "-O1", "-c", folder / "kernels.c", "-o", folder / "strict.o")
+def test_compiles_without_a_warning(compiler: str, source: str, folder: Path) -> None:
+    command = (compiler_or_skip(compiler), *STRICT, "-O1", "-c", folder / source, "-o", folder / "strict.o")
     assert run(*command).stderr == ""
 
 
@@ -106,13 +110,19 @@ def test_loop_over_points_has_no_branch_and_no_call_but_roots(folder: Path) -> N
 
 
 def test_powers_are_products_and_lines_are_short(folder: Path) -> None:
-    source = (folder / "kernels.c").read_text()
-    assert "pow(" not in source
-    assert max(len(line) for line in source.splitlines()) <= 120
+    for name in ("kernels.c", "control.c", "control.h"):
+        source = (folder / name).read_text()
+        assert "pow(" not in source
+        assert max(len(line) for line in source.splitlines()) <= 120
+
+
+def test_a_machine_whose_tool_cannot_be_moved_freely_has_no_kernels_for_a_control() -> None:
+    machine = machine_of(serial_text("", "XY"))
+    assert control_sources(machine, derive_routines(machine)) == {}
 
 
 def test_head_says_where_it_comes_from(folder: Path, machine: Machine) -> None:
-    for name in ("kernels.c", "kernels.h"):
+    for name in ("kernels.c", "kernels.h", "control.c", "control.h"):
         text = (folder / name).read_text()
         command = f"trueaxis derive machines/{machine.name}.toml"
         assert text.startswith(
@@ -123,7 +133,12 @@ def test_head_says_where_it_comes_from(folder: Path, machine: Machine) -> None:
 
 
 def test_templates_use_exactly_what_they_are_given(machine: Machine, routines: tuple[Routine, ...]) -> None:
-    contexts = {"kernels.c.j2": source_context(machine, routines), "kernels.h.j2": header_context(machine, routines)}
+    contexts = {
+        "kernels.c.j2": source_context(machine, routines),
+        "kernels.h.j2": header_context(machine, routines),
+        "control.c.j2": control_context(machine, routines),
+        "control.h.j2": control_header_context(machine, routines),
+    }
     for name, context in contexts.items():
         jinja = environment()
         assert jinja.loader is not None

@@ -15,6 +15,7 @@ from tests.codegen.test_numpy_source import executed, source
 from tests.derivation.test_routine import models
 from tests.machines import ROOT
 from trueaxis.codegen.c_source import c_header, c_source
+from trueaxis.codegen.control_source import control_sources
 from trueaxis.codegen.meta import spec_label
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror")
@@ -37,6 +38,7 @@ def test_the_header_is_cpp_too_and_links(standard: str, tmp_path: Path) -> None:
     program = tmp_path / "main.cpp"
     program.write_text(
         '#include "dmu60p/kernels.h"\n#include "dmu60p_5axis/kernels.h"\n'
+        '#include "dmu60p/control.h"\n#include "dmu60p_5axis/control.h"\n'
         "int main() { return dmu60p_kernel_abi() - TRUEAXIS_KERNEL_ABI; }\n"
     )
     made = run(compiler("gcc"), "-std=c17", "-c", KERNELS / "kernels.c", "-o", tmp_path / "kernels.o")
@@ -56,7 +58,9 @@ def test_the_source_compiles_as_cpp_without_a_warning(name: str, tmp_path: Path)
     (tmp_path / "kernels.c").write_text(c_source(model.machine, model.routines))
     (tmp_path / "kernels.h").write_text(c_header(model.machine, model.routines))
     flags = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only")
-    made = run(compiler("g++"), *flags, "-x", "c++", tmp_path / "kernels.c")
+    for file, text in control_sources(model.machine, model.routines).items():
+        (tmp_path / file).write_text(text)
+    made = run(compiler("g++"), *flags, "-x", "c++", tmp_path / "kernels.c", tmp_path / "control.c")
     assert (made.returncode, made.stderr) == (0, "")
 
 
@@ -88,7 +92,7 @@ def test_the_header_names_rows_and_units() -> None:
     assert all("Operations: " in comment and " * in " in comment for comment, _ in declared)
 
 
-@pytest.mark.parametrize("file", ["kernels.py", "kernels.c", "kernels.h"])
+@pytest.mark.parametrize("file", ["kernels.py", "kernels.c", "kernels.h", "control.c", "control.h"])
 def test_nothing_turns_on_a_machine_of_linear_axes(file: str) -> None:
     text = (KERNELS / file).read_text(encoding="utf-8")
     assert not re.search(r"rotary axes|cosines", text)

@@ -1,6 +1,7 @@
 """trueaxis export: what is written, what is said of it, and what is refused."""
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -50,7 +51,7 @@ def test_every_format_is_written_the_same_each_time(
     assert "RMS of the tool point over the travel, from home:" in shown
     assert "largest standard uncertainty of the tool point over the travel" in shown
     files = sorted(path.relative_to(tmp_path / "one") for path in (tmp_path / "one").rglob("*") if path.is_file())
-    assert (tmp_path / "one").is_dir() == (name in ("heidenhain-com", "linuxcnc-comp"))
+    assert (tmp_path / "one").is_dir() == (name in ("heidenhain-com", "linuxcnc-comp", "linuxcnc-kins"))
     for file in files or [Path()]:
         assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes()
 
@@ -189,3 +190,44 @@ def test_error_values_that_are_all_zero_are_said(
     assert said in capsys.readouterr().out
     assert export("siemens-enc", tmp_path / "out") == 0
     assert said not in capsys.readouterr().out
+
+
+def test_a_module_has_no_step(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert export("linuxcnc-kins", tmp_path / "out", "--step", "5") == 2
+    assert "--format linuxcnc-kins: has no positions with a step between them" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_module_is_made_of_kernels_as_they_were_derived(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    kernels = tmp_path / "generated"
+    shutil.copytree(KERNELS / "dmu60p", kernels / "dmu60p")
+    words: list[str | Path] = ["--kernels", kernels]
+    assert export("linuxcnc-kins", tmp_path / "good", *words) == 0
+    assert export("linuxcnc-kins", kernels / "dmu60p", *words) == 2
+    assert f"{kernels / 'dmu60p' / 'control.c'}: control.c of --out lies among the kernels" in capsys.readouterr().err
+    control, manifest = kernels / "dmu60p" / "control.c", kernels / "dmu60p" / "manifest.json"
+    control.write_text(control.read_text().replace("0", "1", 1))
+    assert export("linuxcnc-kins", tmp_path / "out", *words) == 2
+    told = capsys.readouterr().err
+    assert f"{control}: is not as it was derived" in told
+    assert f"run: trueaxis derive {DMU60P} --out {kernels}" in told
+    record = json.loads(manifest.read_text())
+    del record["files"]["control.c"]  # as derived by earlier versions
+    manifest.write_text(json.dumps(record))
+    assert export("linuxcnc-kins", tmp_path / "out", *words) == 2
+    assert f"{control}: was not derived with these kernels; run: trueaxis derive" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+    assert export("linuxcnc-comp", tmp_path / "tables", *words) == 0
+
+
+def test_a_module_that_would_stop_within_the_travel_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    large = {"EXX": {"basis": "polynomial", "powers": [1], "coefficients": [2e-3]}}  # 6 mm over 3 m
+    errors = values(tmp_path, motion_errors=large)
+    spec = tmp_path / GANTRY.name
+    spec.write_text(GANTRY.read_text() + "\n[prior]\ntranslation_um = 100.0\n")  # else nobody believes the 6 mm
+    words = ["--max-correction", "10"]
+    assert export("linuxcnc-kins", tmp_path / "out", *words, machine=spec, errors=errors) == 1
+    assert "within the travel, and the module corrects 5 mm at most" in capsys.readouterr().out
+    assert not (tmp_path / "out").exists()

@@ -7,7 +7,7 @@ import pytest
 
 from tests.controllers.machines import GANTRY, model_of
 from tests.machines import ROOT
-from trueaxis.controllers.formats import FORMATS, export_tables
+from trueaxis.controllers.formats import FORMATS, TABLED, export_tables
 from trueaxis.model.curves import PolynomialCurve
 from trueaxis.model.errors import ErrorValues
 
@@ -16,7 +16,7 @@ PAGES = {name: FOLDER / f"{'siemens' if name.startswith('siemens') else name}.md
 PARTS = ("Source", "Sign", "What it holds|What they hold", "Limits", "Load", "Verify", "Take off")
 
 
-@pytest.mark.parametrize("name", FORMATS)
+@pytest.mark.parametrize("name", TABLED)
 def test_the_number_beside_the_sign(name: str) -> None:
     curves = {"EXX": PolynomialCurve(powers=(1,), coefficients=(1e-4,))}
     if name != "isg-csv":

@@ -141,6 +141,8 @@ def test_derived_files_are_those_of_the_command(tmp_path: Path) -> None:
         "kernels.py",
         "kernels.c",
         "kernels.h",
+        "control.c",
+        "control.h",
         "equations.md",
         "manifest.json",
     }

@@ -186,5 +186,5 @@ def test_kernels_written_again_within_a_second_are_the_new_ones(folder: Path) ->
     sealed(folder)
     assert load(folder, other)
     assert sorted(path.name for path in (folder / "dmu60p").iterdir()) == sorted(
-        ("kernels.py", "kernels.c", "kernels.h", "equations.md", "manifest.json")
+        ("kernels.py", "kernels.c", "kernels.h", "control.c", "control.h", "equations.md", "manifest.json")
     )

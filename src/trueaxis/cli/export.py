@@ -1,4 +1,4 @@
-"""trueaxis export: error values as compensation tables of a control."""
+"""trueaxis export: error values as compensation tables of a control, or as a module that it runs."""
 
 import argparse
 from pathlib import Path
@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 DESCRIPTION = """\
-Write error values as compensation tables that a control reads. Every table says what of the model it holds; the command
-says how large the deviations of the tool point are over the travel, and what is left of them with the tables, as the
-control would interpolate them. docs/controllers has a page for each format: its source, the sign with a number, limits,
-how to load it, how to verify it by measuring again, how to take it off."""
+Write error values as compensation tables that a control reads, or (linuxcnc-kins) as a module that it runs. The command
+says what of the model they hold, how large the deviations of the tool point are over the travel, and what is left of
+them, as the control would interpolate. docs/controllers has a page for each format: its source, the sign with a number,
+limits, how to load it, how to verify it by measuring again, how to take it off."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
@@ -42,7 +42,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--format", choices=FORMATS, required=True, help="of the control")
     parser.add_argument(
         "--out", type=Path, required=True, metavar="PATH",
-        help="file to write; a folder for heidenhain-com and linuxcnc-comp",
+        help="file to write; a folder for heidenhain-com, linuxcnc-comp and linuxcnc-kins",
     )  # fmt: skip
     parser.add_argument(
         "--step", type=positive, metavar="MM",
@@ -50,7 +50,8 @@ def add_parser(subparsers: "Subparsers") -> None:
     )  # fmt: skip
     parser.add_argument(
         "--tool-point", type=tool_point, default=(0.0, 0.0, 0.0), metavar="X,Y,Z",
-        help="the point in the tool frame that tables of single axes are made for, mm (0,0,0)",
+        help="the point in the tool frame that tables of single axes are made for, of linuxcnc-kins the point from "
+        "which tool lengths are measured, mm (0,0,0)",
     )  # fmt: skip
     misfit_option(parser)
     uncertain_option(parser, "the tables")

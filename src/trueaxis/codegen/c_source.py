@@ -29,6 +29,24 @@ _TAKEN = frozenset(
     "NULL NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL MATH_ERRNO MATH_ERREXCEPT math_errhandling offsetof".split()
 )
 
+_HELPERS = {"sign": Sign, "step": Step}
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How arrays with a value per point lie: sizes: first arguments; star: of a pointer; rows: how many there are, in
+    words; index: of a row.
+    """
+
+    sizes: tuple[str, ...]
+    star: str
+    rows: str
+    index: str
+
+
+OF_POINTS = Layout(("size_t n, size_t stride",), "*TRUEAXIS_RESTRICT ", "{} rows of stride", "[{} * stride + i]")
+OF_ONE_POINT = Layout((), "*", "{} values", "[{}]")
+
 
 @dataclass(frozen=True)
 class TrigonometryText:
@@ -75,24 +93,25 @@ def c_header(machine: Machine, routines: tuple[Routine, ...], spec: str = "") ->
 
 def source_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
     """The variables of kernels.c.j2."""
+    functions = [function_text(c_prefix(machine.name), routine) for routine in routines]
+    return shared_context(machine, spec) | {"functions": functions, "block": BLOCK, "helpers": helpers(routines)}
+
+
+def helpers(routines: Iterable[Routine]) -> list[str]:
+    """The functions of C that the routines call and C has not."""
     values = [value for routine in routines for _, value in routine.batch + routine.body]
-    helpers = {"sign": Sign, "step": Step}
-    used = [name for name, function in helpers.items() if any(value.has(function) for value in values)]
-    functions = [_function(c_prefix(machine.name), routine) for routine in routines]
-    return _context(machine, spec) | {"functions": functions, "block": BLOCK, "helpers": used}
+    return [name for name, function in _HELPERS.items() if any(value.has(function) for value in values)]
 
 
 def header_context(machine: Machine, routines: tuple[Routine, ...], spec: str = "") -> dict[str, Any]:
     """The variables of kernels.h.j2."""
-    legend = [
-        line for row in _legend(machine) for line in textwrap.wrap(_commentable(row), _WIDTH, subsequent_indent="    ")
-    ]
     prefix = c_prefix(machine.name)
-    functions = [_declaration(prefix, routine) for routine in routines]
-    return _context(machine, spec) | {"functions": functions, "abi": ABI, "legend": legend}
+    functions = [declaration(prefix, routine) for routine in routines]
+    return shared_context(machine, spec) | {"functions": functions, "abi": ABI, "legend": legend(machine)}
 
 
-def _context(machine: Machine, spec: str) -> dict[str, Any]:
+def shared_context(machine: Machine, spec: str) -> dict[str, Any]:
+    """The variables that every template of C has."""
     return {
         "paper_title": TITLE,
         "turning": any(axis in ROTARY for axis in machine.axes),
@@ -103,23 +122,27 @@ def _context(machine: Machine, spec: str) -> dict[str, Any]:
     }
 
 
-def _legend(machine: Machine) -> Iterable[str]:
-    """Rows and units of the arrays that the functions share."""
+def legend(machine: Machine) -> list[str]:
+    """Rows and units of the arrays that the functions share, in lines of a comment."""
     texts = describe(machine)
     shared = {
         "positions": [axis.lower() for axis in machine.axes],
         "errors": machine.components,
         "parameters": machine.parameters,
     }
-    for name, rows in shared.items():
-        yield f"{name}: {', '.join(f'{row} {texts[row].unit}' for row in rows) or 'none'}"
+    lines = [
+        f"{name}: {', '.join(f'{row} {texts[row].unit}' for row in rows) or 'none'}" for name, rows in shared.items()
+    ]
+    return [part for line in lines for part in textwrap.wrap(_commentable(line), _WIDTH, subsequent_indent="    ")]
 
 
-def _declaration(prefix: str, routine: Routine) -> Declaration:
-    return Declaration(f"{prefix}_{routine.name}", tuple(_comment(routine)), tuple(_signature(routine)))
+def declaration(prefix: str, routine: Routine, layout: Layout = OF_POINTS) -> Declaration:
+    """A routine as the header prints it."""
+    return Declaration(f"{prefix}_{routine.name}", tuple(_comment(routine, layout)), tuple(_signature(routine, layout)))
 
 
-def _function(prefix: str, routine: Routine) -> FunctionText:
+def function_text(prefix: str, routine: Routine, layout: Layout = OF_POINTS) -> FunctionText:
+    """A routine as the source prints it."""
     names = variable_names(routine, _TAKEN | {f"{target.name}_block" for target, _ in routine.preparation})
     printer = CPrinter(names)
     varying = [a for a in routine.inputs if a.per_point]
@@ -133,10 +156,10 @@ def _function(prefix: str, routine: Routine) -> FunctionText:
         for k, row in enumerate(a.rows)
         if row in body | batch
     ]
-    outputs = [(row, f"{a.name}[{k} * stride + i]") for a in routine.outputs for k, row in enumerate(a.rows)]
+    outputs = [(row, f"{a.name}{layout.index.format(k)}") for a in routine.outputs for k, row in enumerate(a.rows)]
     stored = dict(outputs)
     direct = {target.name: value for target, value in routine.body if target.name in stored and target.name not in body}
-    head = _declaration(prefix, routine)
+    head = declaration(prefix, routine, layout)
     return FunctionText(
         name=head.name,
         comment=head.comment,
@@ -144,13 +167,13 @@ def _function(prefix: str, routine: Routine) -> FunctionText:
         unused=tuple(a.name for a in routine.inputs if used.isdisjoint(a.rows)),
         constants=tuple(constants),
         batch=tuple(_assigned(assignment, printer) for assignment in routine.batch),
-        positions=tuple(_loads(varying, _used(routine.preparation), names)),
+        positions=tuple(_loads(varying, _used(routine.preparation), names, layout)),
         preparation=tuple(
             TrigonometryText(names[target.name], f"{names[target.name]}_block", printer.doprint(value))
             for target, value in routine.preparation
         ),
         calls=any(value.has(sp.Function) for _, value in routine.body),
-        rows=tuple(_loads(varying, body, names)),
+        rows=tuple(_loads(varying, body, names, layout)),
         body=tuple(_assigned(assignment, printer) for assignment in routine.body if assignment[0].name not in direct),
         stores=tuple(
             _wrapped(f"{place} = {printer.doprint(direct[row]) if row in direct else names[row]};")
@@ -163,11 +186,11 @@ def _used(assignments: Iterable[Assignment]) -> set[str]:
     return {symbol.name for _, value in assignments for symbol in value.free_symbols}
 
 
-def _loads(arguments: Iterable[Argument], used: set[str], names: Mapping[str, str]) -> Iterable[str]:
+def _loads(arguments: Iterable[Argument], used: set[str], names: Mapping[str, str], layout: Layout) -> Iterable[str]:
     for argument in arguments:
         for k, row in enumerate(argument.rows):
             if row in used:
-                yield _declared(names[row], f"{argument.name}[{k} * stride + i]")
+                yield _declared(names[row], f"{argument.name}{layout.index.format(k)}")
 
 
 def _declared(name: str, value: str) -> str:
@@ -186,21 +209,21 @@ def _wrapped(line: str) -> str:
     )
 
 
-def _signature(routine: Routine) -> list[str]:
-    arrays = [f"const double *TRUEAXIS_RESTRICT {a.name}" for a in routine.inputs]
-    arrays += [f"double *TRUEAXIS_RESTRICT {a.name}" for a in routine.outputs]
-    return ["size_t n, size_t stride", *arrays]
+def _signature(routine: Routine, layout: Layout) -> list[str]:
+    arrays = [f"const double {layout.star}{a.name}" for a in routine.inputs]
+    arrays += [f"double {layout.star}{a.name}" for a in routine.outputs]
+    return [*layout.sizes, *arrays]
 
 
-def _comment(routine: Routine) -> Iterable[str]:
+def _comment(routine: Routine, layout: Layout) -> Iterable[str]:
     yield from textwrap.wrap(_commentable(routine.summary), _WIDTH)
     operations = f"Operations: {routine.operations} per point"
     operations += f", {routine.batch_operations} once per call." if routine.batch_operations else "."
     yield _commentable(f"Source: {routine.source}. {operations}")
     for title, arguments in (("in", routine.inputs), ("out", routine.outputs)):
         for a in arguments:
-            layout = f"{len(a.rows)} rows of stride" if a.per_point else f"{len(a.rows)} values"
-            text = f"{title} {a.name}: {layout}, {a.unit}; {a.description} ({rows_text(a)})"
+            size = (layout.rows if a.per_point else OF_ONE_POINT.rows).format(len(a.rows))
+            text = f"{title} {a.name}: {size}, {a.unit}; {a.description} ({rows_text(a)})"
             yield from textwrap.wrap(_commentable(text), _WIDTH, subsequent_indent="    ", break_on_hyphens=False)
 
 

@@ -4,6 +4,7 @@ import hashlib
 import json
 
 from trueaxis.codegen.c_source import c_header, c_source
+from trueaxis.codegen.control_source import control_sources
 from trueaxis.codegen.equations import equations_page
 from trueaxis.codegen.meta import ABI, spec_name
 from trueaxis.codegen.numpy_source import numpy_source
@@ -20,6 +21,7 @@ def render(model: DerivedModel, spec: str = "") -> dict[str, bytes]:
         "kernels.h": c_header(machine, routines, spec),
         "equations.md": equations_page(model, spec),
     }
+    texts |= control_sources(machine, routines, spec)
     files = {name: text.encode() for name, text in texts.items()}
     return files | {"manifest.json": _manifest(model, files, spec).encode()}
 

@@ -6,15 +6,16 @@ from dataclasses import dataclass, replace
 from trueaxis.controllers import heidenhain, linuxcnc, siemens
 from trueaxis.controllers.axis_tables import AxisTable, axis_tables, node_count, nodes, round_step
 from trueaxis.controllers.isg_csv import control_model, csv_text, motion_errors, reversed_axes
+from trueaxis.controllers.linuxcnc_kins import module_files
+from trueaxis.controllers.linuxcnc_kins.as_loaded import taken_by_module
 from trueaxis.controllers.remaining import Remaining, TakenOff, remaining, taken_by_tables
-from trueaxis.effects.placement import context_of
-from trueaxis.effects.variables import SINCE_REVERSAL
 from trueaxis.error_name import DIRECTIONS
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.curves import Curve, FloatArray, TableCurve
 from trueaxis.model.model import MachineModel
 
 ISG = "isg-csv"
+KINS = "linuxcnc-kins"  # no table: the whole model, run by the control
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,19 +91,16 @@ TABLE_FORMATS: Mapping[str, TableFormat] = {
 # Positions of an axis in a table, where the control does not set a lower limit. No axis is measured at more; a step of
 # 0.001 mm instead of 1 mm would make files of 50 MB and more.
 MOST_POSITIONS = 5000
-UNTABLED = {
-    "v",
-    *SINCE_REVERSAL,
-    "t",
-    "T",
-}  # what effects may depend on that a table has no room for: see effects/variables.py
-FORMATS = (ISG, *TABLE_FORMATS)
+TABLED = (ISG, *TABLE_FORMATS)
+FORMATS = (*TABLED, KINS)
 
 
 def problem_of(name: str, model: MachineModel, step: float | None) -> str:
     """Why the machine cannot be exported in that format; empty where it can."""
     if any(axis not in model.axes for axis in LINEAR):
         return "has no X, Y and Z axis: tables are made for machines with all three"
+    if step is not None and name == KINS:
+        return "has no positions with a step between them: the kinematics compute the errors; leave the step out"
     if step is not None and (problem := _step_problem(name, model, step)):
         return problem
     if name == ISG:
@@ -141,8 +139,8 @@ def export_tables(
     positions: FloatArray,
     comments: Sequence[str] = (),
 ) -> Export:
-    """Make the files of a format. tool: (3, 1), mm; positions: (n_axes, n), where it is judged what remains; comments:
-    lines for the head of the file, where the format has room for them.
+    """Make the files of a format of tables. tool: (3, 1), mm; positions: (n_axes, n), where it is judged what remains;
+    comments: lines for the head of the file, where the format has room for them.
     """
     if name == ISG:
         control = control_model(model, tool[:, 0], step)
@@ -156,14 +154,12 @@ def export_tables(
     return Export(files=chosen.write(tables, comments, differ), remaining=left, tables=tables)
 
 
-def untabled_effects(model: MachineModel) -> tuple[str, ...]:
-    """Labels of effects of the error values on more than positions and directions: no table holds them."""
-    return tuple(
-        values.effect.label
-        for values in model.effect_values
-        if model.kinds[values.effect.kind].place == "component"
-        and UNTABLED & {name.removesuffix("_b") for name in context_of(model.kinds[values.effect.kind])}
-    )
+def export_module(model: MachineModel, tool: FloatArray, positions: FloatArray, kernels: Mapping[str, bytes]) -> Export:
+    """Make the sources of a LinuxCNC kinematics module. kernels: the content of each of CONTROL_FILES; the rest as of
+    `export_tables`.
+    """
+    left = remaining(model, tool, positions, taken_by_module(model, tool))
+    return Export(files=module_files(model, tool, kernels), remaining=left)
 
 
 def _taken_by_model(model: MachineModel, tool: FloatArray, step: float | None) -> TakenOff:

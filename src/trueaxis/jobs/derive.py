@@ -49,8 +49,8 @@ class Derivation:
 
 
 def derive(machine: AnyPath, out: AnyPath = KERNELS, *, runs: AnyPath | None = None, check: bool = False) -> Derivation:
-    """Derive the error model of a machine spec and write OUT/NAME/: kernels.py, kernels.c, kernels.h, equations.md,
-    manifest.json.
+    """Derive the error model of a machine spec and write OUT/NAME/: kernels.py, kernels.c, kernels.h, of a machine with
+    three linear axes control.c and control.h, equations.md, manifest.json.
 
     runs: folder of measured data or a plan, whose identification systems are derived (default: that of the spec);
     check: write nothing, compare. Raises InputError with every fault of the spec or the runs.

@@ -1,14 +1,15 @@
 """Error values as compensation tables of a control."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from trueaxis.compensation.reliance import PRIOR_SIZES
-from trueaxis.controllers.formats import FORMATS, Export, export_tables, problem_of
+from trueaxis.controllers.formats import FORMATS, KINS, Export, export_module, export_tables, problem_of
+from trueaxis.controllers.linuxcnc_kins.as_loaded import BEYOND, taken_by_module
 from trueaxis.controllers.remaining import Remaining
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.io.files import write_files
@@ -21,10 +22,19 @@ from trueaxis.jobs.tables import Printed
 from trueaxis.model.covariance import Covariance
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.extent import UncertaintyExtent, travel_positions, uncertainty_extent
+from trueaxis.model.manifest import verified_control_code
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import prior_size
-from trueaxis.reporting.control_tables import ACCEPT_WORSE, export_sentences, head_lines, worse_sentence
+from trueaxis.reporting.control_tables import (
+    ACCEPT_WORSE,
+    export_sentences,
+    head_lines,
+    left_text,
+    module_limit_sentence,
+    worse_sentence,
+)
+from trueaxis.reporting.linuxcnc_kins import example_position, readme
 from trueaxis.reporting.reliance import (
     error_free_sentences,
     extent_sentences,
@@ -56,7 +66,7 @@ class Exported(Printed):
             + worse
             + (
                 f"RMS of the tool point over the travel, from home: {left.before * 1e3:.3g} um, "
-                f"{left.after * 1e3:.3g} um left\n"
+                f"{left_text(left.after)} left\n"
             )
         )
 
@@ -93,7 +103,8 @@ def export(
 ) -> Exported:
     """Error values as tables that a control reads; docs/controllers has the formats, with their sources.
 
-    format: "isg-csv", "siemens-enc", "siemens-cec", "heidenhain-com" or "linuxcnc-comp"; out: the file to write, or the
+    format: "isg-csv", "siemens-enc", "siemens-cec", "heidenhain-com", "linuxcnc-comp" or "linuxcnc-kins" (sources of a
+    kinematics module); out: the file to write, or the
     folder of a format of several; None: nothing is written. step: largest distance of positions in a table, mm or deg;
     tool: (3,), the point in the tool frame that tables of single axes are made for, mm. max_u: largest standard
     uncertainty of the tool point over the travel, mm; max_correction: largest deviation, mm (three times what [prior]
@@ -132,14 +143,14 @@ def exported(
     if problem := problem_of(name, model, options.step):
         raise InputError([Fault(str(model.machine.source or model.name), f"{spelled('format')} {name}", problem)])
     positions = travel_positions(model, covariance)
-    made = export_tables(name, model, tool, options.step, positions, head_lines(name, model))
+    made = _made(name, model, tool, options.step, positions)
     contents = _contents(out, made)
     outputs: dict[str, Path | None] = {f"{path.name} of {spelled('out')}": path for path in contents}
     if found := overwritten(inputs, outputs, options.kernels):
         raise InputError(found)
     extent = uncertainty_extent(model, covariance, positions, tool)
     beyond = travel_sentences(beyond_measured(model.errors, model.axes, positions))
-    refusals = _refusals(options, model, tool, positions, extent)
+    refusals = _refusals(name, options, model, tool, positions, extent)
     if made.remaining.worse and not options.accept_worse:
         refusals.append(worse_sentence(name, made.remaining))
     if not refusals:
@@ -162,12 +173,30 @@ def exported(
     return done
 
 
+def _made(name: str, model: MachineModel, tool: FloatArray, step: float | None, positions: FloatArray) -> Export:
+    """The files of a format, and what remains with them."""
+    if name != KINS:
+        return export_tables(name, model, tool, step, positions, head_lines(name, model))
+    folder = Path(model.kernels.module.__file__ or "").parent
+    spec = model.machine.source or f"{model.name}.toml"
+    kernels = verified_control_code(folder, remedy=f"run: trueaxis derive {spec} --out {folder.parent}")
+    made = export_module(model, tool, positions, kernels)
+    moves = -taken_by_module(model, tool)(example_position(model), np.zeros(len(model.axes)))
+    page = readme(model, tool, moves, export_sentences(name, model, made))
+    return replace(made, files={**made.files, "README.md": page})
+
+
 def _contents(out: Path | None, made: Export) -> dict[Path, bytes | str]:
     return {} if out is None else {out / name if name else out: text for name, text in made.files.items()}
 
 
 def _refusals(
-    options: ExportOptions, model: MachineModel, tool: FloatArray, positions: FloatArray, extent: UncertaintyExtent
+    name: str,
+    options: ExportOptions,
+    model: MachineModel,
+    tool: FloatArray,
+    positions: FloatArray,
+    extent: UncertaintyExtent,
 ) -> list[str]:
     """Why nothing may be written."""
     sentences = []
@@ -184,4 +213,6 @@ def _refusals(
             f"the tool point is off by {off[worst]:.4g} mm at {at}, more than {allowed[worst]:.4g} mm; "
             "--max-correction allows more, or larger sizes in [prior] of the spec, if the machine is that far off"
         )
+    if name == KINS and off.max() > BEYOND:
+        sentences.append(module_limit_sentence(float(off.max()), BEYOND))
     return sentences

@@ -48,6 +48,11 @@ class LegendreBasis:
         return _powers(*self._centre_and_half(), self.degree)
 
     @property
+    def at_home(self) -> FloatArray:
+        """(degree,): the Legendre polynomials at home, which the basis functions are less of."""
+        return np.asarray(_at_home(self)[0, 1:])
+
+    @property
     def per_position(self) -> float:
         """Slope of the first basis function, 1/mm or 1/deg."""
         return 1.0 / self._centre_and_half()[1]

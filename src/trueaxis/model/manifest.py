@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +12,8 @@ from trueaxis.io.input_files import gathering, input_bytes
 MANIFEST = "manifest.json"
 C_FILES = ("kernels.c", "kernels.h")
 CODE_FILES = ("kernels.py", *C_FILES)
-KERNEL_FILES = (*CODE_FILES, "equations.md", MANIFEST)
+CONTROL_FILES = ("control.c", "control.h")  # of machines with three linear axes
+KERNEL_FILES = (*CODE_FILES, *CONTROL_FILES, "equations.md", MANIFEST)
 
 
 def verified_code(folder: Path, *, abi: int, digest: str, spec: Path, remedy: str) -> dict[str, bytes]:
@@ -31,12 +32,28 @@ def verified_code(folder: Path, *, abi: int, digest: str, spec: Path, remedy: st
     elif record.get("spec_sha256") != digest:
         faults.add("spec_sha256", f"is not that of {spec} as it is now", remedy)
     faults.raise_if_any()
+    return _as_derived(folder, CODE_FILES, record, remedy)
+
+
+def verified_control_code(folder: Path, *, remedy: str) -> dict[str, bytes]:
+    """The content of each of CONTROL_FILES in a machine's folder, checked to be what was derived.
+
+    The folder is one whose code was verified before. Raises InputError, with the command that mends it, when a file is
+    missing, as in folders of earlier versions, or was changed since.
+    """
+    return _as_derived(folder, CONTROL_FILES, _record(folder / MANIFEST, remedy), remedy)
+
+
+def _as_derived(folder: Path, names: Sequence[str], record: Mapping[str, Any], remedy: str) -> dict[str, bytes]:
+    """The content of files whose digests are in the manifest's record."""
     found: list[Fault] = []
     code: dict[str, bytes] = {}
-    for name in CODE_FILES:
+    for name in names:
         with gathering(found):
+            if name not in record["files"]:
+                raise InputError([Fault(str(folder / name), "", "was not derived with these kernels", remedy)])
             code[name] = input_bytes(folder / name)
-            if hashlib.sha256(code[name]).hexdigest() != record["files"].get(name):
+            if hashlib.sha256(code[name]).hexdigest() != record["files"][name]:
                 problem = f"is not as it was derived: its SHA-256 is not that in {MANIFEST}"
                 raise InputError([Fault(str(folder / name), "", problem, remedy)])
     if found:

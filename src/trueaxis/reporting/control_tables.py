@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from trueaxis.controllers.formats import ISG, TABLE_FORMATS, Export, untabled_effects
+from trueaxis.controllers.formats import ISG, KINS, TABLE_FORMATS, Export
+from trueaxis.controllers.held_effects import directed_effects, untabled_effects
 from trueaxis.controllers.remaining import Remaining
 from trueaxis.machine.machine import LINEAR
 from trueaxis.model.model import MachineModel
@@ -18,6 +19,7 @@ _HOLDS = {
 
 
 ACCEPT_WORSE = "--accept-worse"
+_LEAST = 1e-6  # mm: a nanometre
 _BESIDE = {"siemens-enc": "siemens-cec", "siemens-cec": "siemens-enc"}  # formats for one control, loaded together
 
 
@@ -27,6 +29,8 @@ def held_sentence(name: str) -> str:
         return (
             "the file holds every error component and, within them, the location errors; one value for both directions"
         )
+    if name == KINS:
+        return "the module holds every error component and location error, for any tool"
     holds, lacks = _HOLDS[name]
     return f"the tables hold {holds}; they do not hold {lacks}"
 
@@ -42,6 +46,18 @@ def worse_sentence(name: str, left: Remaining) -> str:
         f"with these tables {left.after * 1e3:.3g} um RMS of the tool point would be left over the travel, from home, "
         f"where it is {left.before * 1e3:.3g} um without them: errors that they hold and errors that they do not hold "
         f"make up for one another in part; what helps: {', or '.join(helps)}; {ACCEPT_WORSE} writes them as they are"
+    )
+
+
+def left_text(rms: float) -> str:
+    """What remains, rms in mm: no digits that no machine has."""
+    return f"{rms * 1e3:.3g} um" if rms >= _LEAST else f"less than {_LEAST * 1e3:g} um"
+
+
+def module_limit_sentence(off: float, limit: float) -> str:
+    """Why a module is not written that would stop the machine within its travel; mm."""
+    return (
+        f"the tool point is off by up to {off:.4g} mm within the travel, and the module corrects {limit:g} mm at most"
     )
 
 
@@ -62,16 +78,19 @@ def export_sentences(name: str, model: MachineModel, export: Export) -> list[str
         found.append(
             f"chain {''.join(export.chain)}, workpiece_axes 0: all axes are written as seen from the workpiece"
         )
-    if name != ISG and not TABLE_FORMATS[name].both_directions:
+    if name in TABLE_FORMATS and not TABLE_FORMATS[name].both_directions:
         found += [
             f"mean reversal error of {table.of}: {_amount(table.of, table.reversal)}, which the table cannot hold"
             for table in export.tables
             if table.of == table.by and table.reversal
         ]
-    if any(values.effect.axis is not None for values in model.effect_values):
+    if name != KINS and any(values.effect.axis is not None for values in model.effect_values):
         found.append("effects of a second axis are in it as they are where that axis is at home")
+    if name == KINS and (labels := directed_effects(model)):
+        found.append(f"in the module as the mean of both directions of approach: {_listed(labels)}")
     if labels := untabled_effects(model):
-        found.append(f"in no table, for it depends on more than positions and directions: {_listed(labels)}")
+        where = "not in the module" if name == KINS else "in no table"
+        found.append(f"{where}, for it depends on more than positions and directions: {_listed(labels)}")
     return found
 
 
