@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests import tutorials
 from tests.controllers.kins_module import KinsModule, compiled, compiler
 from tests.machines import ROOT
 from tests.tutorial.inputs import FOLDER, all_files
@@ -18,23 +19,11 @@ PAGE = ROOT / "docs" / "tutorials" / "laser-to-control.md"
 HOLE = {"X": 200.0, "Y": 130.0, "Z": -177.0}  # X20 Y20 Z-12 of the program, G54, a tool of 95 mm
 
 
-def words(text: str) -> str:
-    return " ".join(text.split())
-
-
-def test_every_command_does_what_the_page_says(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_every_command_does_what_the_page_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(FOLDER, tmp_path / "shop")
     monkeypatch.chdir(tmp_path)
     text = PAGE.read_text()
-    commands = re.findall(r"```console\n\$ trueaxis ((?:.*\\\n)*.*)\n((?:.*\n)*?)```", text)
-    assert len(commands) == text.count("$ trueaxis") == 8
-    for command, shown in commands:
-        assert main(shlex.split(command.replace("\\\n", " "))) == 0, command
-        printed = words(capsys.readouterr().out)
-        for line in shown.splitlines():
-            assert words(line) in printed
+    assert tutorials.run(text, tmp_path) == text.count("$ trueaxis") == 8
     found = left(tmp_path)
     told = dict(re.findall(r"^(\w[\w ]+): ([\d.]+) um$", text, re.MULTILINE))
     assert found.keys() == told.keys()
