@@ -49,7 +49,13 @@ def test_each_is_a_schema(name: str) -> None:
     Draft7Validator.check_schema(schemas()[name])
 
 
-SPECS = [path for part in ("machines", "examples", "tests") for path in sorted((ROOT / part).rglob("*.toml"))]
+OF_CONTROLS = ("offsets.toml", "tools.toml")  # of `compensate`, with no schema
+SPECS = [
+    path
+    for part in ("machines", "examples", "tests")
+    for path in sorted((ROOT / part).rglob("*.toml"))
+    if path.name not in OF_CONTROLS
+]
 
 
 @pytest.mark.parametrize("path", SPECS, ids=lambda path: str(path.relative_to(ROOT)))
