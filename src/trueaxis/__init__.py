@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from trueaxis.jobs.evaluate import EvaluatedCircle, EvaluatedPositioning, evaluate
     from trueaxis.jobs.export import Exported, export
     from trueaxis.jobs.fit import Fitted, fit
+    from trueaxis.jobs.fleet import FleetResult, fleet
     from trueaxis.jobs.identify import Identified, UnbelievableError, identify
     from trueaxis.jobs.import_readings import Imported, ImportedRun, import_readings
     from trueaxis.jobs.init import NewMachine, init
@@ -69,6 +70,7 @@ __all__ = [
     "Exported",
     "Fault",
     "Fitted",
+    "FleetResult",
     "Identified",
     "Imported",
     "ImportedRun",
@@ -92,6 +94,7 @@ __all__ = [
     "evaluate",
     "export",
     "fit",
+    "fleet",
     "identify",
     "import_readings",
     "init",
@@ -119,6 +122,7 @@ _MODULES = {
     "jobs.evaluate": ("EvaluatedCircle", "EvaluatedPositioning", "evaluate",),
     "jobs.export": ("Exported", "export",),
     "jobs.fit": ("Fitted", "fit",),
+    "jobs.fleet": ("FleetResult", "fleet",),
     "jobs.identify": ("Identified", "UnbelievableError", "identify",),
     "jobs.import_readings": ("Imported", "ImportedRun", "import_readings",),
     "jobs.init": ("NewMachine", "init",),
