@@ -1,5 +1,6 @@
 """The workers of a scheduler that runs already."""
 
+import asyncio
 import socket
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -7,6 +8,8 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from distributed import Client
+from distributed.core import connect
+from distributed.security import Security
 
 from trueaxis.cluster.quiet import quiet
 from trueaxis.io.faults import Fault, InputError
@@ -27,17 +30,26 @@ def running_client(address: str) -> Iterator[Any]:
         raise _fault(address, f"nothing answers there: {error.strerror or error}") from None
     with quiet():
         try:
-            client = Client(address, timeout=SECONDS, set_as_default=False)
+            asyncio.run(asyncio.wait_for(_identity(address), SECONDS))
         except (OSError, TimeoutError, ValueError) as error:  # another service, or another protocol
-            raise _fault(
-                address, f"no Dask scheduler answers there within {SECONDS:g} s ({type(error).__name__})"
-            ) from None
-        with client:
+            problem = f"no Dask scheduler answers there within {SECONDS:g} s ({type(error).__name__})"
+            raise _fault(address, problem) from None
+        with Client(address, timeout=SECONDS, set_as_default=False) as client:
             try:
                 client.wait_for_workers(1, timeout=SECONDS)
             except TimeoutError:
                 raise _fault(address, "has no workers", f"start some: dask worker {address}") from None
             yield client
+
+
+async def _identity(address: str) -> object:
+    """What a scheduler says of itself. A client would wait for a service that never answers without end."""
+    comm = await connect(address, timeout=SECONDS, **Security().get_connection_args("client"))
+    try:
+        await comm.write({"op": "identity", "reply": True})
+        return await comm.read()
+    finally:
+        comm.abort()
 
 
 def _host_and_port(address: str) -> tuple[str, int]:

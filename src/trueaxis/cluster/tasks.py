@@ -14,7 +14,7 @@ from trueaxis.io.faults import Fault, InputError
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Task:
     """A call of a function of a module. key: its name, unlike all others; after: keys of tasks that must have ended
-    before, in whatever way.
+    before, in whatever way. It may be called again where a worker is lost before it has told that it is done.
     """
 
     key: str

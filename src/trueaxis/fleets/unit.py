@@ -3,12 +3,12 @@
 import hashlib
 import json
 import tomllib
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from trueaxis import __version__
 from trueaxis.fleets.row import SCHEMA, Row, read_row
+from trueaxis.io.toml_lines import LARGEST_TEXT
 from trueaxis.measurement import readings, setup
 
 _DATA = (setup.FILE_NAME, readings.FILE_NAME, readings.PARQUET_NAME)
@@ -44,17 +44,15 @@ def values_before(unit: Unit) -> Path | None:
 
 def inputs_digest(unit: Unit) -> str:
     """SHA-256 of all that the results come from: the files' content, the tasks, the version of the program."""
-    spec = _content(unit.spec)
-    contents = {f"spec/{name}": one for name, one in _named_in(spec, unit.spec.parent, "runs")} | {"spec": spec}
+    files = {"spec": unit.spec, **_named_in(unit.spec, "runs")}
     for name, values in (("errors", unit.errors), ("before", values_before(unit))):
         if values is not None:
-            contents[name] = _content(values)
-            contents[f"covariance of {name}"] = _covariance_of(values, contents[name])
+            files |= {name: values, f"covariance of {name}": _covariance_of(values)}
     if unit.folder is not None:
-        contents |= {name: _content(unit.folder / name) for name in _DATA}
-        contents |= dict(_named_in(contents[setup.FILE_NAME], unit.folder, "compensation"))
+        files |= {name: unit.folder / name for name in _DATA}
+        files |= _named_in(unit.folder / setup.FILE_NAME, "compensation")
     asked = [SCHEMA, __version__, unit.machine, unit.data, unit.tasks]
-    digests = {name: None if one is None else hashlib.sha256(one).hexdigest() for name, one in contents.items()}
+    digests = {name: None if path is None else _digest(path) for name, path in files.items()}
     return hashlib.sha256(json.dumps([asked, digests], sort_keys=True).encode()).hexdigest()
 
 
@@ -66,28 +64,42 @@ def kept_row(unit: Unit, digest: str) -> Row | None:
     return row
 
 
-def _named_in(text: bytes | None, folder: Path, key: str) -> Iterator[tuple[str, bytes | None]]:
-    """The file, or the set-up in the folder, that a key at the top of a TOML text names."""
+def _named_in(file: Path, key: str) -> dict[str, Path]:
+    """The file, or the set-up in the folder, that a key at the top of a TOML file names."""
     try:
-        named = tomllib.loads((text or b"").decode("utf-8-sig")).get(key)
-        path = folder / named if isinstance(named, str) else None
+        named = tomllib.loads(_text(file)).get(key)
     except ValueError:
-        return
-    if path is not None and named != "none":
-        yield key, _content(path / setup.FILE_NAME if path.is_dir() else path)
+        return {}
+    if not isinstance(named, str) or named == "none":
+        return {}
+    path = file.parent / named
+    return {key: path / setup.FILE_NAME if path.is_dir() else path}
 
 
-def _covariance_of(values: Path, text: bytes | None) -> bytes | None:
-    """The content of the file that error values name as that of their covariance."""
+def _covariance_of(values: Path) -> Path | None:
+    """The file that error values name as that of their covariance."""
     try:
-        file = json.loads(text or b"")["covariance"]["file"]
-        return _content(values.parent / file)
+        return values.parent / json.loads(_text(values))["covariance"]["file"]
     except (ValueError, KeyError, TypeError):
         return None
 
 
-def _content(path: Path) -> bytes | None:
+def _text(path: Path) -> str:
+    """Empty where it is no file of a size that is read."""
     try:
-        return path.read_bytes()
+        if path.is_file() and path.stat().st_size <= LARGEST_TEXT:
+            return path.read_text(encoding="utf-8-sig")
+    except (OSError, ValueError):
+        pass
+    return ""
+
+
+def _digest(path: Path) -> str | None:
+    """SHA-256 of a file; None where it is none. A device or a pipe may have no end, and is for the worker to meet."""
+    try:
+        if not path.is_file():
+            return None
+        with path.open("rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
     except (OSError, ValueError):
         return None
