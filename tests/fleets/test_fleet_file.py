@@ -77,7 +77,8 @@ def test_an_id_is_the_name_of_a_folder(tmp_path: Path, name: str) -> None:
         ("machine = []", "line 1, key machine: holds no machine; one table [[machine]] or more"),
         ("[[machine]", "line 1: is not TOML: "),
         ('[[machine]]\nid = "a"\nspec = "s"', "line 1, key machine[0].data: is missing; a folder, a list of folders"),
-        ('[[machine]]\nid = "a"\nspec = "s"\nerrors = "e"\ndata = "d"\ntasks = ["report"]', "line 5, key machine[0].data: is"),
+        ('[[machine]]\nid = "a"\nspec = "s"\nerrors = "e"\ndata = "d"\ntasks = ["report"]',
+         "line 5, key machine[0].data"),
         ('[[machine]]\nid = "a"\nspec = "s"\ndata = "d"\ntasks = []', "line 5, key machine[0].tasks: is []"),
     ],
 )  # fmt: skip

@@ -44,7 +44,7 @@ def values_before(unit: Unit) -> Path | None:
 
 def inputs_digest(unit: Unit) -> str:
     """SHA-256 of all that the results come from: the files' content, the tasks, the version of the program."""
-    files = {"spec": unit.spec, **_named_in(unit.spec, "runs")}
+    files: dict[str, Path | None] = {"spec": unit.spec, **_named_in(unit.spec, "runs")}
     for name, values in (("errors", unit.errors), ("before", values_before(unit))):
         if values is not None:
             files |= {name: values, f"covariance of {name}": _covariance_of(values)}
@@ -79,7 +79,7 @@ def _named_in(file: Path, key: str) -> dict[str, Path]:
 def _covariance_of(values: Path) -> Path | None:
     """The file that error values name as that of their covariance."""
     try:
-        return values.parent / json.loads(_text(values))["covariance"]["file"]
+        return values.parent / str(json.loads(_text(values))["covariance"]["file"])
     except (ValueError, KeyError, TypeError):
         return None
 
