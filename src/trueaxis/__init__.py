@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from trueaxis.model.context import Context
     from trueaxis.model.errors import ErrorValues
     from trueaxis.model.model import MachineModel
+    from trueaxis.monte_carlo.settings import Draws
 
 __version__ = "0.1.0"
 __all__ = [
@@ -63,6 +64,7 @@ __all__ = [
     "Derivation",
     "Diagnosed",
     "Document",
+    "Draws",
     "ErrorValues",
     "Errors",
     "EvaluatedCircle",
@@ -139,6 +141,7 @@ _MODULES = {
     "model.context": ("Context",),
     "model.errors": ("ErrorValues",),
     "model.model": ("MachineModel",),
+    "monte_carlo.settings": ("Draws",),
 }  # fmt: skip
 _HOME = {name: module for module, names in _MODULES.items() for name in names}
 

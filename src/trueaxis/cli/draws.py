@@ -2,7 +2,7 @@
 
 import argparse
 
-from trueaxis.cli.arguments import noise_or_none, option, size, whole
+from trueaxis.cli.arguments import file_to_write, noise_or_none, option, size, whole
 from trueaxis.cluster.workers import MOST_WORKERS
 from trueaxis.io.faults import Fault
 from trueaxis.jobs.workers import faults_of_workers
@@ -11,8 +11,8 @@ from trueaxis.monte_carlo.settings import MOST_DRAWS, Draws
 _OF_DRAWS = ("seed", "noise_um", "u_temperature", "either_direction", "workers", "scheduler")
 
 
-def add_draws(parser: argparse.ArgumentParser) -> None:
-    """Declare --draws and what goes with it."""
+def add_draws(parser: argparse.ArgumentParser, *, of_program: bool = False) -> None:
+    """Declare --draws and what goes with it. of_program: of places of a program, which says from where axes come."""
     group = parser.add_argument_group("draws (GUM Supplement 1)")
     group.add_argument(
         "--draws", type=whole(2, MOST_DRAWS), metavar="N",
@@ -29,10 +29,17 @@ def add_draws(parser: argparse.ArgumentParser) -> None:
         "--u-temperature", type=size, metavar="K",
         help="standard uncertainty of the temperature, for effects that depend on it (0)",
     )  # fmt: skip
-    group.add_argument(
-        "--either-direction", action="store_const", const=True,
-        help="draw from which side axes came where that is not given, for effects that depend on it, such as backlash",
-    )  # fmt: skip
+    if of_program:
+        group.add_argument(
+            "--draws-out", type=file_to_write, metavar="FILE",
+            help="table to write, .parquet or .csv: what is left of the error of the tool at the places of the program",
+        )  # fmt: skip
+    else:
+        group.add_argument(
+            "--either-direction", action="store_const", const=True,
+            help="draw from which side axes came where that is not given, for effects that depend on it, such as "
+            "backlash",
+        )  # fmt: skip
     group.add_argument(
         "--workers", type=whole(1, MOST_WORKERS), metavar="N",
         help="processes on this computer; more than 1 needs the extra trueaxis[cluster]; the result is the same (1)",
@@ -42,7 +49,10 @@ def add_draws(parser: argparse.ArgumentParser) -> None:
 
 def draws_of(args: argparse.Namespace, found: list[Fault]) -> Draws | None:
     """What was asked for, None: no draws; faults of options that do not go together are added to those found."""
-    given = {name: getattr(args, name) for name in _OF_DRAWS if getattr(args, name) is not None}
+    given = {name: getattr(args, name) for name in _OF_DRAWS if getattr(args, name, None) is not None}
+    out = getattr(args, "draws_out", None)
+    if "draws_out" in args and (out is None) != (args.draws is None):
+        found.append(Fault("--draws-out", "", "goes with --draws", "both, or neither"))
     if args.draws is None:
         found += [Fault(option(name), "", "goes with --draws", "add --draws N, or leave it out") for name in given]
         return None

@@ -78,9 +78,9 @@ def run(args: argparse.Namespace) -> int:
         )
     with gathering(found):
         points = read_points(args.at, machine)
-    draws = draws_of(args, found)
-    if draws is not None and not found:
+    if args.draws is not None and not found:
         found += faults_of_draws(covariance, points.positions.shape[1], str(args.errors), option)
+    draws = draws_of(args, found)
     if found:
         raise InputError(found)
     predictions = predicted(
