@@ -10,6 +10,7 @@ import pytest
 import trueaxis as ta
 from tests.machines import DMU60P, ROOT
 from trueaxis.cli.main import main
+from trueaxis.model.curves import LegendreCurve
 
 KERNELS = str(ROOT / "generated")
 PLAN = ROOT / "machines" / "dmu60p_regular_runs"
@@ -68,8 +69,9 @@ def test_draws_are_those_of_the_exact_model_one_by_one(model: ta.MachineModel, e
         steps = np.asarray(covariance.root @ unit[0])
         curves = {}
         for name, curve in values.motion_errors.items():
-            changed = np.array(curve.coefficients) + steps[covariance.rows_of(name)]  # type: ignore[union-attr]
-            curves[name] = replace(curve, coefficients=tuple(changed.tolist()))  # type: ignore[type-var]
+            assert isinstance(curve, LegendreCurve)
+            changed = np.array(curve.coefficients) + steps[covariance.rows_of(name)]
+            curves[name] = replace(curve, coefficients=tuple(changed.tolist()))
         start = covariance.count - len(covariance.locations)
         located = dict(zip(covariance.locations, steps[start:], strict=True))
         parameters = {name: value + located.get(name, 0.0) for name, value in values.parameters.items()}
@@ -87,7 +89,7 @@ def test_draws_are_those_of_the_exact_model_one_by_one(model: ta.MachineModel, e
 
 
 def test_noise_adds_to_it_and_the_seed_decides(model: ta.MachineModel, errors: ta.Errors) -> None:
-    at = {"X": [100.0, 400.0], "Y": 350.0, "Z": 300.0}
+    at = np.array([[100.0, 400.0], [350.0, 350.0], [300.0, 300.0]])
     one, same, other, noisy = (
         ta.predict(model, errors, at, draws=draws).drawn
         for draws in (ta.Draws(count=5000), 5000, ta.Draws(count=5000, seed=1), ta.Draws(count=5000, noise_um=4.0))

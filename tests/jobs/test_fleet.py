@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import polars as pl
@@ -21,7 +22,7 @@ from trueaxis.cli.main import main
 from trueaxis.fleets.row import read_row
 
 
-def rows_of(out: Path) -> dict[tuple[str, str], dict[str, object]]:
+def rows_of(out: Path) -> dict[tuple[str, str], dict[str, Any]]:
     return {
         (row["machine"], row["data"]): row for row in pl.read_parquet(out / "results.parquet").iter_rows(named=True)
     }

@@ -10,10 +10,6 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from typing import Any
 
-import dask
-from distributed import Client, Nanny, Scheduler, SpecCluster
-from distributed.system import MEMORY_LIMIT
-
 from trueaxis.cluster.quiet import quiet
 from trueaxis.import_path import without_current_folder
 
@@ -45,6 +41,10 @@ _CONFIGURATION = {
 @contextmanager
 def embedded_client(count: int, memory: int | None) -> Iterator[Any]:
     """A client of so many workers. memory: bytes of each, None: that of the computer in equal parts."""
+    import dask  # noqa: PLC0415  an extra, and half a second
+    from distributed import Client, Nanny, Scheduler, SpecCluster  # noqa: PLC0415
+    from distributed.system import MEMORY_LIMIT  # noqa: PLC0415
+
     environment = dict(ENVIRONMENT)
     if given := os.environ.get("PYTHONPATH"):
         environment["PYTHONPATH"] = os.pathsep.join(without_current_folder(given.split(os.pathsep)))

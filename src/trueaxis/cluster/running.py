@@ -7,10 +7,6 @@ from contextlib import contextmanager
 from typing import Any
 from urllib.parse import urlsplit
 
-from distributed import Client
-from distributed.core import connect
-from distributed.security import Security
-
 from trueaxis.cluster.quiet import quiet
 from trueaxis.io.faults import Fault, InputError
 
@@ -23,6 +19,8 @@ _RIGHT = "an address such as tcp://192.168.0.10:8786, as the scheduler prints it
 @contextmanager
 def running_client(address: str) -> Iterator[Any]:
     """A client of the scheduler at that address. Raises InputError where none answers there, or it has no workers."""
+    from distributed import Client  # noqa: PLC0415  an extra, and half a second
+
     host, port = _host_and_port(address)
     try:  # Dask would try again and again
         socket.create_connection((host, port), SECONDS).close()
@@ -44,6 +42,9 @@ def running_client(address: str) -> Iterator[Any]:
 
 async def _identity(address: str) -> object:
     """What a scheduler says of itself. A client would wait for a service that never answers without end."""
+    from distributed.core import connect  # noqa: PLC0415  as above
+    from distributed.security import Security  # noqa: PLC0415
+
     comm = await connect(address, timeout=SECONDS, **Security().get_connection_args("client"))
     try:
         await comm.write({"op": "identity", "reply": True})

@@ -5,9 +5,6 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from distributed import as_completed
-from distributed.scheduler import KilledWorker
-
 from trueaxis.io.faults import Fault, InputError
 
 
@@ -41,6 +38,8 @@ def run_tasks(client: Any, tasks: Sequence[Task], ahead: int = 0) -> Iterator[En
     ahead: tasks that wait at each worker while it works: 0 where a task takes seconds and may take its worker with it,
     1 or 2 where tasks are short. Raises InputError where the scheduler is lost.
     """
+    from distributed import as_completed  # noqa: PLC0415  an extra, and half a second
+
     of_key = {task.key: task for task in tasks}
     left = {task.key: {key for key in task.after if key in of_key} for task in tasks}
     followers: dict[str, list[str]] = {}
@@ -77,6 +76,8 @@ def _ended(key: str, future: Any) -> Ended:
     if future.status != "error":
         problem = "the connection to the scheduler was lost"
         raise InputError([Fault("the scheduler", "", problem, "what is done is kept: run the same command again")])
+    from distributed.scheduler import KilledWorker  # noqa: PLC0415  as above
+
     error = future.exception()
     if isinstance(error, KilledWorker):
         return Ended(key, lost=int(error.allowed_failures) + 1)

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from typing import Any
 
+from trueaxis.cluster.embedded import embedded_client
+from trueaxis.cluster.running import running_client
 from trueaxis.io.faults import Fault, InputError
 
 MOST_WORKERS = 1024  # of one computer
@@ -35,13 +37,9 @@ def client_of(workers: Workers) -> Iterator[Any]:
         remedy = "pip install 'trueaxis[cluster]'"
         raise InputError([Fault(f"package {' and '.join(missing)}", "", "is not installed", remedy)])
     if workers.scheduler is not None:
-        from trueaxis.cluster.running import running_client  # noqa: PLC0415  Dask: half a second
-
         with running_client(workers.scheduler) as client:
             yield client
     else:
-        from trueaxis.cluster.embedded import embedded_client  # noqa: PLC0415  as above
-
         with embedded_client(workers.count or cores(), workers.memory) as client:
             yield client
 

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from trueaxis.cluster.tasks import Task, run_tasks
 from trueaxis.cluster.workers import Workers, client_of
 from trueaxis.io.faults import Fault, InputError
 from trueaxis.jobs.given import Spelled, argument, kernels_of
@@ -87,8 +88,6 @@ def _here(drawing: Drawing, bins: Bins, tasks: list[int], seed: int) -> Iterator
 
 def _there(model: MachineModel, points: DrawnPoints, bins: Bins, tasks: list[int], asked: Workers) -> Iterator[Tally]:
     """The parts in their order, from whatever order the workers give them in."""
-    from trueaxis.cluster.tasks import Task, run_tasks  # noqa: PLC0415  Dask, which is there once a client is
-
     folder = kernels_of(model)
     assert folder is not None
     with client_of(asked) as client:

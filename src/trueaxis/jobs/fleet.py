@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import polars as pl
 
+from trueaxis.cluster.tasks import Ended, Task, run_tasks
 from trueaxis.cluster.workers import Workers, client_of
 from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.plan import Chain, chains_of
@@ -28,9 +28,6 @@ from trueaxis.jobs.tables import Printed, Tabular
 from trueaxis.jobs.workers import workers_of
 from trueaxis.measurement.table import table_bytes
 from trueaxis.reporting.fleet.text import fleet_text
-
-if TYPE_CHECKING:
-    from trueaxis.cluster.tasks import Ended, Task
 
 RESULTS, PAGE = "results.parquet", "index.html"
 Show = Callable[[str], None]
@@ -120,8 +117,6 @@ def _rows(chains: tuple[Chain, ...], asked: Workers, again: bool, show: Show) ->
     of_key = {str(unit.out): unit for units in left for unit in units}
     made, done = 0, 0
     with client_of(asked) as client:
-        from trueaxis.cluster.tasks import run_tasks  # noqa: PLC0415  Dask, which is there now
-
         for ended in run_tasks(client, _tasks(left)):
             if ended.key not in of_key:
                 continue
@@ -144,10 +139,8 @@ def _kept(chain: Chain) -> list[Row]:
     return found
 
 
-def _tasks(left: "list[tuple[Unit, ...]]") -> "list[Task]":
+def _tasks(left: list[tuple[Unit, ...]]) -> list[Task]:
     """Kernels of each spec once, then the units of each machine one after the other."""
-    from trueaxis.cluster.tasks import Task  # noqa: PLC0415  Dask
-
     specs = {units[0].spec: units[0].kernels for units in left}
     tasks = [
         Task(key=f"kernels {spec}", function=prepare, arguments=(spec, kernels)) for spec, kernels in specs.items()
@@ -160,7 +153,7 @@ def _tasks(left: "list[tuple[Unit, ...]]") -> "list[Task]":
     return tasks
 
 
-def _lost(unit: Unit, ended: "Ended") -> Row:
+def _lost(unit: Unit, ended: Ended) -> Row:
     """The row of a unit that took its workers with it, or that no worker could take; it is written."""
     if ended.lost:
         fault = (
