@@ -2,9 +2,10 @@
 
     python3 dev.py demo     set up, then the main job: results and pictures in results/
     python3 dev.py test     set up, then the tests
+    python3 dev.py site     set up, then the documentation, into build/site
     python3 dev.py setup    set up for development, nothing more
 
-Further arguments go to `trueaxis demo` or to pytest. Only the standard library is used here.
+Further arguments go to `trueaxis demo`, to pytest or to MkDocs. Only the standard library is used here.
 """
 
 import hashlib
@@ -18,8 +19,8 @@ HERE = Path(__file__).resolve().parent
 VENV = HERE / ".venv"
 BIN = VENV / ("Scripts" if sys.platform == "win32" else "bin")
 # Tests run side by side: each is to keep to its own processor.
-ENVIRONMENT = os.environ | {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
-LOCKS = {"demo": "run.txt", "test": "dev.txt", "setup": "dev.txt"}
+ENVIRONMENT = os.environ | {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "NO_MKDOCS_2_WARNING": "1"}
+LOCKS = {"demo": "run.txt", "test": "dev.txt", "site": "dev.txt", "setup": "dev.txt"}
 
 
 def main(arguments: list[str]) -> int:
@@ -36,6 +37,8 @@ def main(arguments: list[str]) -> int:
         return run(BIN / "trueaxis", "demo", *rest)
     if task == "test":
         return run_tests(rest)
+    if task == "site":
+        return run(BIN / "python", "-m", "mkdocs", "build", *rest)
     return 0
 
 

@@ -39,7 +39,15 @@ def observed(readings: int, axes: dict[str, tuple[float, float]]) -> Observation
     """Random positions over the travels, 1 um of noise and nothing else."""
     source = np.random.default_rng(1)
     runs = tuple(
-        Run(f"{point}-{way}", "laser", PointOn("tool", at), PointOn("bed"), "bed", dict.fromkeys(axes, 0.0), direction)
+        Run(
+            id=f"{point}-{way}",
+            instrument="laser",
+            target=PointOn("tool", at),
+            reference=PointOn("bed"),
+            frame="bed",
+            home=dict.fromkeys(axes, 0.0),
+            direction=direction,
+        )
         for point, at in enumerate(POINTS)
         for way, direction in enumerate(((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
     )
@@ -54,7 +62,7 @@ def case(machine: str, readings: int) -> None:
     """Estimate once, and print what it took."""
     model = load_model(ROOT / "machines" / f"{machine}.toml", None, ROOT / "generated")
     data = observed(readings, dict(model.travel))
-    known = ErrorValues(model.name, dict.fromkeys(model.dimensions, 10.0))
+    known = ErrorValues(machine=model.name, parameters=dict.fromkeys(model.dimensions, 10.0))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     start = time.process_time()
     found = estimate(model, data, known)

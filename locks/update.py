@@ -10,7 +10,7 @@ import tomllib
 from pathlib import Path
 
 HERE = Path(__file__).parent
-GROUPS = {"run.txt": ["build"], "dev.txt": ["build", "test", "lint"]}
+GROUPS = {"run.txt": ["build"], "dev.txt": ["build", "test", "lint", "docs"]}
 # The lock names no index: whoever installs from it brings their own.
 OPTIONS = "--generate-hashes --no-header --no-annotate --strip-extras --allow-unsafe --no-emit-index-url"
 OPTIONS += " --no-emit-trusted-host --no-emit-find-links"

@@ -1,10 +1,35 @@
 """What the tests of several files share."""
 
+import shutil
 from pathlib import Path
 
 import pytest
 
 from tests.command_lines import prepare
+from tests.kept import derived
+from tests.machines import ROOT
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Kernels of the machines whose files are not checked in, beside those that are; once, not by every worker."""
+    if hasattr(session.config, "workerinput"):
+        return
+    tracked = (ROOT / ".gitignore").read_text(encoding="utf-8").splitlines()
+    for spec in sorted((ROOT / "machines").glob("*.toml")):
+        folder = ROOT / "generated" / spec.stem
+        if f"!generated/{spec.stem}" in tracked:
+            continue
+        try:
+            made = derived(spec) / spec.stem
+        except Exception as problem:  # of the derivation: the tests that need these kernels fail, others may run
+            print(f"{spec.name} could not be derived: {problem!r}")
+            continue
+        if not folder.is_dir() or any(_differs(file, folder / file.name) for file in made.iterdir()):
+            shutil.copytree(made, folder, dirs_exist_ok=True)
+
+
+def _differs(made: Path, there: Path) -> bool:
+    return not there.is_file() or made.read_bytes() != there.read_bytes()
 
 
 @pytest.fixture(scope="module")

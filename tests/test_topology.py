@@ -37,10 +37,12 @@ def trees(draw: st.DrawFn) -> Machine:
     """Bodies with gaps in their numbers, in any order in the spec, each on one drawn before it or on the bed."""
     numbers = draw(st.lists(st.integers(2, 99), min_size=1, max_size=12, unique=True))
     bodies = [
-        Body(number, f"b{number}", draw(st.sampled_from([1, *numbers[:index]]))) for index, number in enumerate(numbers)
+        Body(number=number, name=f"b{number}", lower=draw(st.sampled_from([1, *numbers[:index]])))
+        for index, number in enumerate(numbers)
     ]
-    ends = draw(st.sampled_from(numbers)), draw(st.sampled_from(numbers))
-    return Machine("tree", "tree", tuple(draw(st.permutations(bodies))), *ends)
+    workpiece, tool = draw(st.sampled_from(numbers)), draw(st.sampled_from(numbers))
+    shuffled = tuple(draw(st.permutations(bodies)))
+    return Machine(name="tree", title="tree", bodies=shuffled, workpiece=workpiece, tool=tool)
 
 
 @given(trees())

@@ -283,14 +283,16 @@ def test_a_location_error_that_the_spec_left_out_is_identified_with_kernels_deri
     given = prepared(Case(4, design=plan, effects=(Hidden("squareness", "EC0X", size=8e-5),), given="exact"))
     assert "EC0X" not in given.model.parameters
     text = given.generated.spec
-    named = replace(diagnosis("explained"), causes=(cause(EffectOf("squareness", "EC0X")),))
+    named = replace(diagnosis("explained"), causes=(cause(EffectOf(kind="squareness", component="EC0X")),))
 
     def start(function: str, found: Diagnosis, extended: Extended) -> Callable[[], object]:
         assert (function, found) == ("drawn_and_derived", named)
         folder = emitted(extended.text) / extended.machine.name
         return lambda: (None, {"kernels.py": (folder / "kernels.py").read_bytes()})
 
-    model = Extending(tmp_path, Given(given.model, None, given.data, text, ()), start)(named)
+    model = Extending(tmp_path, Given(model=given.model, covariance=None, data=given.data, spec=text, runs=()), start)(
+        named
+    )
     assert "EC0X" in model.parameters
     observed = observations("here", given.data.setup.runs, given.data.readings)
     values, table, _ = reidentified(model, given.model.errors, observed)

@@ -181,9 +181,23 @@ def test_printer_refuses_what_no_kernel_needs(value: sp.Expr) -> None:
 
 def test_names_that_mean_something_else_in_c_are_told_apart(tmp_path: Path) -> None:
     names = ["length", "result", "sqrt", "cos", "stride", "start", "count", "NAN", "INFINITY", "i", "j", "length_"]
-    constants = Argument("result", tuple(names[1:]), (len(names) - 1,), False, "mm", "hostile /* names */")
-    point = Argument("length", ("length",), (1,), True, "mm", "an array named as its only row")
-    output = Argument("NULL_", ("total",), (1,), True, "mm", "their sum")
+    constants = Argument(
+        name="result",
+        rows=tuple(names[1:]),
+        shape=(len(names) - 1,),
+        per_point=False,
+        unit="mm",
+        description="hostile /* names */",
+    )
+    point = Argument(
+        name="length",
+        rows=("length",),
+        shape=(1,),
+        per_point=True,
+        unit="mm",
+        description="an array named as its only row",
+    )
+    output = Argument(name="NULL_", rows=("total",), shape=(1,), per_point=True, unit="mm", description="their sum")
     total = sp.Add(*(sp.Symbol(name, real=True) * (k + 2) for k, name in enumerate(names)))
     routine = build("names", "Sum.", "none */", (constants, point), (output,), {"total": sp.sqrt(total)})
     write(tmp_path, machine_at(DMU60P), (routine,))

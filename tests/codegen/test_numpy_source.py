@@ -19,8 +19,8 @@ from trueaxis.derivation.routine import Argument, build
 from trueaxis.io.faults import InputError
 
 X, Y = sp.Symbol("rx", real=True), sp.Symbol("ry", real=True)
-POINT = Argument("point", ("rx", "ry"), (2,), True, "mm", "a point")
-FACTOR = Argument("factor", ("k",), (1,), False, "1", "a factor")
+POINT = Argument(name="point", rows=("rx", "ry"), shape=(2,), per_point=True, unit="mm", description="a point")
+FACTOR = Argument(name="factor", rows=("k",), shape=(1,), per_point=False, unit="1", description="a factor")
 
 
 def executed(text: str) -> ModuleType:
@@ -37,7 +37,7 @@ def source(name: str) -> str:
 
 def emitted(value: sp.Expr) -> tuple[str, Any]:
     """The text and the function of one expression of rx and ry."""
-    out = Argument("out", ("dx",), (1,), True, "mm", "a result")
+    out = Argument(name="out", rows=("dx",), shape=(1,), per_point=True, unit="mm", description="a result")
     routine = build("f", "F.", "by hand", (POINT, FACTOR), (out,), {"dx": value})
     text = numpy_source(machine_at(DMU60P), (routine,))
     return text, executed(text).f

@@ -26,13 +26,21 @@ def extended(
     """coefficients: component -> those of u, u^2, ... with u = position / 500, as in `polynomial` of XyzMachine."""
     module = kernels_of(TEXT)
     kernels = Kernels(
-        module.META, module, {name: getattr(module, name) for name in module.META["routines"]}, "numpy", ""
+        meta=module.META,
+        module=module,
+        routines={name: getattr(module, name) for name in module.META["routines"]},
+        backend="numpy",
+        note="",
     )
     curves = {}
     for name, values in coefficients.items():
         powers = tuple(range(1, len(values) + 1))
-        curves[name] = PolynomialCurve(powers, tuple(c / 500.0**p for p, c in zip(powers, values, strict=True)))
+        curves[name] = PolynomialCurve(
+            powers=powers, coefficients=tuple(c / 500.0**p for p, c in zip(powers, values, strict=True))
+        )
     parameters = dict(zip(("xy", "yz", "xz"), squareness, strict=True))
     found = tuple(EffectValues(effect, of_effect) for effect, of_effect in effects.items())
     machine = replace(machine_of(TEXT), effects=tuple(effects))
-    return MachineModel(machine, kernels, ErrorValues("test", parameters, curves, effects=found))
+    return MachineModel(
+        machine, kernels, ErrorValues(machine="test", parameters=parameters, motion_errors=curves, effects=found)
+    )

@@ -39,10 +39,12 @@ class FiveAxes:
         for name in self.chain.components:
             scale = size * (0.02 if name[1] in "XYZ" else 5e-5)
             a, b, c = scale * random.uniform(-1.0, 1.0, 3)
-            self.curves[name] = PolynomialCurve((0, 1, 2), (a, b / 300.0, c / 300.0**2))
+            self.curves[name] = PolynomialCurve(powers=(0, 1, 2), coefficients=(a, b / 300.0, c / 300.0**2))
         self.parameters = {name: random.uniform(-100.0, 100.0) for name in self.chain.dimensions}
         self.parameters |= {name: size * random.uniform(-1e-4, 1e-4) for name in self.chain.location_errors}
-        self.model = _empty(text).with_values(ErrorValues("test", self.parameters, self.curves))
+        self.model = _empty(text).with_values(
+            ErrorValues(machine="test", parameters=self.parameters, motion_errors=self.curves)
+        )
 
     def programmed(self, count: int, seed: int = 1) -> FloatArray:
         random = np.random.default_rng(seed)
@@ -90,5 +92,5 @@ def _empty(text: str) -> MachineModel:
 
 def constant(text: str, errors: Mapping[str, float]) -> MachineModel:
     """A machine whose motion errors are the same everywhere."""
-    curves = {name: PolynomialCurve((0,), (value,)) for name, value in errors.items()}
-    return _empty(text).with_values(ErrorValues("test", {}, curves))
+    curves = {name: PolynomialCurve(powers=(0,), coefficients=(value,)) for name, value in errors.items()}
+    return _empty(text).with_values(ErrorValues(machine="test", parameters={}, motion_errors=curves))

@@ -17,7 +17,13 @@ def path(points: list[list[float]], start: list[float], rapid: list[bool] | None
     size = ends.shape[1]
     origins = np.concatenate([np.array(start, dtype=np.float64)[:, None], ends[:, :-1]], axis=1)
     none = np.zeros(size, dtype=bool)
-    return Path(ends, origins, np.arange(size), none if rapid is None else np.array(rapid), none)
+    return Path(
+        points=ends,
+        origins=origins,
+        owner=np.arange(size),
+        rapid=none if rapid is None else np.array(rapid),
+        halts=none,
+    )
 
 
 def directions(places: list[float], band: float, start: float = 0.0) -> list[float]:
@@ -103,7 +109,13 @@ def test_only_smooth_passages_keep_their_velocity() -> None:
 def test_velocity_rises_over_the_ramp() -> None:
     still, full = np.zeros((1, 1)), np.full((1, 1), 10.0)
     gone = np.array([[[10.0]], [[1.0]], [[20.0]]])
-    line = Course(np.ones((1, 1)), np.zeros((3, 1, 1)), gone, (still, full, still), ramps(np.ones(1)))
+    line = Course(
+        direction=np.ones((1, 1)),
+        since=np.zeros((3, 1, 1)),
+        gone=gone,
+        velocity=(still, full, still),
+        ramp=ramps(np.ones(1)),
+    )
     place = np.array([0.0, 0.5 * RAMP, RAMP, 0.5, 1.0 - 0.5 * RAMP, 1.0])
     at = line.context(np.zeros(6, dtype=np.int64), place, 0.0, 20.0)
     assert at.velocity[0] == pytest.approx([0.0, 5.0, 10.0, 10.0, 5.0, 0.0])

@@ -17,7 +17,7 @@ from trueaxis.effects.kind import Effect
 from trueaxis.model.model import MachineModel
 
 NO_SQUARENESS = (0.0, 0.0, 0.0)
-LAG = Effect("servo_lag", "EXX")
+LAG = Effect(kind="servo_lag", component="EXX")
 
 
 def plain(effects: Mapping[Effect, Mapping[str, float]]) -> MachineModel:
@@ -27,7 +27,7 @@ def plain(effects: Mapping[Effect, Mapping[str, float]]) -> MachineModel:
 
 def everything() -> MachineModel:
     effects = {effect: values for case in CASES.values() for effect, values in case.effects.items()}
-    effects[Effect("backlash", "EZZ")] = {"width": -0.008}
+    effects[Effect(kind="backlash", component="EZZ")] = {"width": -0.008}
     return extended(coefficients(), SQUARENESS, effects)
 
 
@@ -102,7 +102,7 @@ def test_velocity_is_the_feed_in_force(bench: Bench, feeds: str, per_second: flo
 
 
 def test_velocity_of_a_slanted_line_is_shared_by_its_axes(bench: Bench) -> None:
-    model = plain({LAG: {"tau": 0.01}, Effect("servo_lag", "EYY"): {"tau": 0.01}})
+    model = plain({LAG: {"tau": 0.01}, Effect(kind="servo_lag", component="EYY"): {"tau": 0.01}})
     at = execute(bench.run("G0 X0. Y0. Z0.\nG1 X30. Y40. F600\nM30\n", model))
     lead = at - np.outer([0.6, 0.8, 0.0], at[0] * 0.6 + at[1] * 0.8)
     assert np.abs(lead).max() < 0.001  # along the line all the way
@@ -122,10 +122,10 @@ def test_apt_feeds_and_circles(bench: Bench) -> None:
 
 def test_every_effect_is_accounted_for(bench: Bench, capsys: pytest.CaptureFixture[str]) -> None:
     effects = {
-        Effect("backlash", "EXX"): {"width": -0.01},
-        Effect("thermal_expansion", "EXX"): {"coefficient": 1e-5},
-        Effect("drift", "EYY"): {"rate": 1e-6},
-        Effect("ballbar_length"): {"length": 0.01},
+        Effect(kind="backlash", component="EXX"): {"width": -0.01},
+        Effect(kind="thermal_expansion", component="EXX"): {"coefficient": 1e-5},
+        Effect(kind="drift", component="EYY"): {"rate": 1e-6},
+        Effect(kind="ballbar_length"): {"length": 0.01},
     }
     text = "G0 X0. Y0. Z0.\nG1 X100. F600\nX50.\nM30\n"
     at = execute(bench.run(text, plain(effects)))
@@ -156,7 +156,7 @@ def test_without_effects_nothing_is_said_or_put_in(bench: Bench) -> None:
     assert bench.report.effects == ()
     assert bench.report.take_ups == 0
     assert "effect" not in str(bench.report)
-    only_instrument = extended(coefficients(), SQUARENESS, {Effect("ballbar_length"): {"length": 0.01}})
+    only_instrument = extended(coefficients(), SQUARENESS, {Effect(kind="ballbar_length"): {"length": 0.01}})
     assert bench.run(circle("G2", 1000.0), only_instrument) == out
 
 
@@ -167,7 +167,7 @@ def test_options_must_be_finite(name: str) -> None:
 
 
 def test_words_due_at_the_end_of_a_block_stay_there(bench: Bench) -> None:
-    model = plain({Effect("backlash", "EXX"): {"width": -0.010}})
+    model = plain({Effect(kind="backlash", component="EXX"): {"width": -0.010}})
     text = "G21 G90\nG0 X0. Y0. Z0.\nG0 X10.\nN7 G1 X5. F100 M3\nX0. M0\nX3. M5 (end)\n"
     assert bench.run(text, model).decode().splitlines()[2:] == [
         "G0 X10.005",

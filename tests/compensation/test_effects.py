@@ -75,45 +75,62 @@ class Case:
 
 PLAY = {"X": lambda _: 0.005, "Y": lambda _: 0.005}
 # a drive with play of 0.010 stays behind by half of it: coming from below the slide stands lower
-BACKLASH = {Effect("backlash", "EXX"): {"width": -0.010}, Effect("backlash", "EYY"): {"width": -0.010}}
-CYCLIC = {Effect("cyclic", "EXX"): {"amplitude": 0.004, "phase": 0.3, "pitch": 10.0}}
+BACKLASH = {
+    Effect(kind="backlash", component="EXX"): {"width": -0.010},
+    Effect(kind="backlash", component="EYY"): {"width": -0.010},
+}
+CYCLIC = {Effect(kind="cyclic", component="EXX"): {"amplitude": 0.004, "phase": 0.3, "pitch": 10.0}}
 SPIKE = {"height": -0.006, "decay": 0.5}
 CASES = {
     "backlash": Case(BACKLASH, play=PLAY),
     "backlash_slope": Case(
-        {**BACKLASH, Effect("backlash_slope", "EXX"): {"change": -0.004}},
+        {**BACKLASH, Effect(kind="backlash_slope", component="EXX"): {"change": -0.004}},
         play={**PLAY, "X": lambda x: 0.005 + 0.004 * (share(x) - 0.5)},
     ),
     "cross_axis": Case(
-        {Effect("cross_axis", "EXX", "Y"): {"k": 0.060}, Effect("cross_axis", "EZY", "X"): {"k": 0.02}},
+        {
+            Effect(kind="cross_axis", component="EXX", axis="Y"): {"k": 0.060},
+            Effect(kind="cross_axis", component="EZY", axis="X"): {"k": 0.02},
+        },
         bent={
             "EXX": lambda at: 0.060 * share(at[0]) * share(at[1]) ** 2,
             "EZY": lambda at: 0.020 * share(at[1]) * share(at[0]) ** 2,
         },
     ),
     "cyclic": Case(CYCLIC, bent={"EXX": cyclic}),
-    "servo_lag, difference": Case({Effect("servo_lag", "EXX"): {"tau": 0.001}}, lag={"X": 0.0015, "Y": 0.0005}),
+    "servo_lag, difference": Case(
+        {Effect(kind="servo_lag", component="EXX"): {"tau": 0.001}}, lag={"X": 0.0015, "Y": 0.0005}
+    ),
     "servo_lag, each": Case(
-        {Effect("servo_lag", "EXX"): {"tau": 0.0015}, Effect("servo_lag", "EYY"): {"tau": 0.0005}},
+        {
+            Effect(kind="servo_lag", component="EXX"): {"tau": 0.0015},
+            Effect(kind="servo_lag", component="EYY"): {"tau": 0.0005},
+        },
         lag={"X": 0.0015, "Y": 0.0005},
         feed=1500.0,
     ),
     "reversal_spike": Case(
-        {Effect("reversal_spike", "EXX"): SPIKE, Effect("reversal_spike", "EYY"): SPIKE},
+        {Effect(kind="reversal_spike", component="EXX"): SPIKE, Effect(kind="reversal_spike", component="EYY"): SPIKE},
         friction={"X": (0.006, 0.5), "Y": (0.006, 0.5)},
     ),
     "reversal_spike_time": Case(
-        {Effect("reversal_spike_time", f"E{axis}{axis}"): {"height": -0.006, "tau": 0.7} for axis in "XY"},
+        {
+            Effect(kind="reversal_spike_time", component=f"E{axis}{axis}"): {"height": -0.006, "tau": 0.7}
+            for axis in "XY"
+        },
         friction={"X": (0.006, 0.7), "Y": (0.006, 0.7)},
         fades="time",
     ),
     "reversal_spike_path": Case(
-        {Effect("reversal_spike_path", f"E{axis}{axis}"): {"height": -0.006, "decay": 12.0} for axis in "XY"},
+        {
+            Effect(kind="reversal_spike_path", component=f"E{axis}{axis}"): {"height": -0.006, "decay": 12.0}
+            for axis in "XY"
+        },
         friction={"X": (0.006, 12.0), "Y": (0.006, 12.0)},
         fades="path",
     ),
     "play, lag and screw": Case(
-        {**BACKLASH, **CYCLIC, Effect("servo_lag", "EXX"): {"tau": 0.001}},
+        {**BACKLASH, **CYCLIC, Effect(kind="servo_lag", component="EXX"): {"tau": 0.001}},
         play=PLAY,
         lag={"X": 0.0015, "Y": 0.0005},
         bent={"EXX": cyclic},
@@ -162,7 +179,7 @@ def test_half_the_width_leaves_half_the_steps(bench: Bench) -> None:
 
 
 def test_play_is_taken_up_at_the_reversal_by_the_reversing_axis_alone(bench: Bench) -> None:
-    model = extended({}, (0.0, 0.0, 0.0), {Effect("backlash", "EXX"): {"width": -0.010}})
+    model = extended({}, (0.0, 0.0, 0.0), {Effect(kind="backlash", component="EXX"): {"width": -0.010}})
     program = "G21 G90\nG0 X0. Y0. Z0.\nG1 X10. Y5. F600\nX-20. Y10. F700\nX-30.\n"
     assert bench.run(program, model).decode().splitlines()[2:] == [
         "G1 X0.005 Y0.000 F600",  # from where it stood, in the middle of the play, to its upper side
@@ -179,7 +196,7 @@ def test_play_does_not_swallow_corrections_of_an_axis_that_stands(bench: Bench) 
     machine = MovingMachine(XyzMachine({}, (5e-5, 0.0, 0.0)), {"Y": PLAY["Y"]})
     program = "G21 G90\nG0 X0. Y-50. Z0.\nG0 Y50.\nG1 X300. F1000\nX0.\nM30\n"
     straight = []
-    for effects in ({}, {Effect("backlash", "EYY"): {"width": -0.010}}):
+    for effects in ({}, {Effect(kind="backlash", component="EYY"): {"width": -0.010}}):
         out = bench.run(program, extended({}, (5e-5, 0.0, 0.0), effects), **FINE)
         samples = executed(out)
         tool = machine.tool_path(samples)
@@ -191,7 +208,7 @@ def test_play_does_not_swallow_corrections_of_an_axis_that_stands(bench: Bench) 
 
 def test_a_lead_for_lag_never_goes_past_a_stop(bench: Bench) -> None:
     """At 3 m/min a lead of 2 ms is 0.1 mm: at corners, stops and ends the commands are those of the program."""
-    model = extended({}, (0.0, 0.0, 0.0), {Effect("servo_lag", "EXX"): {"tau": 0.002}})
+    model = extended({}, (0.0, 0.0, 0.0), {Effect(kind="servo_lag", component="EXX"): {"tau": 0.002}})
     corner = "G21 G90\nG0 X0. Y0. Z0.\nG1 X50. F3000\nY50.\nX0.\nG4 P1\nX-50.\nM30\n"
     commands = executed(bench.run(corner, model)).commands
     assert commands[0].max() == pytest.approx(50.0)

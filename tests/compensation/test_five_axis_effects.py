@@ -17,7 +17,7 @@ PROGRAM = "G0 X10. Y20. Z30. A10. C0.\nG1 X12. Y80. C40. F500\nX15. C10.\nA20.\n
 
 
 def with_play(machine: FiveAxes) -> MachineModel:
-    effect = Effect("backlash", "ECC")
+    effect = Effect(kind="backlash", component="ECC")
     model = machine.model
     values = EffectValues(effect, {"width": WIDTH})
     return replace(

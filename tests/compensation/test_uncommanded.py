@@ -112,7 +112,7 @@ def test_reversals_are_not_taken_up_by_axes_that_wait(bench: Bench) -> None:
     from tests.compensation.test_effect_programs import plain
     from trueaxis.effects.kind import Effect
 
-    model = plain({Effect("backlash", "EXX"): {"width": -0.010}})
+    model = plain({Effect(kind="backlash", component="EXX"): {"width": -0.010}})
     text = bench.run("G21 G90\nG1 X5. F100\nX0.\nZ-5.\n", model, start={"X": 0.0, "Y": 0.0, "Z": 0.0})
     assert words(text, "Y") == []
     assert words(text, "Z") == [5]

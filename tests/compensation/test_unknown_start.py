@@ -196,7 +196,7 @@ def test_play_is_taken_up_only_once_the_direction_is_known(bench: Bench) -> None
     from tests.compensation.test_effect_programs import plain
     from trueaxis.effects.kind import Effect
 
-    model = plain({Effect("backlash", "EZZ"): {"width": -0.010}})
+    model = plain({Effect(kind="backlash", component="EZZ"): {"width": -0.010}})
     text = bench.run("G21 G90\nG0 X5. Y5.\nZ50.\nZ40.\n", model)
     (first, second) = (float(line.split(b"Z")[1]) for line in text.splitlines()[2:4])
     assert first == 50.0

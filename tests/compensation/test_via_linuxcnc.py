@@ -89,6 +89,18 @@ def test_calls_become_blocks_in_their_order(fake: FakePackage) -> None:
     ]  # fmt: skip
 
 
+def test_a_speed_along_the_surface_is_written_in_metres(fake: FakePackage) -> None:
+    """What is written is in millimetres, where S of G96 is in m/min; in inches it is in ft/min, 0.3048 m each."""
+    none = "1000000000000000019884624838656.0000"
+    fake.calls = [
+        "SET_SPINDLE_MODE(0 0.0000)", "SET_SPINDLE_MODE(0 2500.0000)", "SET_SPINDLE_SPEED(0, 200.0000)",
+        "USE_LENGTH_UNITS(CANON_UNITS_INCHES)", f"SET_SPINDLE_MODE(0 {none})", "SET_SPINDLE_SPEED(0, 500.0000)",
+        "SET_SPINDLE_MODE(0 0.0000)", "SET_SPINDLE_SPEED(0, 1200.0000)",
+    ]  # fmt: skip
+    expected = ["G96 D2500.0000 S200.0000", "G96 S152.4000", "G97", "S1200.0000"]
+    assert fake.unroll([END]) == expected
+
+
 def test_what_depends_on_the_start_gets_no_word(fake: FakePackage) -> None:
     fake.calls = ["STRAIGHT_TRAVERSE(1)", "STRAIGHT_TRAVERSE(2)"]
     first = [motion("rapid", 1, [10.0, 20.0, 19.7]), motion("rapid", 2, [10.0, 20.0, 5.0]), END]
@@ -133,6 +145,16 @@ def test_a_tool_change_after_a_change_of_offsets_moves_no_axis(tmp_path: Path) -
 
 
 @pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
+@pytest.mark.parametrize("via", [False, True])
+def test_a_speed_along_the_surface_passes(tmp_path: Path, via: bool) -> None:
+    program = tmp_path / "in.ngc"
+    program.write_text("G20 G90\nG0 X1 Y1 Z.5\nG96 D2500 S200 M3\nG1 X2 F4\nG97 S1000\nX3\nM2\n")
+    assert grade(program, PACKAGE, tmp_path, via=via).outcome == "accepted"
+    written = (tmp_path / "out.ngc").read_text()
+    assert ("G96 D2500.0000 S60.9600" if via else "G96 D2500 S200 M3") in written
+
+
+@pytest.mark.skipif(not INSTALLED, reason="LinuxCNC is not installed")
 def test_increments_need_to_know_where_they_start(tmp_path: Path) -> None:
     program = tmp_path / "in.ngc"
     program.write_text("G21 G91 G1 X10 F100\nG90 G0 X5 Y5 Z5\nG1 X9\nM2\n")
@@ -147,7 +169,6 @@ def test_increments_need_to_know_where_they_start(tmp_path: Path) -> None:
     [
         (["STRAIGHT_PROBE(1)"], [["other", 4, "probing (G38)"]], "probing"),
         (["RIGID_TAP(1)"], [], "the program calls RIGID_TAP"),
-        (["SET_SPINDLE_MODE(0 1200.0000)"], [], "the program calls SET_SPINDLE_MODE"),
         (["NURBS_FEED(5, ...)"], [], "the program calls NURBS_FEED"),
         (["STRAIGHT_FEED(1)"], [], "more motions than the module"),
         ([], [motion("feed", 1, [1.0, 2.0, 3.0])], "more motions than rs274"),

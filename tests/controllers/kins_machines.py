@@ -45,21 +45,25 @@ def with_random_errors(model: MachineModel, seed: int) -> MachineModel:
         parameters[parameter] = float(
             draw.normal() * (5e-5 if model.machine.parameter_unit(parameter) == "rad" else 0.02)
         )
-    return model.with_values(ErrorValues(model.name, parameters, curves))
+    return model.with_values(ErrorValues(machine=model.name, parameters=parameters, motion_errors=curves))
 
 
 def _curve(form: int, travel: tuple[float, float], size: float, draw: np.random.Generator) -> Curve:
     low, high = travel
     longest = max(abs(low), abs(high))
     if form == 0:
-        return PolynomialCurve((3, 1), tuple(float(size * draw.normal() / longest**power) for power in (3, 1)))
+        return PolynomialCurve(
+            powers=(3, 1), coefficients=tuple(float(size * draw.normal() / longest**power) for power in (3, 1))
+        )
     if form == 1:
         inside = np.sort(draw.uniform(low, high, 9))
         return TableCurve(tuple(inside.tolist()), tuple((size * draw.normal(size=9)).tolist()))
     if form == 2:
-        return LegendreCurve(travel_basis(travel, 6), tuple((size * draw.normal(size=6)).tolist()))
+        return LegendreCurve(basis=travel_basis(travel, 6), coefficients=tuple((size * draw.normal(size=6)).tolist()))
     powers = tuple(range(8))
-    return PolynomialCurve(powers, tuple(float(size * draw.normal() / longest**power) for power in powers))
+    return PolynomialCurve(
+        powers=powers, coefficients=tuple(float(size * draw.normal() / longest**power) for power in powers)
+    )
 
 
 class ExactMachine:

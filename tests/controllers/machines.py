@@ -112,7 +112,7 @@ FIXED_ON_TABLE = (
 def _kernels(text: str) -> Kernels:
     module = kernels_of(text)
     routines = {name: getattr(module, name) for name in module.META["routines"]}
-    return Kernels(module.META, module, routines, "numpy", "")
+    return Kernels(meta=module.META, module=module, routines=routines, backend="numpy", note="")
 
 
 def model_of(text: str, errors: ErrorValues) -> MachineModel:
@@ -133,9 +133,9 @@ def random_model(
         size = scale * (0.02 if name[1] in "XYZ" else 2e-5 * rotations)
         longest = max(abs(low), abs(high))
         coefficients = tuple(float(size * draw.normal() / longest**power) for power in (1, 2, 3))
-        curves[name] = PolynomialCurve((1, 2, 3), coefficients)
+        curves[name] = PolynomialCurve(powers=(1, 2, 3), coefficients=coefficients)
     parameters = {
         name: float(scale * locations * draw.normal() * (5e-5 if machine.parameter_unit(name) == "rad" else 0.02))
         for name in machine.location_errors
     }
-    return model_of(text, ErrorValues(machine.name, parameters, curves))
+    return model_of(text, ErrorValues(machine=machine.name, parameters=parameters, motion_errors=curves))

@@ -77,11 +77,11 @@ def test_the_tables_of_a_machine_without_rotations_are_its_deviations(
 def test_a_positive_value_is_an_axis_that_goes_too_far(tmp_path: Path, name: str) -> None:
     """The number of the documents: sent to X100 the axis is at 100.010; EYX 4 um at X100; and a scale of Y."""
     curves = {
-        "EXX": PolynomialCurve((1,), (1e-4,)),
-        "EYX": PolynomialCurve((1,), (4e-5,)),
-        "EYY": PolynomialCurve((1,), (-2e-4,)),
+        "EXX": PolynomialCurve(powers=(1,), coefficients=(1e-4,)),
+        "EYX": PolynomialCurve(powers=(1,), coefficients=(4e-5,)),
+        "EYY": PolynomialCurve(powers=(1,), coefficients=(-2e-4,)),
     }
-    model = model_of(TABLE, ErrorValues("moving_table", motion_errors=curves))
+    model = model_of(TABLE, ErrorValues(machine="moving_table", motion_errors=curves))
     tables = written(name, model, tmp_path, step=50.0)
     if name != "siemens-cec":
         at, forward, backward = tables["X", "X"]
@@ -187,7 +187,9 @@ def test_what_remains_is_what_the_tables_do_not_hold() -> None:
 
 def test_the_mean_over_the_volume_leaves_least() -> None:
     """Tables measured on lines through another place leave more: (1 + x)(1 + y) is 1 + x + y about the middle."""
-    model = model_of(GANTRY, ErrorValues("gantry", motion_errors={"ECX": PolynomialCurve((1,), (1e-7,))}))
+    model = model_of(
+        GANTRY, ErrorValues(machine="gantry", motion_errors={"ECX": PolynomialCurve(powers=(1,), coefficients=(1e-7,))})
+    )
     positions = grid(model, 9)
     tables = axis_tables(model, ORIGIN, all_pairs(model.axes), 100.0)
     best = remaining(model, ORIGIN, positions, taken_by_tables(model, tables, both_directions=False)).after
@@ -211,9 +213,9 @@ def test_nodes_reach_from_end_to_end() -> None:
 def test_lost_motion_is_in_the_tables_of_both_directions(tmp_path: Path) -> None:
     text = GANTRY + '[[effect]]\nkind = "backlash"\ncomponent = "EXX"\n'
     (effect,) = machine_of(text).effects
-    curves = {"EXX": PolynomialCurve((1,), (2e-5,))}
+    curves = {"EXX": PolynomialCurve(powers=(1,), coefficients=(2e-5,))}
     values = (EffectValues(effect, {"width": 0.006}),)
-    model = model_of(text, ErrorValues("gantry", motion_errors=curves, effects=values))
+    model = model_of(text, ErrorValues(machine="gantry", motion_errors=curves, effects=values))
     both, mean = (tmp_path / name for name in ("both", "mean"))
     both.mkdir()
     mean.mkdir()
@@ -235,7 +237,7 @@ def test_effects_that_no_table_holds_are_named() -> None:
     text = GANTRY + '[[effect]]\nkind = "backlash"\ncomponent = "EXX"\n' + drift
     effects = machine_of(text).effects
     values = tuple(EffectValues(effect, {}) for effect in effects)
-    model = model_of(text, ErrorValues("gantry", effects=values))
+    model = model_of(text, ErrorValues(machine="gantry", effects=values))
     assert untabled_effects(model) == (effects[1].label,)
 
 

@@ -109,8 +109,8 @@ PAGE = ROOT / "docs" / "controllers" / "linuxcnc-kins.md"
 
 def test_the_number_beside_the_sign_of_its_page(tmp_path: Path) -> None:
     (word, joint) = re.search(r"\n```\nX([\d.]+) ([\d.]+)\n```", PAGE.read_text()).groups()  # type: ignore[union-attr]
-    curves = {"EXX": PolynomialCurve((1,), (1e-4,))}
-    model = machine_model("gantry_mill").with_values(ErrorValues("gantry_mill", motion_errors=curves))
+    curves = {"EXX": PolynomialCurve(powers=(1,), coefficients=(1e-4,))}
+    model = machine_model("gantry_mill").with_values(ErrorValues(machine="gantry_mill", motion_errors=curves))
     module = KinsModule(built(tmp_path, model))
     module.switch_on()
     joints = joints_of(module, {"X": float(word)}, model.axes)
@@ -167,8 +167,11 @@ def test_effects_of_positions_are_in_it_and_of_directions_their_mean(tmp_path: P
     tables = ["".join(f'{key} = "{value}"\n' for key, value in one.items() if value) for one in named]
     text = serial_text("Y", "XZ") + SAG + "".join(f"\n[[effect]]\n{table}" for table in tables)
     folder = emitted(text) / "test"
-    values = tuple(EffectValues(Effect(*names), numbers) for names, numbers in EFFECTS.items())
-    model = with_random_errors(kernels_model(text, ErrorValues("test")), 9)
+    values = tuple(
+        EffectValues(Effect(kind=kind, component=component, axis=axis), numbers)
+        for (kind, component, axis), numbers in EFFECTS.items()
+    )
+    model = with_random_errors(kernels_model(text, ErrorValues(machine="test")), 9)
     model = model.with_values(replace(model.errors, effects=values))
     module = KinsModule(built(tmp_path, model, kernels=folder))
     module.switch_on(OFFSET)

@@ -157,8 +157,8 @@ def test_a_tool_of_ten_metres_is_none(mill: tuple[MachineModel, Path]) -> None:
 
 def test_corrections_beyond_all_reason_are_not_made(tmp_path: Path) -> None:
     """EXX of 10 um at X100 and of more than the module allows at X500."""
-    curves = {"EXX": PolynomialCurve((1, 9), (1e-4, 6.0 / 500.0**9))}
-    model = machine_model("dmu60p").with_values(ErrorValues("dmu60p", motion_errors=curves))
+    curves = {"EXX": PolynomialCurve(powers=(1, 9), coefficients=(1e-4, 6.0 / 500.0**9))}
+    model = machine_model("dmu60p").with_values(ErrorValues(machine="dmu60p", motion_errors=curves))
     module = KinsModule(built(tmp_path, model))
     module.switch_on()
     near = joints_of(module, {"X": 100.0}, model.axes)["X"] - 100.0
@@ -170,8 +170,8 @@ def test_corrections_beyond_all_reason_are_not_made(tmp_path: Path) -> None:
 
 
 def test_beyond_the_travel_curves_hold_their_value(tmp_path: Path) -> None:
-    curves = {"EXX": PolynomialCurve((1,), (1e-4,))}
-    model = machine_model("dmu60p").with_values(ErrorValues("dmu60p", motion_errors=curves))
+    curves = {"EXX": PolynomialCurve(powers=(1,), coefficients=(1e-4,))}
+    model = machine_model("dmu60p").with_values(ErrorValues(machine="dmu60p", motion_errors=curves))
     module = KinsModule(built(tmp_path, model))
     module.switch_on()
     end = model.travel["X"][1] + BEYOND

@@ -18,10 +18,10 @@ PARTS = ("Source", "Sign", "What it holds|What they hold", "Limits", "Load", "Ve
 
 @pytest.mark.parametrize("name", TABLED)
 def test_the_number_beside_the_sign(name: str) -> None:
-    curves = {"EXX": PolynomialCurve((1,), (1e-4,))}
+    curves = {"EXX": PolynomialCurve(powers=(1,), coefficients=(1e-4,))}
     if name != "isg-csv":
-        curves["EYX"] = PolynomialCurve((1,), (-4e-5,))
-    model = model_of(GANTRY, ErrorValues("gantry", motion_errors=curves))
+        curves["EYX"] = PolynomialCurve(powers=(1,), coefficients=(-4e-5,))
+    model = model_of(GANTRY, ErrorValues(machine="gantry", motion_errors=curves))
     files = export_tables(name, model, np.zeros((3, 1)), 50.0, np.zeros((3, 1))).files
     written = {" ".join(line.split()) for text in files.values() for line in text.splitlines()}
     blocks = re.findall(r"\n```\n(.*?)```", PAGES[name].read_text(), re.DOTALL)

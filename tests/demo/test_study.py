@@ -27,11 +27,13 @@ def truth() -> MachineModel:
 def test_what_is_left_is_the_root_mean_square_of_a_coordinate_seen_from_home(truth: MachineModel) -> None:
     """X off by 1e-5 of its position: over 540 mm sqrt(1/3) of 5.4 um in one coordinate of three."""
     low, high = truth.travel["X"]
-    grows = ErrorValues(truth.name, {}, {"EXX": PolynomialCurve((1,), (1e-5,))})
+    grows = ErrorValues(
+        machine=truth.name, parameters={}, motion_errors={"EXX": PolynomialCurve(powers=(1,), coefficients=(1e-5,))}
+    )
     expected = 1e3 * 1e-5 * np.sqrt((high**3 - low**3) / (3.0 * (high - low))) / np.sqrt(3.0)
     assert left_um(truth.with_values(grows), None) == pytest.approx(expected, rel=0.02)
     assert left_um(truth, truth.errors) == 0.0
-    assert left_um(truth, ErrorValues(truth.name)) == left_um(truth, None)
+    assert left_um(truth, ErrorValues(machine=truth.name)) == left_um(truth, None)
 
 
 @pytest.mark.parametrize("noise_um", [0.3, 3.0])

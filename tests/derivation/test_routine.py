@@ -126,9 +126,9 @@ class TestEveryRoutine:
 
 
 X, Y, K = (sp.Symbol(name, real=True) for name in ("rx", "ry", "k"))
-PER_POINT = Argument("point", ("rx", "ry"), (2,), True, "mm", "a point")
-CONSTANT = Argument("k", ("k",), (1,), False, "1", "a constant")
-OUT = Argument("out", ("dx", "dy"), (2,), True, "mm", "a result")
+PER_POINT = Argument(name="point", rows=("rx", "ry"), shape=(2,), per_point=True, unit="mm", description="a point")
+CONSTANT = Argument(name="k", rows=("k",), shape=(1,), per_point=False, unit="1", description="a constant")
+OUT = Argument(name="out", rows=("dx", "dy"), shape=(2,), per_point=True, unit="mm", description="a result")
 
 
 def built(results: dict[str, sp.Expr], bound: list[tuple[sp.Symbol, sp.Expr]] | None = None) -> Routine:

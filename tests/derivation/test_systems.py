@@ -206,14 +206,28 @@ def test_too_few_runs_leave_components_unreached() -> None:
 
 def test_more_runs_than_unknowns_make_a_system_without_closed_form() -> None:
     x = patterns("dmu60p_regular_runs")[:3]
-    again = RunPattern("X-again", x[0].moves, x[0].direction, x[0].frame, ("tool", (5.0, 6.0, 7.0)), x[0].reference)
+    again = RunPattern(
+        name="X-again",
+        moves=x[0].moves,
+        direction=x[0].direction,
+        frame=x[0].frame,
+        target=("tool", (5.0, 6.0, 7.0)),
+        reference=x[0].reference,
+    )
     (system,) = identification(machine_at(DMU60P), (*x, again)).systems
     assert system.matrix.shape == (4, 3)
     assert system.inverse is None
 
 
 C_RUNS = tuple(
-    RunPattern(f"C{number}", ("C",), direction, "bed", ("workpiece", point), ("bed", (0.0, 0.0, 0.0)))
+    RunPattern(
+        name=f"C{number}",
+        moves=("C",),
+        direction=direction,
+        frame="bed",
+        target=("workpiece", point),
+        reference=("bed", (0.0, 0.0, 0.0)),
+    )
     for number, (direction, point) in enumerate(
         [((1.0, 0, 0), (100.0, 0, 50.0)), ((0, 1.0, 0), (100.0, 0, 50.0)), ((0, 0, 1.0), (0, 80.0, 9.0))]
     )
@@ -263,7 +277,7 @@ def test_readings_in_any_direction_frame_and_of_any_points_are_those_of_the_chai
     ways = [(-0.6, 0.0, 0.8), (0.0, -1.0, 0.0), (0.48, -0.6, -0.64)]
     for number, way in enumerate(ways):
         target, reference = (on[0], (10.0, -20.0, 30.5 + number)), (on[1], (-5.0, 7.25, 11.0))
-        run = RunPattern("r", ("X", "Y"), way, frame, target, reference)
+        run = RunPattern(name="r", moves=("X", "Y"), direction=way, frame=frame, target=target, reference=reference)
         pose = pose_of(run, 0.4, machine.travel)
         names = [n for n in CHAIN.components + CHAIN.location_errors if n not in CHAIN.components or n[2] in run.moves]
         wanted = dict(
@@ -287,7 +301,15 @@ def test_a_system_of_backward_directions_has_the_signs_of_its_readings(way: tupl
     points = [(1.0, 2.0, 3.0), (4.0, -5.0, 6.0), (7.0, 8.0, -9.0)]
     machine = machine_of(DMU60P.read_text().replace(*ONLY_THREE))
     runs = [
-        RunPattern(f"r{k}", ("X",), way, "bed", ("tool", p), ("bed", (0.0, 0.0, 0.0))) for k, p in enumerate(points)
+        RunPattern(
+            name=f"r{k}",
+            moves=("X",),
+            direction=way,
+            frame="bed",
+            target=("tool", p),
+            reference=("bed", (0.0, 0.0, 0.0)),
+        )
+        for k, p in enumerate(points)
     ]
     (system,) = identification(machine, runs).systems
     chain = ExactChain(DMU60P.read_text().replace(*ONLY_THREE))
@@ -312,7 +334,16 @@ def test_large_systems_are_told_without_a_closed_form() -> None:
         way = rng.normal(size=3)
         x, y, z = (float(part) for part in way / np.linalg.norm(way))
         at = (float(number), float(number**2 % 7), 3.0 * number)
-        runs.append(RunPattern(f"r{number}", ("X",), (x, y, z), "bed", ("tool", at), ("bed", (0.0, 0.0, 0.0))))
+        runs.append(
+            RunPattern(
+                name=f"r{number}",
+                moves=("X",),
+                direction=(x, y, z),
+                frame="bed",
+                target=("tool", at),
+                reference=("bed", (0.0, 0.0, 0.0)),
+            )
+        )
     model = derive_model(machine_at(DMU60P), runs)
     assert model.identification is not None
     (system,) = model.identification.systems

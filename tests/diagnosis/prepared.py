@@ -56,7 +56,13 @@ def prepared(case: Case) -> Prepared:
     generated = generate(case)
     machine = machine_of(generated.spec)
     module = kernels_of(generated.spec)
-    kernels = Kernels(module.META, module, {n: getattr(module, n) for n in module.META["routines"]}, "numpy", "")
+    kernels = Kernels(
+        meta=module.META,
+        module=module,
+        routines={n: getattr(module, n) for n in module.META["routines"]},
+        backend="numpy",
+        note="",
+    )
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         generated.write(folder)

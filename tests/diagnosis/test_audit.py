@@ -25,12 +25,12 @@ def audited(design: Design = DESIGN) -> tuple[Field, Ground, Audit]:
 @pytest.mark.parametrize(
     "effect",
     [
-        Effect("backlash", "EXX"),
-        Effect("backlash", "ECY"),
-        Effect("servo_lag", "EYY"),
-        Effect("cross_axis", "EXX", "Y"),
-        Effect("laser_cosine", runs=("Y2-1", "Y2-2")),
-        Effect("drift", "EZZ"),
+        Effect(kind="backlash", component="EXX"),
+        Effect(kind="backlash", component="ECY"),
+        Effect(kind="servo_lag", component="EYY"),
+        Effect(kind="cross_axis", component="EXX", axis="Y"),
+        Effect(kind="laser_cosine", runs=("Y2-1", "Y2-2")),
+        Effect(kind="drift", component="EZZ"),
     ],
     ids=lambda effect: effect.label,
 )
@@ -61,7 +61,7 @@ def test_what_is_as_large_as_the_detection_limit_is_found_about_half_the_time(ef
 def test_correlations_are_cosines_of_what_the_base_leaves() -> None:
     """By explicit regression of each signature on the base and the other."""
     where, _, found = audited()
-    one, other = Effect("servo_lag", "EXX"), Effect("backlash", "EXX")
+    one, other = Effect(kind="servo_lag", component="EXX"), Effect(kind="backlash", component="EXX")
     columns = [where.whitening(signature_of(where.readings, each).over_all()[:, 0]) for each in (one, other)]
     size = np.linalg.norm(where.whitening(where.columns), axis=0)
     base = where.whitening(where.columns)[:, size > 0.0] / size[size > 0.0]
@@ -96,11 +96,11 @@ def test_a_laser_scale_is_told_from_nothing_without_a_bar() -> None:
 @pytest.mark.parametrize(
     ("unit", "effect", "expected"),
     [
-        ("u", Effect("backlash", "EXX"), "mm"),
-        ("u", Effect("backlash", "ECX"), "rad"),
-        ("u/axis/K", Effect("thermal_expansion", "ECC"), "rad/deg/K"),
-        ("axis", Effect("cyclic", "EYZ"), "mm"),
-        ("mm", Effect("laser_step", runs=("X1",)), "mm"),
+        ("u", Effect(kind="backlash", component="EXX"), "mm"),
+        ("u", Effect(kind="backlash", component="ECX"), "rad"),
+        ("u/axis/K", Effect(kind="thermal_expansion", component="ECC"), "rad/deg/K"),
+        ("axis", Effect(kind="cyclic", component="EYZ"), "mm"),
+        ("mm", Effect(kind="laser_step", runs=("X1",)), "mm"),
     ],
 )
 def test_units_where_an_effect_acts(unit: str, effect: Effect, expected: str) -> None:

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from tests.diagnosis.prepared import SIGMA, SLOW, SMALL, Field, field
-from trueaxis.diagnosis.by_run import ByRun, by_run, few_of
+from trueaxis.diagnosis.by_run import ByRun, by_run
+from trueaxis.estimation.few import few_of
 
 
 @cache

@@ -70,14 +70,14 @@ def test_five_axes_have_rotary_ones_too() -> None:
     effects = found(replace(SMALL, lines=1, repeats=1), "turntable_mill")
     components = {one.component for one in effects if one.kind == "backlash"}
     assert {"ECC", "EAC", "EXC", "EXX"} <= components
-    assert Effect("servo_lag", "ECC") in effects
-    assert Effect("cross_axis", "EXX", "C") in effects
-    assert Effect("thermal_expansion", "EXC") not in effects
+    assert Effect(kind="servo_lag", component="ECC") in effects
+    assert Effect(kind="cross_axis", component="EXX", axis="C") in effects
+    assert Effect(kind="thermal_expansion", component="EXC") not in effects
 
 
 def test_what_the_machine_has_already_is_not_searched_for() -> None:
     where = field(SMALL)
-    model, there = where.readings.model, Effect("backlash", "EXX")
+    model, there = where.readings.model, Effect(kind="backlash", component="EXX")
     known = replace(model, machine=replace(model.machine, effects=(there,)))
     before = candidates(model, where.readings.rows)
     after = candidates(known, where.readings.rows)
@@ -136,7 +136,7 @@ def test_grids_stay_within_what_the_readings_can_tell() -> None:
 def test_neighbouring_pitches_are_close_enough_to_miss_nothing() -> None:
     """A pitch halfway between two points of the grid keeps most of its power at one: enough to be looked at closely."""
     where = field(replace(SMALL, lines=1, targets=81))
-    effect = Effect("cyclic", "EXX")
+    effect = Effect(kind="cyclic", component="EXX")
     signature = signature_of(where.readings, effect)
     pitches = np.array([point["pitch"] for point in signature.points])
     for place in (3, len(pitches) // 2, len(pitches) - 3):
@@ -154,7 +154,7 @@ def test_a_long_axis_is_searched_for_the_pitches_that_screws_have(machine: str, 
     """A hundred and twenty periods fit into a short axis only."""
     rows = field(SMALL, machine=machine).readings.rows
     kind = field(SMALL, machine=machine).readings.model.machine.kinds["cyclic"]
-    pitches = [point["pitch"] for point in grid_of(kind, Effect("cyclic", f"E{axis}{axis}"), rows)]
+    pitches = [point["pitch"] for point in grid_of(kind, Effect(kind="cyclic", component=f"E{axis}{axis}"), rows)]
     assert min(pitches) < shortest
     steps = np.diff(1.0 / np.array(pitches)) * float(np.ptp(rows.positions[rows.axes.index(axis)]))
     assert steps == pytest.approx(0.5, rel=1e-6)

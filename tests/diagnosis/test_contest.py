@@ -14,7 +14,9 @@ from trueaxis.diagnosis.signatures import parameter_signature, readings_of
 from trueaxis.effects.kind import Effect
 
 PLAN = Design(lines=2, repeats=2, targets=15, ball_bar=False)
-BENT = Effect("cross_axis", "EXX", "Y")  # of two lines any curve of EXX and of a tilt would do the same
+BENT = Effect(
+    kind="cross_axis", component="EXX", axis="Y"
+)  # of two lines any curve of EXX and of a tilt would do the same
 
 
 def given() -> Prepared:

@@ -22,23 +22,30 @@ from trueaxis.model.model import load_model
 
 
 class TestNamed:
-    RIVAL = Evidence(Effect("servo_lag", "EXX"), 5.0, 1e-6, 1.0, 100)
+    RIVAL = Evidence(Effect(kind="servo_lag", component="EXX"), 5.0, 1e-6, 1.0, 100)
 
     def test_causes_that_were_named_extend_the_machine(self) -> None:
-        causes = (cause(Effect("backlash", "EXX")), cause(Effect("drift", "EYY"), rivals=(self.RIVAL,)))
+        causes = (
+            cause(Effect(kind="backlash", component="EXX")),
+            cause(Effect(kind="drift", component="EYY"), rivals=(self.RIVAL,)),
+        )
         found = replace(diagnosis("ambiguous"), causes=causes)
-        assert named_effects(found) == (Effect("backlash", "EXX"),)
-        assert named_effects(replace(found, verdict="explained", causes=causes[:1])) == (Effect("backlash", "EXX"),)
+        assert named_effects(found) == (Effect(kind="backlash", component="EXX"),)
+        assert named_effects(replace(found, verdict="explained", causes=causes[:1])) == (
+            Effect(kind="backlash", component="EXX"),
+        )
 
     @pytest.mark.parametrize("verdict", ["no_discrepancy", "recalibrate", "unexplained_structure"])
     def test_nothing_does_where_nothing_was_named(self, verdict: Verdict) -> None:
-        found = replace(diagnosis("explained"), verdict=verdict, causes=(cause(Effect("backlash", "EXX")),))
+        found = replace(
+            diagnosis("explained"), verdict=verdict, causes=(cause(Effect(kind="backlash", component="EXX")),)
+        )
         assert named_effects(found) == ()
 
     def test_the_fit_starts_at_what_the_diagnosis_found(self) -> None:
-        found = replace(diagnosis("explained"), causes=(cause(Effect("backlash", "EXX")),))
+        found = replace(diagnosis("explained"), causes=(cause(Effect(kind="backlash", component="EXX")),))
         (one,) = start_values(found)
-        assert one.effect == Effect("backlash", "EXX")
+        assert one.effect == Effect(kind="backlash", component="EXX")
         assert one.parameters == {each.name: each.value for each in found.causes[0].parameters}
         assert one.parameters.keys() == {"width"}
 
@@ -58,22 +65,22 @@ def test_readings_are_those_that_were_taken_without_flicker() -> None:
 
 class TestChanged:
     GIVEN = ErrorValues(
-        "m",
+        machine="m",
         parameters={"q": 5.0, "kept": 1e-5, "moved": 2e-5},
         motion_errors={
-            "EXX": PolynomialCurve((0, 2), (1.0, 3.0), (0.5, 0.5)),
+            "EXX": PolynomialCurve(powers=(0, 2), coefficients=(1.0, 3.0), u=(0.5, 0.5)),
             "EYX": TableCurve((0.0, 10.0), (0.0, 2.0), (0.1, 0.1)),
-            "EZX": PolynomialCurve((1,), (7.0,)),
+            "EZX": PolynomialCurve(powers=(1,), coefficients=(7.0,)),
         },
         u={"kept": 1e-7, "moved": 1e-7},
     )
     CHANGE = ErrorValues(
-        "m",
+        machine="m",
         parameters={"q": 5.0, "moved": 1e-6},
         motion_errors={
-            "EXX": PolynomialCurve((1, 2), (10.0, 0.25), (0.01, 0.02)),
-            "EYX": PolynomialCurve((1,), (0.5,), (0.01,)),
-            "EAX": PolynomialCurve((1,), (9.0,), (0.03,)),
+            "EXX": PolynomialCurve(powers=(1, 2), coefficients=(10.0, 0.25), u=(0.01, 0.02)),
+            "EYX": PolynomialCurve(powers=(1,), coefficients=(0.5,), u=(0.01,)),
+            "EAX": PolynomialCurve(powers=(1,), coefficients=(9.0,), u=(0.03,)),
         },
         u={"moved": 3e-8},
         undetermined=(Undetermined("EAX and moved: 1 combination; the solution of least norm", ("moved", "EAX")),),
@@ -99,9 +106,12 @@ class TestChanged:
 
 
 GIVEN = ErrorValues(
-    "dmu60p",
-    PARAMETERS,
-    {name: PolynomialCurve((1, 2, 3), tuple(one.values())) for name, one in coefficients().items()},
+    machine="dmu60p",
+    parameters=PARAMETERS,
+    motion_errors={
+        name: PolynomialCurve(powers=(1, 2, 3), coefficients=tuple(one.values()))
+        for name, one in coefficients().items()
+    },
 )
 SHIFT = {"p1": 3e-6, "p3": -8e-12}  # by which EXX has changed: 1.3 um at most
 

@@ -16,15 +16,15 @@ from trueaxis.diagnosis.extended_spec import extended_spec, moved_spec
 from trueaxis.effects.kind import Effect
 
 SPECS = [*sorted((ROOT / "machines").glob("*.toml")), FIVE_AXIS]
-BACKLASH = Effect("backlash", "EXX")
+BACKLASH = Effect(kind="backlash", component="EXX")
 FOUND = (
     BACKLASH,
-    Effect("cross_axis", "EZX", axis="Y"),
-    Effect("laser_cosine", runs=("X1", 'the "long" one', "a\\b\x7f")),
-    Effect("point_offset", runs=("X1",), end="reference"),
-    Effect("reading_zero", runs=("X1",)),
-    Effect("reversal_spike_path", "EXX"),
-    Effect("squareness", "EC0X"),
+    Effect(kind="cross_axis", component="EZX", axis="Y"),
+    Effect(kind="laser_cosine", runs=("X1", 'the "long" one', "a\\b\x7f")),
+    Effect(kind="point_offset", runs=("X1",), end="reference"),
+    Effect(kind="reading_zero", runs=("X1",)),
+    Effect(kind="reversal_spike_path", component="EXX"),
+    Effect(kind="squareness", component="EC0X"),
 )
 TABLES: list[dict[str, Any]] = [
     {"kind": "backlash", "component": "EXX"},
@@ -119,15 +119,17 @@ def test_what_is_there_is_not_added_again(path: Path) -> None:
 
 
 def test_effects_are_told_apart_by_all_that_they_act_on() -> None:
-    there = extended_spec("", [Effect("laser_cosine", runs=("X1", "X2")), Effect("point_offset", runs=("X1",))])
-    same = [Effect("laser_cosine", runs=("X2", "X1")), Effect("point_offset", runs=("X1",), end="target")]
+    there = extended_spec(
+        "", [Effect(kind="laser_cosine", runs=("X1", "X2")), Effect(kind="point_offset", runs=("X1",))]
+    )
+    same = [Effect(kind="laser_cosine", runs=("X2", "X1")), Effect(kind="point_offset", runs=("X1",), end="target")]
     assert extended_spec(there, same) == there
     others = [
-        Effect("laser_cosine", runs=("X1",)),
-        Effect("point_offset", runs=("X1",), end="reference"),
-        Effect("cross_axis", "EZX", axis="Y"),
-        Effect("cross_axis", "EZX", axis="Z"),
-        Effect("cross_axis", "EYX", axis="Z"),
+        Effect(kind="laser_cosine", runs=("X1",)),
+        Effect(kind="point_offset", runs=("X1",), end="reference"),
+        Effect(kind="cross_axis", component="EZX", axis="Y"),
+        Effect(kind="cross_axis", component="EZX", axis="Z"),
+        Effect(kind="cross_axis", component="EYX", axis="Z"),
     ]
     assert len(tomllib.loads(extended_spec(there, others))["effect"]) == 2 + len(others)
 
@@ -137,11 +139,11 @@ LETTERS = st.characters(codec="utf-8", exclude_categories=["Cs"])
 NAMES = st.text(LETTERS, max_size=6)
 EFFECTS = st.builds(
     Effect,
-    st.sampled_from(["backlash", "drift", "laser_cosine"]) | NAMES,
-    st.none() | st.sampled_from(["EXX", "EC0X"]) | NAMES,
-    st.none() | st.sampled_from("XYZ"),
-    st.lists(NAMES, max_size=2).map(tuple),
-    st.none() | st.sampled_from(["target", "reference"]),
+    kind=st.sampled_from(["backlash", "drift", "laser_cosine"]) | NAMES,
+    component=st.none() | st.sampled_from(["EXX", "EC0X"]) | NAMES,
+    axis=st.none() | st.sampled_from("XYZ"),
+    runs=st.lists(NAMES, max_size=2).map(tuple),
+    end=st.none() | st.sampled_from(["target", "reference"]),
 )
 TAILS = st.sampled_from(
     [

@@ -25,30 +25,30 @@ from trueaxis.reporting.diagnosis.formula import mathml
 
 MACHINE = machine_at(DMU60P)
 EXPECTED = {
-    Effect("backlash", "EXX"): rf"\delta_{{x}}(x) {ADDED} \frac{{\mathit{{width}}}}{{2}}\,\sigma_{{x}}",
-    Effect("backlash_slope", "ECY"): (
+    Effect(kind="backlash", component="EXX"): rf"\delta_{{x}}(x) {ADDED} \frac{{\mathit{{width}}}}{{2}}\,\sigma_{{x}}",
+    Effect(kind="backlash_slope", component="ECY"): (
         rf"\varepsilon_{{z}}(y) {ADDED} \mathit{{change}}\,\sigma_{{y}}\,\left(s_{{y}} - \frac{{1}}{{2}}\right)"
     ),
-    Effect("cyclic", "EYY"): (
+    Effect(kind="cyclic", component="EYY"): (
         rf"\delta_{{y}}(y) {ADDED} "
         r"\mathit{amplitude}\,\cos\left(\frac{2\,\pi\,y}{\mathit{pitch}} + \mathit{phase}\right)"
     ),
-    Effect("warm_up", "EZZ"): (
+    Effect(kind="warm_up", component="EZZ"): (
         rf"\delta_{{z}}(z) {ADDED} \mathit{{amplitude}}\,s_{{z}}\,\exp\left(-\frac{{t}}{{\tau}}\right)"
     ),
-    Effect("servo_lag", "EXX"): rf"\delta_{{x}}(x) {ADDED} -\tau\,v_{{x}}",
-    Effect("cross_axis", "EXX", "Y"): rf"\delta_{{x}}(x) {ADDED} k\,s_{{x}}\,s_{{y}}^{{2}}",
-    Effect("laser_cosine", runs=("X1", "X2")): (
+    Effect(kind="servo_lag", component="EXX"): rf"\delta_{{x}}(x) {ADDED} -\tau\,v_{{x}}",
+    Effect(kind="cross_axis", component="EXX", axis="Y"): rf"\delta_{{x}}(x) {ADDED} k\,s_{{x}}\,s_{{y}}^{{2}}",
+    Effect(kind="laser_cosine", runs=("X1", "X2")): (
         rf"L {ADDED} -\frac{{\mathit{{angle}}^{{2}}}}{{2}}\,\ell \quad \text{{(X1, X2)}}"
     ),
-    Effect("laser_step", runs=("a_b",)): (
+    Effect(kind="laser_step", runs=("a_b",)): (
         rf"L {ADDED} \mathit{{jump}}\,H\left(t - t_{{0}}\right) \quad \text{{(one run)}}"
     ),
-    Effect("ballbar_length"): rf"\Delta R {ADDED} \mathit{{length}}",
-    Effect("point_offset", runs=("X1",), end="target"): (
+    Effect(kind="ballbar_length"): rf"\Delta R {ADDED} \mathit{{length}}",
+    Effect(kind="point_offset", runs=("X1",), end="target"): (
         rf"\mathbf{{r}}_{{\text{{target}}}} {ADDED} \begin{{pmatrix}} x \\ y \\ z \end{{pmatrix}} \quad \text{{(X1)}}"
     ),
-    Effect("squareness", "EC0X"): rf"E_{{C0X}} {ADDED} \mathit{{angle}}",
+    Effect(kind="squareness", component="EC0X"): rf"E_{{C0X}} {ADDED} \mathit{{angle}}",
 }  # fmt: skip
 
 
@@ -60,7 +60,9 @@ def test_formulas(effect: Effect) -> None:
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
 def test_every_kind_is_drawn_without_a_command_left(kind: Kind) -> None:
     component = "EB0Y" if kind.place == "location" else "EYY" if kind.place == "component" else None
-    drawn = mathml(effect_latex(kind, Effect(kind.name, component, "X" if kind.other_axis else None)))
+    drawn = mathml(
+        effect_latex(kind, Effect(kind=kind.name, component=component, axis="X" if kind.other_axis else None))
+    )
     assert drawn.startswith("<math")
     assert "\\" not in drawn
     assert not re.search(r"<mo>\s*<m", drawn), "an operator within an operator is no MathML"
@@ -81,7 +83,14 @@ NAMES = {
     "width": r"\mathit{width}",
     "t_0": "t_{0}",
 }
-USER = Kind("user", "component", "", tuple(Parameter(name, "u", "") for name in ("width", "t_0")), "", other_axis=True)
+USER = Kind(
+    name="user",
+    place="component",
+    expression="",
+    parameters=tuple(Parameter(name=name, unit="u", meaning="") for name in ("width", "t_0")),
+    sentence="",
+    other_axis=True,
+)
 
 
 NUMERIC = {"Root": math.sqrt, "Absolute": abs, "Sign": np.sign, "Step": lambda x: float(x >= 0)}
@@ -108,8 +117,10 @@ def expressions() -> st.SearchStrategy[str]:
 def test_the_formula_is_worth_what_the_expression_is(text: str) -> None:
     """Read back by a reader of its own, against SymPy's value of the expression."""
     tree = parse(text)
-    kind = Kind("user", "component", text, USER.parameters, "", other_axis=True)
-    latex = term_latex(kind, Effect("user", "EXX", "Y"))
+    kind = Kind(
+        name="user", place="component", expression=text, parameters=USER.parameters, sentence="", other_axis=True
+    )
+    latex = term_latex(kind, Effect(kind="user", component="EXX", axis="Y"))
     values = {name: 0.3 + 0.17 * place for place, name in enumerate(NAMES)}
     ordered = [symbols.named(name) for name in values]
     with warnings.catch_warnings(action="ignore"):

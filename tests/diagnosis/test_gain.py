@@ -27,7 +27,7 @@ def noise(seed: int) -> FloatArray:
 def cause(
     size: float = 1e-3, kind: str = "backlash", component: str | None = "EXX", runs: tuple[str, ...] = ()
 ) -> Fitted:
-    effect = Effect(kind, component, runs=runs)
+    effect = Effect(kind=kind, component=component, runs=runs)
     values = np.array([size]) if kind == "backlash" else np.array([size, float(TIME[ROWS.of_run(1)].mean())])
     signal, _ = parameter_signature(WHERE.readings, effect, values)
     return Fitted(effect, WHERE.readings.model.machine.kinds[kind], values, np.full(values.size, SIGMA / 100), signal)

@@ -53,9 +53,14 @@ def test_a_change_beyond_it_is_still_found() -> None:
 
 def test_what_values_are_uncertain_by_is_what_readings_are() -> None:
     case = prepared(Case(seed=1, design=SMALL, noise="none", given="exact"))
-    curve = PolynomialCurve((1, 3), (0.0, 0.0), (2e-6, 3e-12))
+    curve = PolynomialCurve(powers=(1, 3), coefficients=(0.0, 0.0), u=(2e-6, 3e-12))
     dimensions = {name: case.model.errors.parameters[name] for name in case.model.dimensions}
-    errors = ErrorValues(case.model.name, {**dimensions, "eps_xy": 0.0}, {"EXX": curve}, u={"eps_xy": 1e-6})
+    errors = ErrorValues(
+        machine=case.model.name,
+        parameters={**dimensions, "eps_xy": 0.0},
+        motion_errors={"EXX": curve},
+        u={"eps_xy": 1e-6},
+    )
     ground, rows = null(), case.rows
     given = given_by_chance(case.model, ground.base, own_uncertainty(case.model.machine, errors))
     columns = ground.base.machine @ (ground.base.expected[: ground.base.of_machine, np.newaxis] * given)
@@ -65,8 +70,8 @@ def test_what_values_are_uncertain_by_is_what_readings_are() -> None:
         return expected_readings(model, rows.runs, rows.run, rows.positions, rows.context)
 
     steps = [
-        replace(errors, motion_errors={"EXX": PolynomialCurve((1, 3), (2e-6, 0.0))}),
-        replace(errors, motion_errors={"EXX": PolynomialCurve((1, 3), (0.0, 3e-12))}),
+        replace(errors, motion_errors={"EXX": PolynomialCurve(powers=(1, 3), coefficients=(2e-6, 0.0))}),
+        replace(errors, motion_errors={"EXX": PolynomialCurve(powers=(1, 3), coefficients=(0.0, 3e-12))}),
         replace(errors, parameters={**dimensions, "eps_xy": 1e-6}),
     ]
     wanted = np.array([read(one) - read(errors) for one in steps]).T

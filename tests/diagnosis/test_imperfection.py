@@ -49,7 +49,7 @@ def legendre(scale: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 class TestBacklash:
     def cause(self) -> Fitted:
-        return fitted(Effect("backlash", "EXX"), [6e-3])
+        return fitted(Effect(kind="backlash", component="EXX"), [6e-3])
 
     def signal(self) -> FloatArray:
         return np.asarray(lever("EXX") * 3e-3 * readings().rows.directions[0])
@@ -83,7 +83,7 @@ class TestBacklash:
 
 class TestThermalOffset:
     def cause(self) -> Fitted:
-        return fitted(Effect("thermal_offset", "EYX"), [2e-3])
+        return fitted(Effect(kind="thermal_offset", component="EYX"), [2e-3])
 
     @pytest.mark.parametrize("constant", [250.0, 1000.0, 4000.0])
     def test_it_may_follow_the_temperature_late(self, constant: float) -> None:
@@ -112,7 +112,7 @@ class TestCyclic:
     def cause(self) -> Fitted:
         values = {"amplitude": self.AMPLITUDE, "phase": self.PHASE, "pitch": self.PITCH}
         kind = readings().model.machine.kinds["cyclic"]
-        return fitted(Effect("cyclic", "EXX"), [values[one.name] for one in kind.parameters])
+        return fitted(Effect(kind="cyclic", component="EXX"), [values[one.name] for one in kind.parameters])
 
     def test_it_may_have_a_second_harmonic_of_any_phase(self) -> None:
         turn = 4.0 * np.pi * readings().rows.positions[0] / self.PITCH
@@ -133,7 +133,7 @@ def test_a_time_constant_may_be_another() -> None:
     kind = readings().model.machine.kinds["warm_up"]
     (size,) = (one.name for one in kind.parameters if one.role == "linear")
     values = {size: 5e-3, **{one.name: 900.0 for one in kind.parameters if one.role == "grid"}}
-    effect = Effect("warm_up", "EYY")
+    effect = Effect(kind="warm_up", component="EYY")
     cause = fitted(effect, [values[one.name] for one in kind.parameters])
     columns = besides(cause)
     for factor in (1.6, 1.0 / 1.6):
@@ -144,11 +144,14 @@ def test_a_time_constant_may_be_another() -> None:
 
 def test_what_is_driven_by_the_clock_alone_does_not_vary_along_the_travel() -> None:
     """It would be of another kind: thermal expansion, warm-up. In time it may, and from instrument to instrument."""
-    assert besides(fitted(Effect("drift", "EXX"), [1e-6])).shape[1] == 2 + 2
+    assert besides(fitted(Effect(kind="drift", component="EXX"), [1e-6])).shape[1] == 2 + 2
 
 
 def test_of_no_cause_there_is_nothing_and_of_two_all_of_both() -> None:
-    one, other = fitted(Effect("backlash", "EXX"), [6e-3]), fitted(Effect("thermal_offset", "EYX"), [2e-3])
+    one, other = (
+        fitted(Effect(kind="backlash", component="EXX"), [6e-3]),
+        fitted(Effect(kind="thermal_offset", component="EYX"), [2e-3]),
+    )
     assert imperfection(readings(), [], seen).columns.shape == (readings().rows.size, 0)
     each = [imperfection(readings(), [cause], seen) for cause in (one, other)]
     both = imperfection(readings(), [one, other], seen)
@@ -165,7 +168,7 @@ def seen(columns: FloatArray) -> FloatArray:
 def test_nothing_that_a_change_of_size_would_do_is_chance(name: str) -> None:
     """As the readings see it: chance of that form would make every cause small beside it, the larger the smaller."""
     values = {"backlash": [6e-3], "drift": [1e-6], "cyclic": [1e-3, 0.7, 10.0]}
-    cause = fitted(Effect(name, "EXX"), values[name])
+    cause = fitted(Effect(kind=name, component="EXX"), values[name])
     found = imperfection(readings(), [cause], seen)
     signal = seen(cause.signal[:, np.newaxis])[:, 0]
     assert np.abs(signal @ found.columns).max() > 1e-3 * (signal @ signal)

@@ -55,7 +55,7 @@ def test_a_run_that_was_zeroed_elsewhere_is_named_with_its_size(size: float) -> 
     values = readings(7)
     values[places("Y2-1")] += size
     (one,) = found(values)
-    assert one.effect == Effect("reading_zero", runs=("Y2-1",))
+    assert one.effect == Effect(kind="reading_zero", runs=("Y2-1",))
     assert one.values[0] == pytest.approx(size, abs=4.0 * USUAL)
     assert one.p_value < 1e-4
     assert np.abs(one.signal).max() == pytest.approx(abs(one.values[0]))
@@ -66,7 +66,7 @@ def test_runs_of_one_set_up_that_agree_are_one_cause() -> None:
     values = readings(8)
     values[places("X1-1", "X1-2")] += 0.2
     (one,) = found(values)
-    assert one.effect == Effect("reading_zero", runs=("X1-1", "X1-2"))
+    assert one.effect == Effect(kind="reading_zero", runs=("X1-1", "X1-2"))
 
 
 def test_the_diagnosis_names_the_instrument_and_extends_no_machine() -> None:
@@ -76,7 +76,7 @@ def test_the_diagnosis_names_the_instrument_and_extends_no_machine() -> None:
     shifted = data.readings.reading + 0.15 * (data.readings.run == data.readings.run_ids.index("Z1-2"))
     said = diagnose(case.model, replace(data, readings=replace(data.readings, reading=shifted)))
     assert said.verdict == "explained"
-    assert [one.effect for one in said.causes] == [Effect("reading_zero", runs=("Z1-2",))]
+    assert [one.effect for one in said.causes] == [Effect(kind="reading_zero", runs=("Z1-2",))]
     assert said.causes[0].parameters[0].value == pytest.approx(0.15, abs=0.02)
     assert named_effects(said) == ()
     assert start_values(said) == ()
@@ -96,13 +96,13 @@ def test_a_straightness_line_is_measured_by_the_others_of_its_class() -> None:
     assert off_in(values) == []
     odd = "SYX"
     values[rows.run == names.index(odd)] += 0.2
-    assert [one.effect for one in off_in(values)] == [Effect("reading_zero", runs=(odd,))]
+    assert [one.effect for one in off_in(values)] == [Effect(kind="reading_zero", runs=(odd,))]
 
 
 def test_a_ball_in_another_place_is_named_with_that() -> None:
     rows, source = straight().rows, np.random.default_rng(5)
     plane = tuple(run.id for run in rows.runs if run.instrument == "ballbar" and run.id.startswith("XY"))
-    effect = Effect("ballbar_centre", runs=plane)
+    effect = Effect(kind="ballbar_centre", runs=plane)
     signal, _ = parameter_signature(readings_of(straight().model, rows), effect, np.array([6.0, -0.4, 0.0]))
     (one,) = off_in(SIGMA * source.standard_normal(rows.size) + signal)
     assert one.effect == effect

@@ -112,14 +112,36 @@ def test_lines_are_far_from_all_lines_at_hand_too() -> None:
 def one_line(text: str) -> tuple[MachineModel, Rows]:
     """A machine with one laser line of X, there and back."""
     machine, module = machine_of(text), kernels_of(text)
-    kernels = Kernels(module.META, module, {n: getattr(module, n) for n in module.META["routines"]}, "numpy", "")
-    model = MachineModel(machine, kernels, ErrorValues(machine.name))
+    kernels = Kernels(
+        meta=module.META,
+        module=module,
+        routines={n: getattr(module, n) for n in module.META["routines"]},
+        backend="numpy",
+        note="",
+    )
+    model = MachineModel(machine, kernels, ErrorValues(machine=machine.name))
     way = np.linspace(-290.0, 390.0, 12)
     positions = np.zeros((3, 24))
     positions[0] = np.concatenate([way, way[::-1]])
     directions = np.zeros((3, 24), dtype=np.int8)
     directions[0] = np.repeat([1, -1], 12)
-    run = Run("X1", "laser", PointOn("tool"), PointOn("workpiece"), "bed", dict.fromkeys("XYZ", 0.0), (1.0, 0.0, 0.0))
+    run = Run(
+        id="X1",
+        instrument="laser",
+        target=PointOn("tool"),
+        reference=PointOn("workpiece"),
+        frame="bed",
+        home=dict.fromkeys("XYZ", 0.0),
+        direction=(1.0, 0.0, 0.0),
+    )
     number = np.arange(24)
-    readings = Readings(("X", "Y", "Z"), ("X1",), np.zeros_like(number), number, positions, directions, np.zeros(24))
+    readings = Readings(
+        axes=("X", "Y", "Z"),
+        run_ids=("X1",),
+        run=np.zeros_like(number),
+        seq=number,
+        positions=positions,
+        directions=directions,
+        reading=np.zeros(24),
+    )
     return model, rows_of(MeasuredData(Setup(machine.name, (run,)), readings))

@@ -21,9 +21,9 @@ from trueaxis.diagnosis.signatures import signature_of
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.context import context_of
 
-PAIR = Effect("backlash", "EYX"), Effect("backlash", "EAX")
-SCALES = Effect("laser_scale"), Effect("ballbar_length")
-DRIFTS = Effect("drift", "EXX"), Effect("thermal_offset", "EXX")
+PAIR = Effect(kind="backlash", component="EYX"), Effect(kind="backlash", component="EAX")
+SCALES = Effect(kind="laser_scale"), Effect(kind="ballbar_length")
+DRIFTS = Effect(kind="drift", component="EXX"), Effect(kind="thermal_offset", component="EXX")
 WHOLE = Design(repeats=1, targets=21, samples=120)
 
 
@@ -69,7 +69,7 @@ def test_what_is_said_of_now_is_what_the_audit_says() -> None:
     one = field(WHOLE)
     prospect = ahead_in(one)
     limits = {limit.effect: limit for limit in audit(prospect.ground).limits}
-    for effect in (*PAIR, Effect("backlash", "EYX"), Effect("laser_cosine", runs=("X1",))):
+    for effect in (*PAIR, Effect(kind="backlash", component="EYX"), Effect(kind="laser_cosine", runs=("X1",))):
         limit = limits[effect]
         if limit.nearest is not None:
             (nearest,) = outlooks_of(prospect, [Placed(limit.nearest, limit.nearest_at)])
@@ -128,12 +128,14 @@ def field_with_temperature(waves: float) -> Field:
 def test_no_run_tells_apart_what_is_one_displacement_of_tool_against_workpiece() -> None:
     """A drift of all X positions: of which axis, no reading between tool and workpiece says."""
     prospect = ahead_in(field(WHOLE))
-    mine, rival = (outlook(prospect, Effect("drift", name)) for name in ("EXX", "EXY"))
+    mine, rival = (outlook(prospect, Effect(kind="drift", component=name)) for name in ("EXX", "EXY"))
     assert separation(prospect, mine, [rival]) is None
     kinds = prospect.ground.readings.model.machine.kinds
-    said = separating_run(kinds, Ahead(Effect("drift", "EXX"), (Effect("drift", "EXY"),), 1e-8, None))
+    said = separating_run(
+        kinds, Ahead(Effect(kind="drift", component="EXX"), (Effect(kind="drift", component="EXY"),), 1e-8, None)
+    )
     assert said is not None
-    assert (said.run, said.told, said.left) == ("", None, (Effect("drift", "EXY"),))
+    assert (said.run, said.told, said.left) == ("", None, (Effect(kind="drift", component="EXY"),))
     assert said.broken_by == kinds["drift"].broken_by
 
 
@@ -189,7 +191,7 @@ def test_structure_without_a_name_and_readings_without_repeats_ask_for_runs() ->
         NoiseOf("probe", SIGMA, 0, 0, 0, 1e6, "given"),
     )
     assert next_runs(prospect, nothing, (), (), repeated) == ()
-    named = Ahead(Effect("backlash", "EXX"), (), 1e-3, None)
+    named = Ahead(Effect(kind="backlash", component="EXX"), (), 1e-3, None)
     assert next_runs(prospect, nothing, (named,), checks, ()) == ()
 
 
@@ -212,14 +214,14 @@ def test_the_run_that_is_proposed_leaves_one_name(kind: str, size: float, run: s
     effect = Hidden(kind, "EYX", size=size)
     before = _diagnosed(Case(4, effects=(effect,)))
     assert before.verdict == "ambiguous"
-    assert names(before) == {Effect(kind, "EYX"), Effect(kind, "EAX")}
+    assert names(before) == {Effect(kind=kind, component="EYX"), Effect(kind=kind, component="EAX")}
     separating = before.causes[0].separating
     assert separating is not None
     assert run in separating.run
     assert run in before.next_runs[0].run
     after = _diagnosed(Case(4, design=measured, effects=(effect,)))
     assert after.verdict == "explained"
-    assert names(after) == {Effect(kind, "EYX")}
+    assert names(after) == {Effect(kind=kind, component="EYX")}
 
 
 def _diagnosed(case: Case) -> Diagnosis:

@@ -17,11 +17,11 @@ from trueaxis.estimation.noise import Noise
 
 FloatArray = npt.NDArray[np.float64]
 PLANTED = {
-    "linear": ((Effect("backlash", "EXX"), [2e-3]),),
-    "phase and pitch": ((Effect("cyclic", "EYY"), [1.5e-3, 0.7, 23.0]),),
-    "time constant": ((Effect("warm_up", "EYY"), [8e-2, 4000.0]),),
-    "decay": ((Effect("reversal_spike", "EXX"), [3e-3, 6.0]),),
-    "two": ((Effect("backlash", "EXX"), [2e-3]), (Effect("drift", "EZZ"), [2e-6])),
+    "linear": ((Effect(kind="backlash", component="EXX"), [2e-3]),),
+    "phase and pitch": ((Effect(kind="cyclic", component="EYY"), [1.5e-3, 0.7, 23.0]),),
+    "time constant": ((Effect(kind="warm_up", component="EYY"), [8e-2, 4000.0]),),
+    "decay": ((Effect(kind="reversal_spike", component="EXX"), [3e-3, 6.0]),),
+    "two": ((Effect(kind="backlash", component="EXX"), [2e-3]), (Effect(kind="drift", component="EZZ"), [2e-6])),
 }
 
 
@@ -115,7 +115,7 @@ def test_amplitudes_of_set_ups_are_one_where_the_cause_is_one() -> None:
 def test_a_parameter_that_no_reading_tells_has_no_uncertainty() -> None:
     """A point of one line, moved along the line, does nothing beside the offset of its run."""
     where = field(replace(SMALL, lines=4, targets=15))
-    effect = Effect("point_offset", runs=("X1-1", "X1-2"), end="target")
+    effect = Effect(kind="point_offset", runs=("X1-1", "X1-2"), end="target")
     values = parameter_signature(where.readings, effect, np.array([0.0, 20.0, -10.0]))[0]
     ground = where.ground(values)
     (one,) = refit(ground, found_of(ground, [effect]))
@@ -126,7 +126,7 @@ def test_a_parameter_that_no_reading_tells_has_no_uncertainty() -> None:
 def test_a_time_constant_that_is_hardly_told_does_not_make_the_fit_worse() -> None:
     """Undamped steps overflow here: the amplitude is just found, its time constant is not."""
     where = field(replace(SMALL, lines=4, repeats=3), SLOW, settles=SIGMA)
-    effect = Effect("warm_up", "EYY")
+    effect = Effect(kind="warm_up", component="EYY")
     for seed in range(12):
         ground = planted(where, ((effect, [8e-3, 4000.0]),), seed)
         (start,) = found_of(ground, [effect])
@@ -142,7 +142,7 @@ def test_a_pitch_stays_by_the_one_that_the_search_found() -> None:
     where = field()
     for seed in range(5):
         ground = where.ground(noise_of(where, seed))
-        (start,) = found_of(ground, [Effect("cyclic", "EXX")])
+        (start,) = found_of(ground, [Effect(kind="cyclic", component="EXX")])
         (one,) = refit(ground, [start])
         pitch = dict(zip([each.name for each in one.kind.parameters], one.values, strict=True))["pitch"]
         span = float(np.ptp(where.readings.rows.positions[0]))

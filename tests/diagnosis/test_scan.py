@@ -48,12 +48,12 @@ def scanned_in(where: Field, signature: Signature, white: FloatArray) -> Scanned
 @pytest.mark.parametrize(
     ("effect", "grid"),
     [
-        (Effect("backlash", "EXX"), None),
-        (Effect("drift", "EYY"), None),
-        (Effect("cyclic", "EZZ"), 40),
-        (Effect("servo_lag", "EXX"), None),
-        (Effect("cross_axis", "ECX", "Y"), None),
-        (Effect("laser_step", runs=("X1-1",)), 5),
+        (Effect(kind="backlash", component="EXX"), None),
+        (Effect(kind="drift", component="EYY"), None),
+        (Effect(kind="cyclic", component="EZZ"), 40),
+        (Effect(kind="servo_lag", component="EXX"), None),
+        (Effect(kind="cross_axis", component="ECX", axis="Y"), None),
+        (Effect(kind="laser_step", runs=("X1-1",)), 5),
     ],
     ids=lambda given: given.label if isinstance(given, Effect) else "",
 )
@@ -85,7 +85,7 @@ def test_statistic_is_the_difference_of_two_sums_of_squares(
 def test_a_root_is_found_for_one_sign_alone() -> None:
     """The square of an angle cannot make a laser read long."""
     where = field(FOUR_LINES)
-    effect = Effect("laser_cosine", runs=("X1-1", "X1-2"))
+    effect = Effect(kind="laser_cosine", runs=("X1-1", "X1-2"))
     column = signature_of(where.readings, effect).over_all()[:, 0]
     assert scan_of(where, effect, 35e-6 * column).statistic > 100.0
     assert scan_of(where, effect, -35e-6 * column).statistic == 0.0
@@ -94,7 +94,7 @@ def test_a_root_is_found_for_one_sign_alone() -> None:
 def test_what_the_base_holds_explains_nothing() -> None:
     """One line per axis: the angle of its beam is a scale of the axis."""
     where = field(replace(FOUR_LINES, lines=1, ball_bar=False))
-    found = scan_of(where, Effect("laser_cosine", runs=("X1-1", "X1-2")), noise_of(where, 3))
+    found = scan_of(where, Effect(kind="laser_cosine", runs=("X1-1", "X1-2")), noise_of(where, 3))
     assert found.statistic == pytest.approx(0.0, abs=1e-9)
     assert found.evidence == 0.0
 
@@ -117,12 +117,12 @@ def under_noise(count: int) -> dict[Effect, FloatArray]:
 
 
 CANDIDATES = [
-    Effect("backlash", "EXX"),
-    Effect("backlash_slope", "EYY"),
-    Effect("drift", "EZZ"),
-    Effect("servo_lag", "EXX"),
-    Effect("backlash", "EZX"),
-    Effect("thermal_offset", "EYX"),
+    Effect(kind="backlash", component="EXX"),
+    Effect(kind="backlash_slope", component="EYY"),
+    Effect(kind="drift", component="EZZ"),
+    Effect(kind="servo_lag", component="EXX"),
+    Effect(kind="backlash", component="EZX"),
+    Effect(kind="thermal_offset", component="EYX"),
 ]
 
 
@@ -139,11 +139,14 @@ def test_p_values_of_linear_candidates_are_uniform_under_noise(effect: Effect) -
 @pytest.mark.parametrize(
     ("effect", "least"),
     [
-        (Effect("cyclic", "EXX"), 0.1),  # of a grid that is coarse beside its pitches, the angles say too much
-        (Effect("cyclic", "EYZ"), 0.1),
-        (Effect("warm_up", "EYY"), 0.75),
-        (Effect("reversal_spike", "EXX"), 0.75),
-        (Effect("laser_step", runs=("X1-1",)), 0.4),
+        (
+            Effect(kind="cyclic", component="EXX"),
+            0.1,
+        ),  # of a grid that is coarse beside its pitches, the angles say too much
+        (Effect(kind="cyclic", component="EYZ"), 0.1),
+        (Effect(kind="warm_up", component="EYY"), 0.75),
+        (Effect(kind="reversal_spike", component="EXX"), 0.75),
+        (Effect(kind="laser_step", runs=("X1-1",)), 0.4),
     ],
     ids=lambda given: given.label if isinstance(given, Effect) else "",
 )
@@ -183,7 +186,9 @@ def test_freedom_is_that_of_the_instruments_that_sense_it() -> None:
 
 
 @pytest.mark.parametrize(
-    "effect", [Effect("cyclic", "ECX"), Effect("reversal_spike", "EXX")], ids=lambda one: one.label
+    "effect",
+    [Effect(kind="cyclic", component="ECX"), Effect(kind="reversal_spike", component="EXX")],
+    ids=lambda one: one.label,
 )
 @pytest.mark.parametrize("entries", [1, 2000])
 def test_a_grid_in_pieces_is_the_grid(effect: Effect, entries: int, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -18,7 +18,7 @@ from trueaxis.diagnosis.signatures import parameter_signature, signature_of
 from trueaxis.effects.kind import Effect
 
 FloatArray = npt.NDArray[np.float64]
-X, Y, Z = (Effect("backlash", name) for name in ("EXX", "EYY", "EZZ"))
+X, Y, Z = (Effect(kind="backlash", component=name) for name in ("EXX", "EYY", "EZZ"))
 
 
 def signal(effect: Effect, evidence: float) -> FloatArray:

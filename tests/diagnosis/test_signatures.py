@@ -34,7 +34,7 @@ def circles() -> tuple[Readings, slice, FloatArray, FloatArray, FloatArray]:
 def of_effect(kind: str, component: str | None = None, **point: float) -> FloatArray:
     readings, part, *_ = circles()
     points = (point,) if point else None
-    return signature_of(readings, Effect(kind, component), points).over_all()[part, 0]
+    return signature_of(readings, Effect(kind=kind, component=component), points).over_all()[part, 0]
 
 
 def of_component(component: str, error: Callable[[FloatArray, FloatArray], FloatArray]) -> FloatArray:
@@ -107,7 +107,7 @@ def test_squareness_makes_an_ellipse_at_45_degrees() -> None:
     readings = readings_of(given.model, rows)
     part = slice(0, rows.of_run(3).stop)
     theta = readings.reading.theta[part]
-    found = signature_of(readings, Effect("squareness", "EC0X")).over_all()[part, 0]
+    found = signature_of(readings, Effect(kind="squareness", component="EC0X")).over_all()[part, 0]
     first = np.stack([np.cos(theta), np.sin(theta), np.ones(theta.size)], axis=1)
     rest = found - RADIUS / 2 * np.sin(2 * theta)  # X turned by C: the tool moves by C x along Y
     assert rest - first @ np.linalg.lstsq(first, rest, rcond=None)[0] == pytest.approx(0.0, abs=1e-6)
@@ -116,7 +116,7 @@ def test_squareness_makes_an_ellipse_at_45_degrees() -> None:
 def test_a_centre_that_is_off_is_a_first_harmonic() -> None:
     readings, part, theta, _, _ = circles()
     ids = tuple(readings.rows.runs[index].id for index in np.unique(readings.rows.run[part]))
-    of_part = signature_of(readings, Effect("ballbar_centre", runs=ids)).over_all()[part]
+    of_part = signature_of(readings, Effect(kind="ballbar_centre", runs=ids)).over_all()[part]
     # of the ball on the workpiece: the tool's ball comes closer
     assert of_part[:, 0] == pytest.approx(-np.cos(theta), abs=1e-3)
     assert of_part[:, 1] == pytest.approx(-np.sin(theta), abs=1e-3)
@@ -126,7 +126,7 @@ def test_a_centre_that_is_off_is_a_first_harmonic() -> None:
 def test_length_and_lobes_of_the_bar() -> None:
     readings, part, theta, _, _ = circles()
     assert of_effect("ballbar_length") == pytest.approx(1.0)
-    lobes = signature_of(readings, Effect("ballbar_lobes")).over_all()[part]
+    lobes = signature_of(readings, Effect(kind="ballbar_lobes")).over_all()[part]
     assert lobes[:, 0] == pytest.approx(np.cos(3 * theta), abs=1e-9)
     assert lobes[:, 1] == pytest.approx(-np.sin(3 * theta), abs=1e-9)
 
@@ -163,7 +163,7 @@ def test_what_an_exact_machine_does_is_first_order_plus_the_flaws_of_the_hidden_
     change = with_it.rows.reading - without.rows.reading
     rows = without.rows
     readings = readings_of(without.model, rows)
-    effect = Effect(hidden.kind, hidden.component or None, hidden.axis or None)
+    effect = Effect(kind=hidden.kind, component=hidden.component or None, axis=hidden.axis or None)
     column = signature_of(readings, effect).over_all()[:, 0] * hidden.size
     offsets = np.equal.outer(rows.run, np.array(rows.present)).astype(float)
     zeroed = np.array([run.instrument != "ballbar" for run in rows.runs])
@@ -177,13 +177,13 @@ def test_what_an_exact_machine_does_is_first_order_plus_the_flaws_of_the_hidden_
 @pytest.mark.parametrize(
     ("effect", "values"),
     [
-        (Effect("cyclic", "EXX"), [1e-3, 0.4, 13.0]),
-        (Effect("warm_up", "EYY"), [5e-3, 3000.0]),
-        (Effect("reversal_spike", "EXX"), [1e-3, 5.0]),
-        (Effect("ballbar_lobes"), [1e-3, 1.0]),
-        (Effect("backlash_slope", "EZZ"), [1e-3]),
-        (Effect("laser_cosine", runs=("X1-1", "X1-2")), [5e-3]),
-        (Effect("point_offset", runs=("X1-1", "X1-2"), end="target"), [1.0, 2.0, -1.0]),
+        (Effect(kind="cyclic", component="EXX"), [1e-3, 0.4, 13.0]),
+        (Effect(kind="warm_up", component="EYY"), [5e-3, 3000.0]),
+        (Effect(kind="reversal_spike", component="EXX"), [1e-3, 5.0]),
+        (Effect(kind="ballbar_lobes"), [1e-3, 1.0]),
+        (Effect(kind="backlash_slope", component="EZZ"), [1e-3]),
+        (Effect(kind="laser_cosine", runs=("X1-1", "X1-2")), [5e-3]),
+        (Effect(kind="point_offset", runs=("X1-1", "X1-2"), end="target"), [1.0, 2.0, -1.0]),
     ],
     ids=lambda given: given.kind if isinstance(given, Effect) else "",
 )

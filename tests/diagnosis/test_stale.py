@@ -77,7 +77,7 @@ def test_a_location_error_has_no_place() -> None:
 def test_what_a_cause_explains_is_not_stale() -> None:
     """Play of an axis looks like wear where it is not known."""
     readings = readings_of(given().model, given().rows)
-    play, _ = parameter_signature(readings, Effect("backlash", "EYY"), np.array([8e-3]))
+    play, _ = parameter_signature(readings, Effect(kind="backlash", component="EYY"), np.array([8e-3]))
     bent = curve("EYY", 5e-3 * bump(350.0, 300.0))
     stale, _ = found(noise(3) + play + bent, (play,))
     assert [one.component for one in stale] == ["EYY"]

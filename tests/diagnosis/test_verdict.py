@@ -25,7 +25,7 @@ def check(structure: StructureClass, fired: bool = True, excess: float = 0.0) ->
 
 
 def cause(kind: str, component: str = "EXX") -> Fitted:
-    return Fitted(Effect(kind, component), BY_NAME[kind], np.ones(1), np.ones(1), np.ones(3))
+    return Fitted(Effect(kind=kind, component=component), BY_NAME[kind], np.ones(1), np.ones(1), np.ones(3))
 
 
 @pytest.mark.parametrize(
@@ -61,12 +61,12 @@ def test_one_cause_of_two_that_is_not_one_size_is_enough() -> None:
 
 def test_share_is_that_of_the_squares_beyond_noise() -> None:
     where = field()
-    column = parameter_signature(where.readings, Effect("backlash", "EXX"), np.ones(1))[0]
+    column = parameter_signature(where.readings, Effect(kind="backlash", component="EXX"), np.ones(1))[0]
     noise = SIGMA * np.random.default_rng(7).standard_normal(column.size)
     ground = where.ground(6e-3 * column + noise)
     found = search(ground)
     causes = refit(ground, found.causes)
-    assert [one.effect for one in causes] == [Effect("backlash", "EXX")]
+    assert [one.effect for one in causes] == [Effect(kind="backlash", component="EXX")]
     explained = np.sum(where.base.rest(where.whitening(causes[0].signal)) ** 2)
     left = 0.25 * explained
     # a least-squares fit leaves what is orthogonal to it: squares of the readings less squares left are its own
@@ -83,7 +83,7 @@ def test_share_is_that_of_the_squares_beyond_noise() -> None:
 def test_verdicts() -> None:
     where = field()
     stale = [Stale("EYY", 100.0, 200.0, 1e-3, 1e-4, "mm", 1e-9)]
-    column = parameter_signature(where.readings, Effect("backlash", "EXX"), np.ones(1))[0]
+    column = parameter_signature(where.readings, Effect(kind="backlash", component="EXX"), np.ones(1))[0]
     noise = SIGMA * np.random.default_rng(7).standard_normal(column.size)
     named, nothing = (search(where.ground(size * column + noise)) for size in (6e-3, 0.0))
     assert verdict_of(named, True, [], (), ()) == "explained"

@@ -71,7 +71,14 @@ HOSTILE = (
 
 def machine_with(kinds: Sequence[Kind]) -> Machine:
     base = machine_at(DMU60P)
-    return Machine(base.name, base.title, base.bodies, base.workpiece, base.tool, effect_kinds=tuple(kinds))
+    return Machine(
+        name=base.name,
+        title=base.title,
+        bodies=base.bodies,
+        workpiece=base.workpiece,
+        tool=base.tool,
+        effect_kinds=tuple(kinds),
+    )
 
 
 def compiled(folder: Path, machine: Machine, routines: tuple[Routine, ...]) -> dict[str, Kernel]:
@@ -197,7 +204,7 @@ def test_a_machine_has_the_effects_of_its_spec_alone() -> None:
 
 def test_a_term_is_the_same_from_the_machine_s_kernels_and_from_the_library() -> None:
     machine = machine_at(DMU60P)
-    with_effect = replace(machine, effects=(Effect("cyclic", "EXX"),))
+    with_effect = replace(machine, effects=(Effect(kind="cyclic", component="EXX"),))
     module = executed(with_effect, effect_routines(with_effect))
     context, parameters = np.array([[10.0, 20.0, 33.0]]), np.array([0.002, 0.3, 10.0])
     found, expected = (each.effect_cyclic(context, parameters) for each in (module, effect_library))
@@ -206,7 +213,13 @@ def test_a_term_is_the_same_from_the_machine_s_kernels_and_from_the_library() ->
 
 
 def own(text: str, parameters: Sequence[str] = ("k", "p")) -> Kind:
-    return Kind("own", "component", text, tuple(Parameter(name, "u", name) for name in parameters), "a cause")
+    return Kind(
+        name="own",
+        place="component",
+        expression=text,
+        parameters=tuple(Parameter(name=name, unit="u", meaning=name) for name in parameters),
+        sentence="a cause",
+    )
 
 
 def context_for(kind: Kind, values: dict[str, float]) -> FloatArray:
@@ -266,7 +279,10 @@ def test_many_expressions_in_c_are_as_in_numpy(tmp_path: Path) -> None:
         "k + p",
         "-k*(s - (q - (T - p)))^5",
     ]
-    kinds = [Kind(f"own{index}", "component", text, own("k").parameters, "a cause") for index, text in enumerate(texts)]
+    kinds = [
+        Kind(name=f"own{index}", place="component", expression=text, parameters=own("k").parameters, sentence="a cause")
+        for index, text in enumerate(texts)
+    ]
     machine = machine_with(kinds)
     routines = effect_routines(machine)
     numpy, c = executed(machine, routines), compiled(tmp_path, machine, routines)

@@ -124,10 +124,10 @@ def test_directions(text: str, direction: str) -> None:
 def test_an_effect_is_in_the_readings_of_its_instruments_and_runs(kind: str, by: set[str]) -> None:
     runs = [Run(f"{name}-{k}", name) for name in ("laser", "probe", "ballbar") for k in (1, 2)]
     assert {one.instrument for one in runs if reads(BY_NAME[kind], one.instrument)} == by
-    assert {one.id for one in runs if concerns(BY_NAME[kind], Effect(kind), one)} == {
+    assert {one.id for one in runs if concerns(BY_NAME[kind], Effect(kind=kind), one)} == {
         f"{n}-{k}" for n in by for k in (1, 2)
     }
-    named = Effect(kind, runs=("probe-2", "ballbar-1"))
+    named = Effect(kind=kind, runs=("probe-2", "ballbar-1"))
     assert {one.id for one in runs if concerns(BY_NAME[kind], named, one)} == {
         one for one in named.runs if one.split("-")[0] in by
     }
@@ -142,4 +142,4 @@ def test_context_rows() -> None:
     assert context_of(BY_NAME["ballbar_length"]) == ("theta",)  # of none, it takes the number of readings
     assert context_of(BY_NAME["reading_zero"]) == ("along",)
     assert context_of(BY_NAME["point_offset"]) == ()
-    assert context_of(Kind("own", "component", "c", (), "")) == ("q",)
+    assert context_of(Kind(name="own", place="component", expression="c", parameters=(), sentence="")) == ("q",)

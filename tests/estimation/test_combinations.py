@@ -16,7 +16,7 @@ from trueaxis.model.errors import ErrorValues
 def found(name: str, um: float, **known: float) -> Estimate:
     observed = folder(name).observed
     noise = dict.fromkeys(range(len(observed.runs)), 1e-3 * um)
-    return expected(model(), observed, ErrorValues("dmu60p", known), noise)
+    return expected(model(), observed, ErrorValues(machine="dmu60p", parameters=known), noise)
 
 
 def test_squareness_and_slopes_of_the_papers_plan() -> None:

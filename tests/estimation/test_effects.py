@@ -36,11 +36,19 @@ from trueaxis.model.errors import ErrorValues, dump_errors, read_errors
 from trueaxis.model.kernels import Kernels
 from trueaxis.model.model import MachineModel
 
-KNOWN = ErrorValues("dmu60p", PARAMETERS)
+KNOWN = ErrorValues(machine="dmu60p", parameters=PARAMETERS)
 OPTIONS = IdentifyOptions("known", KNOWN)
-BACKLASH, THERMAL, LAG = Effect("backlash", "EXX"), Effect("thermal_expansion", "EYY"), Effect("servo_lag", "EXX")
-CYCLIC, WARM = Effect("cyclic", "EZZ"), Effect("warm_up", "EXX")
-COSINE, LENGTH, LOBES = Effect("laser_cosine", runs=("X-1",)), Effect("ballbar_length"), Effect("ballbar_lobes")
+BACKLASH, THERMAL, LAG = (
+    Effect(kind="backlash", component="EXX"),
+    Effect(kind="thermal_expansion", component="EYY"),
+    Effect(kind="servo_lag", component="EXX"),
+)
+CYCLIC, WARM = Effect(kind="cyclic", component="EZZ"), Effect(kind="warm_up", component="EXX")
+COSINE, LENGTH, LOBES = (
+    Effect(kind="laser_cosine", runs=("X-1",)),
+    Effect(kind="ballbar_length"),
+    Effect(kind="ballbar_lobes"),
+)
 
 
 def expansion(row: Row) -> float:
@@ -57,11 +65,13 @@ def values_of(found: Identification, effect: Effect) -> Mapping[str, float]:
 
 LINEAR: dict[str, tuple[Effect, dict[str, Term], list[Term], dict[str, float]]] = {
     "backlash": (BACKLASH, {"EXX": lambda row: 3e-3 * row.direction["X"]}, [], {"width": 6e-3}),
-    "lateral play": (Effect("backlash", "EAZ"), {"EAZ": lambda row: 4e-6 * row.direction["Z"]}, [], {"width": 8e-6}),
+    "lateral play": (
+        Effect(kind="backlash", component="EAZ"), {"EAZ": lambda row: 4e-6 * row.direction["Z"]}, [], {"width": 8e-6},
+    ),
     "thermal": (THERMAL, {"EYY": expansion}, [], {"coefficient": 1.1e-5}),
     "lag": (LAG, {"EXX": lambda row: -1e-4 * row.velocity["X"]}, [], {"tau": 1e-4}),
     "cross": (
-        Effect("cross_axis", "EZX", "Z"),
+        Effect(kind="cross_axis", component="EZX", axis="Z"),
         {"EZX": lambda row: 5e-3 * row.at["X"] / 540.0 * (row.at["Z"] / 600.0) ** 2},
         [],
         {"k": 5e-3},
@@ -130,7 +140,7 @@ def test_a_period_and_a_time_constant_are_found_wherever_they_are() -> None:
 
 
 def test_the_moment_of_a_jump_lies_between_the_readings_beside_it() -> None:
-    effect = Effect("laser_step", runs=("Z-8",))
+    effect = Effect(kind="laser_step", runs=("Z-8",))
     clean = measured(seed=4)
     mine = np.flatnonzero(np.array([clean.runs[index].id == "Z-8" for index in clean.run]))
     assert clean.context is not None
@@ -156,7 +166,7 @@ def test_the_instrument_gives_way_where_an_effect_is_the_same() -> None:
 
 
 def test_a_point_that_is_off_is_told_from_the_rotations_that_other_lines_give() -> None:
-    effect = Effect("point_offset", runs=("X-2",))
+    effect = Effect(kind="point_offset", runs=("X-2",))
     quiet = measured(moved={"X-2": (0.0, 4.0, -6.0)})
     data = replace(quiet, reading=quiet.reading + np.random.default_rng(6).normal(0.0, 2e-6, quiet.reading.size))
     found = identify_estimated(model_with(effect), data, OPTIONS)
@@ -190,15 +200,21 @@ def squareness(angle: float) -> tuple[MachineModel, Observations]:
     given = prepared(Case(1, design=SMALL, effects=(Hidden("squareness", "EC0X", size=angle),), noise="none"))
     text = f'{given.generated.spec}\n[[effect]]\nkind = "squareness"\ncomponent = "EC0X"\n'
     module = kernels_of(text)
-    kernels = Kernels(module.META, module, {n: getattr(module, n) for n in module.META["routines"]}, "numpy", "")
-    model = MachineModel(machine_of(text), kernels, ErrorValues(given.model.name))
+    kernels = Kernels(
+        meta=module.META,
+        module=module,
+        routines={n: getattr(module, n) for n in module.META["routines"]},
+        backend="numpy",
+        note="",
+    )
+    model = MachineModel(machine_of(text), kernels, ErrorValues(machine=given.model.name))
     return model, observations("readings.csv", given.data.setup.runs, given.data.readings)
 
 
 def at_home(model: MachineModel, *known: EffectValues) -> IdentifyOptions:
     given = prepared(Case(1, design=SMALL, effects=(Hidden("squareness", "EC0X"),), noise="none")).model.errors
     dimensions = {name: given.parameters[name] for name in model.dimensions}
-    return IdentifyOptions(known=ErrorValues(model.name, dimensions, effects=known))
+    return IdentifyOptions(known=ErrorValues(machine=model.name, parameters=dimensions, effects=known))
 
 
 def test_a_squareness_is_told_once_and_as_the_location_error_that_it_is(tmp_path: Path) -> None:
@@ -312,16 +328,16 @@ def test_the_paper_takes_known_effects_off_and_refuses_others() -> None:
 
 def test_lost_motion_of_a_rotary_axis_in_degrees_and_radians() -> None:
     """A table C: two displacement lines on it, there and back; the reading is radius x angle, by hand."""
-    model = five_axis(Effect("backlash", "ECC"))
+    model = five_axis(Effect(kind="backlash", component="ECC"))
     width, point = 4e-5, (0.0, 150.0, 0.0)
     run = Run(
-        "C1",
-        "laser",
-        PointOn("workpiece", point),
-        PointOn("bed"),
-        "bed",
-        dict.fromkeys(model.axes, 0.0),
-        (1.0, 0.0, 0.0),
+        id="C1",
+        instrument="laser",
+        target=PointOn("workpiece", point),
+        reference=PointOn("bed"),
+        frame="bed",
+        home=dict.fromkeys(model.axes, 0.0),
+        direction=(1.0, 0.0, 0.0),
     )
     turns = np.array([*range(5, 65, 5), *range(60, 0, -5)], dtype=float)
     positions = np.zeros((5, turns.size))
@@ -333,18 +349,27 @@ def test_lost_motion_of_a_rotary_axis_in_degrees_and_radians() -> None:
     error = 0.5 * width * direction[model.axes.index("C")]
     reading = -150.0 * (np.sin(turned + error) - np.sin(turned))
     rows = Readings(
-        model.axes, ("C1",), np.zeros(24, dtype=np.int64), np.arange(24), positions, direction, reading, model.axes
+        axes=model.axes,
+        run_ids=("C1",),
+        run=np.zeros(24, dtype=np.int64),
+        seq=np.arange(24),
+        positions=positions,
+        directions=direction,
+        reading=reading,
+        given_directions=model.axes,
     )
-    given = ErrorValues("five_axis", dict.fromkeys((*model.dimensions, *model.location_errors), 0.0))
-    curves: dict[str, Curve] = {name: PolynomialCurve((), ()) for name in model.components if name != "ECC"}
+    given = ErrorValues(machine="five_axis", parameters=dict.fromkeys((*model.dimensions, *model.location_errors), 0.0))
+    curves: dict[str, Curve] = {
+        name: PolynomialCurve(powers=(), coefficients=()) for name in model.components if name != "ECC"
+    }
     known = replace(given, motion_errors=curves)
     found = identify_estimated(model, observations("readings.csv", [run], rows), IdentifyOptions("known", known))
     assert found.values.effects[0].parameters["width"] == pytest.approx(width, rel=1e-3)
     assert found.report.effects[0].parameters[0].unit == "rad"
 
 
-ZERO, BAR_ZERO = Effect("reading_zero", runs=("X-1",)), Effect("reading_zero", runs=("xy+1F500",))
-SLOPE = Effect("reading_slope", runs=("X-2",))
+ZERO, BAR_ZERO = Effect(kind="reading_zero", runs=("X-1",)), Effect(kind="reading_zero", runs=("xy+1F500",))
+SLOPE = Effect(kind="reading_slope", runs=("X-2",))
 
 
 def test_what_an_instrument_has_of_the_shape_gives_way_to_zeros_and_slopes_of_runs() -> None:
@@ -378,10 +403,10 @@ def silenced(*effects: Effect) -> dict[str, tuple[int, ...]]:
 def test_an_unknown_of_a_run_gives_way_to_an_effect_of_that_run_alone() -> None:
     assert silenced(BACKLASH) == {}
     assert silenced(ZERO, BAR_ZERO, SLOPE) == {"X-1": (0,), "xy+1F500": (0,)}
-    of_straightness = [Effect(kind, runs=("X-3",)) for kind in ("reading_zero", "reading_slope")]
+    of_straightness = [Effect(kind=kind, runs=("X-3",)) for kind in ("reading_zero", "reading_slope")]
     assert silenced(*of_straightness) == {"X-3": (0, 2)}
-    assert silenced(Effect("reading_zero", runs=("X-1", "X-2"))) == {}
-    assert silenced(Effect("reading_zero", runs=("X-1", "X-2")), ZERO) == {"X-1": (0,)}
+    assert silenced(Effect(kind="reading_zero", runs=("X-1", "X-2"))) == {}
+    assert silenced(Effect(kind="reading_zero", runs=("X-1", "X-2")), ZERO) == {"X-1": (0,)}
 
 
 def since_reversals() -> dict[float, tuple[float, float]]:
@@ -410,7 +435,7 @@ def since_reversals() -> dict[float, tuple[float, float]]:
 )
 def test_a_spike_over_time_or_path_comes_back(kind: str, name: str, truth: float) -> None:
     """Four times what the grid ends with: before the first reversal nothing has passed that a grid could go by."""
-    since, effect = since_reversals(), Effect(f"reversal_spike_{kind}", "EXX")
+    since, effect = since_reversals(), Effect(kind=f"reversal_spike_{kind}", component="EXX")
 
     def spike(row: Row) -> float:
         time, way = since.get(row.time, (0.0, 0.0))

@@ -26,7 +26,9 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> World:
 
 
 def given(one: World) -> ErrorValues:
-    return ErrorValues(one.model.name, {name: one.model.errors.parameters[name] for name in one.model.dimensions})
+    return ErrorValues(
+        machine=one.model.name, parameters={name: one.model.errors.parameters[name] for name in one.model.dimensions}
+    )
 
 
 def estimated(one: World, seed: int) -> Estimate:
@@ -112,7 +114,7 @@ def test_readings_that_hold_nothing_are_refused(small: World) -> None:
     known = replace(
         given(small),
         parameters={**given(small).parameters, **everything},
-        motion_errors=dict.fromkeys(small.model.components, PolynomialCurve((1,), (0.0,))),
+        motion_errors=dict.fromkeys(small.model.components, PolynomialCurve(powers=(1,), coefficients=(0.0,))),
     )
     with pytest.raises(NothingHeldError):
         estimate(small.model, small.plan, known)

@@ -22,7 +22,7 @@ from trueaxis.model.errors import ErrorValues
 from trueaxis.planning.candidates import Kit, candidates
 from trueaxis.planning.runs import no_runs
 
-GIVEN = ErrorValues("dmu60p")
+GIVEN = ErrorValues(machine="dmu60p")
 
 
 def noise(observed: Observations) -> dict[int, float]:

@@ -29,7 +29,9 @@ def bench(tmp_path_factory: pytest.TempPathFactory) -> tuple[World, Array]:
 
 
 def _known(one: World) -> ErrorValues:
-    return ErrorValues(one.model.name, {name: one.model.errors.parameters[name] for name in one.model.dimensions})
+    return ErrorValues(
+        machine=one.model.name, parameters={name: one.model.errors.parameters[name] for name in one.model.dimensions}
+    )
 
 
 def _estimated(one: World, reading: Array) -> Estimate:

@@ -18,8 +18,8 @@ from trueaxis.estimation.state import State, at_share, linearised, moved, starte
 from trueaxis.measurement.machine import FloatArray
 from trueaxis.model.errors import ErrorValues
 
-GIVEN = ErrorValues("dmu60p", PARAMETERS)
-SQUARE = ErrorValues("dmu60p", PARAMETERS | {"eps_xy": 0.0, "eps_xz": 0.0, "eps_yz": 0.0})
+GIVEN = ErrorValues(machine="dmu60p", parameters=PARAMETERS)
+SQUARE = ErrorValues(machine="dmu60p", parameters=PARAMETERS | {"eps_xy": 0.0, "eps_xz": 0.0, "eps_yz": 0.0})
 NOISE = 1e-4
 
 

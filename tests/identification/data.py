@@ -35,11 +35,27 @@ def with_estimation(options: IdentifyOptions, **estimation: Any) -> IdentifyOpti
 
 
 def tool(run_id: str, along: str, point: Vector, reference: PointOn = BED, home: Mapping[str, float] = HOME) -> Run:
-    return Run(run_id, "laser", PointOn("tool", point), reference, "bed", home, UNIT[along])
+    return Run(
+        id=run_id,
+        instrument="laser",
+        target=PointOn("tool", point),
+        reference=reference,
+        frame="bed",
+        home=home,
+        direction=UNIT[along],
+    )
 
 
 def table(run_id: str, along: str, point: Vector, reference: PointOn = BED, home: Mapping[str, float] = HOME) -> Run:
-    return Run(run_id, "laser", PointOn("workpiece", point), reference, "bed", home, UNIT[along])
+    return Run(
+        id=run_id,
+        instrument="laser",
+        target=PointOn("workpiece", point),
+        reference=reference,
+        frame="bed",
+        home=home,
+        direction=UNIT[along],
+    )
 
 
 def paper_runs(p9: Vector = P9_REGULAR, home: Mapping[str, float] = HOME) -> tuple[Run, ...]:
@@ -110,7 +126,9 @@ def dmu60p_model() -> MachineModel:
 
 def bar(run_id: str, height: float, length: float = 150.0) -> Run:
     tool_ball, table_ball = PointOn("tool", (0.0, 0.0, -height)), PointOn("workpiece", (20.0, 30.0, 10.0))
-    return Run(run_id, "ballbar", tool_ball, table_ball, "bed", HOME, length=length)
+    return Run(
+        id=run_id, instrument="ballbar", target=tool_ball, reference=table_ball, frame="bed", home=HOME, length=length
+    )
 
 
 def circle(run: Run, plane: tuple[int, int], count: int) -> FloatArray:

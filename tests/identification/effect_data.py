@@ -45,17 +45,17 @@ Term = Callable[[Row], float]
 
 
 def model_with(*effects: Effect) -> MachineModel:
-    return _model(DMU60P, effects, ErrorValues("dmu60p", DIMENSIONS))
+    return _model(DMU60P, effects, ErrorValues(machine="dmu60p", parameters=DIMENSIONS))
 
 
 def five_axis(*effects: Effect) -> MachineModel:
-    return _model(FIVE_AXIS, effects, ErrorValues("five_axis"))
+    return _model(FIVE_AXIS, effects, ErrorValues(machine="five_axis"))
 
 
 def _model(path: Path, effects: tuple[Effect, ...], errors: ErrorValues) -> MachineModel:
     module = kernels_at(path)
     routines = {name: getattr(module, name) for name in module.META["routines"]}
-    kernels = Kernels(module.META, module, routines, "numpy", "")
+    kernels = Kernels(meta=module.META, module=module, routines=routines, backend="numpy", note="")
     return MachineModel(replace(machine_at(path), effects=effects), kernels, errors)
 
 

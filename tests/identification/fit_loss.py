@@ -42,7 +42,9 @@ class Loss:
 
 def identified(one: World, seed: int) -> Identification:
     data = measure(one.design, draw_machine(one.design.machine, seed), seed)
-    known = ErrorValues(one.model.name, {name: one.model.errors.parameters[name] for name in one.model.dimensions})
+    known = ErrorValues(
+        machine=one.model.name, parameters={name: one.model.errors.parameters[name] for name in one.model.dimensions}
+    )
     return identify_estimated(one.model, replace(one.plan, reading=data.reading.copy()), IdentifyOptions(known=known))
 
 

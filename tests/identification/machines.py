@@ -34,7 +34,7 @@ class PlainMachine:
     dimensions: tuple[str, ...]
     location_errors: tuple[str, ...]
     name: str = "dmu60p"
-    values: ErrorValues = field(default_factory=lambda: ErrorValues("dmu60p"))
+    values: ErrorValues = field(default_factory=lambda: ErrorValues(machine="dmu60p"))
     differentiated: dict[Any, FloatArray] = field(default_factory=dict)
 
     @property

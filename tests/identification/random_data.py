@@ -101,7 +101,9 @@ def _run(rng: np.random.Generator, run_id: str, model: MachineModel) -> Run:
         axis = model.axes[rng.integers(len(model.axes))]
         home[axis] = float(rng.uniform(*model.travel[axis]))
     direction = None if kind == "ballbar" else DIRECTIONS[rng.integers(len(DIRECTIONS))]
-    return Run(run_id, kind, target, reference, "bed", home, direction)
+    return Run(
+        id=run_id, instrument=kind, target=target, reference=reference, frame="bed", home=home, direction=direction
+    )
 
 
 def _point(rng: np.random.Generator) -> Vector:

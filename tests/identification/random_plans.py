@@ -48,7 +48,7 @@ def drawn(rng: np.random.Generator, name: str, lines: int, circles: int, count: 
     """`count` readings of each of so many lines and circles."""
     model = model_of(name)
     truth = errors(rng, model)
-    model = model.with_values(ErrorValues(model.name, dimensions(model, truth)))
+    model = model.with_values(ErrorValues(machine=model.name, parameters=dimensions(model, truth)))
     runs, positions = [], []
     for number in range(lines):
         runs.append(line_run(rng, model, f"line-{number}"))
@@ -77,11 +77,11 @@ def errors(rng: np.random.Generator, model: MachineModel) -> ErrorValues:
         values = size * (s * rng.normal(size=1) + s**2 * rng.normal(size=1) + s**3 * rng.normal(size=1) + smooth)
         power = np.polynomial.Polynomial.fit(at, values - np.interp(0.0, at, values), 7, domain=[-1.0, 1.0])
         coefficients = power.coef.tolist()[1:]
-        curves[component] = PolynomialCurve(tuple(range(1, 8)), tuple(coefficients))
+        curves[component] = PolynomialCurve(powers=tuple(range(1, 8)), coefficients=tuple(coefficients))
     units = [model.machine.parameter_unit(name) for name in model.location_errors]
     located = {n: float(LOCATION[u] * rng.normal()) for n, u in zip(model.location_errors, units, strict=True)}
     sizes = {name: float(rng.uniform(-50.0, 50.0)) for name in model.dimensions}
-    return ErrorValues(model.name, {**sizes, **located}, curves)
+    return ErrorValues(machine=model.name, parameters={**sizes, **located}, motion_errors=curves)
 
 
 def dimensions(model: MachineModel, truth: ErrorValues) -> dict[str, float]:
@@ -98,7 +98,15 @@ def line_run(rng: np.random.Generator, model: MachineModel, run_id: str) -> Run:
     instrument: Instrument = "laser" if rng.random() < 0.8 else "probe"
     home = {axis: float(min(max(0.0, low), high)) for axis, (low, high) in model.travel.items()}
     unit: Vector = tuple(direction.tolist())
-    return Run(run_id, instrument, PointOn(on, point(rng)), reference, "bed", home, unit)
+    return Run(
+        id=run_id,
+        instrument=instrument,
+        target=PointOn(on, point(rng)),
+        reference=reference,
+        frame="bed",
+        home=home,
+        direction=unit,
+    )
 
 
 def point(rng: np.random.Generator) -> Vector:
@@ -132,7 +140,15 @@ def circle(rng: np.random.Generator, model: MachineModel, run_id: str, count: in
     ball = model.view_ideal("tool_in_workpiece", centre[:, np.newaxis], np.array(tool.point)[:, np.newaxis])[:, 0]
     x, y, z = ball.tolist()
     home = dict.fromkeys(model.axes, 0.0)
-    return Run(run_id, "ballbar", tool, PointOn("workpiece", (x, y, z)), "workpiece", home, length=round(radius, 3)), at
+    return Run(
+        id=run_id,
+        instrument="ballbar",
+        target=tool,
+        reference=PointOn("workpiece", (x, y, z)),
+        frame="workpiece",
+        home=home,
+        length=round(radius, 3),
+    ), at
 
 
 @dataclass(frozen=True)
@@ -153,7 +169,7 @@ class Outcome:
 
 def outcome(one: Drawn, options: IdentifyOptions, points: int = 500) -> Outcome:
     """Identify, and compare with the truth."""
-    known = ErrorValues(one.model.name, dimensions(one.model, one.truth))
+    known = ErrorValues(machine=one.model.name, parameters=dimensions(one.model, one.truth))
     try:
         found = identify_estimated(one.model, one.observed, replace(options, known=known))
     except NotConvergedError as failure:

@@ -65,10 +65,10 @@ def values_of(found: Covariance, values: FloatArray, others: dict[str, float]) -
     curves, start = {}, 0
     for name, basis in legendre(found):
         powers = values[start : start + basis.degree] @ basis.powers
-        curves[name] = PolynomialCurve(tuple(range(1, basis.degree + 1)), tuple(powers.tolist()))
+        curves[name] = PolynomialCurve(powers=tuple(range(1, basis.degree + 1)), coefficients=tuple(powers.tolist()))
         start += basis.degree
     located = dict(zip(found.locations, values[start:].tolist(), strict=True))
-    return ErrorValues("dmu60p", {**others, **located}, curves)
+    return ErrorValues(machine="dmu60p", parameters={**others, **located}, motion_errors=curves)
 
 
 @cache
@@ -82,7 +82,9 @@ def identified(squareness: Choice, count: int = 6) -> Identification:
 
 
 def model_and_covariance(squareness: Choice) -> tuple[MachineModel, Covariance]:
-    return machine().with_values(ErrorValues("dmu60p", PARAMETERS)), identified(squareness).covariance
+    return machine().with_values(ErrorValues(machine="dmu60p", parameters=PARAMETERS)), identified(
+        squareness
+    ).covariance
 
 
 def test_derivative_is_that_of_finite_differences() -> None:
@@ -128,7 +130,7 @@ def test_u_of_the_stepwise_method_is_the_scatter_of_repeated_identification(fitt
     base = identify_paper(machine(), clean, options)
     covariance, at = base.covariance, AT[:, 1:]
     tables = base.values.motion_errors
-    powers = {name: PolynomialCurve((1, 2, 3), (0.0, 0.0, 0.0)) for name in tables}
+    powers = {name: PolynomialCurve(powers=(1, 2, 3), coefficients=(0.0, 0.0, 0.0)) for name in tables}
     if fitted:
         covariance = in_polynomials(covariance, tables, powers)
     for _ in range(60):
@@ -151,7 +153,7 @@ def cubic(curve: Curve) -> PolynomialCurve:
     weights = 1.0 / u if np.isfinite(u).all() and (u > 0.0).all() else np.ones(u.size)
     x, y = x[x != 0.0] / 700.0, y[x != 0.0]
     found = np.linalg.lstsq(weights[:, np.newaxis] * x[:, np.newaxis] ** [1, 2, 3], weights * y, rcond=None)[0]
-    return PolynomialCurve((1, 2, 3), tuple((found / 700.0 ** np.array([1, 2, 3])).tolist()))
+    return PolynomialCurve(powers=(1, 2, 3), coefficients=tuple((found / 700.0 ** np.array([1, 2, 3])).tolist()))
 
 
 def operator(data: Observations, found: Identification) -> FloatArray:

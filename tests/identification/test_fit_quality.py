@@ -23,7 +23,16 @@ from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.errors import ErrorValues
 
 RUNS = tuple(
-    Run(name, "laser", PointOn("tool"), PointOn("bed"), "bed", {"X": 0.0}, (1.0, 0.0, 0.0)) for name in ("a", "b")
+    Run(
+        id=name,
+        instrument="laser",
+        target=PointOn("tool"),
+        reference=PointOn("bed"),
+        frame="bed",
+        home={"X": 0.0},
+        direction=(1.0, 0.0, 0.0),
+    )
+    for name in ("a", "b")
 )
 
 
@@ -93,7 +102,7 @@ def wrong_centre(one: Drawn) -> Drawn:
 def test_a_fit_that_leads_away_is_none_that_converged(prior: bool) -> None:
     """With a ball 200 mm off coefficients grew to 1e43 and were written."""
     one = wrong_centre(drawn(np.random.default_rng(3), "dmu60p", 2, 2, 60, 0.3))
-    known = ErrorValues("dmu60p", one.truth.parameters)
+    known = ErrorValues(machine="dmu60p", parameters=one.truth.parameters)
     options = IdentifyOptions(known=known, estimation=EstimationOptions(prior=prior, degree=5))
     if prior:
         with pytest.raises(NotConvergedError) as caught:
@@ -214,7 +223,7 @@ def test_nothing_is_written_where_the_fit_has_not_converged(
 
 def test_the_paper_method_checks_its_convergence(monkeypatch: pytest.MonkeyPatch) -> None:
     one = drawn(np.random.default_rng(0), "dmu60p", 3, 0, 5, 0.3)
-    options = PaperOptions(known=ErrorValues("dmu60p", one.truth.parameters))
+    options = PaperOptions(known=ErrorValues(machine="dmu60p", parameters=one.truth.parameters))
     identify_paper(one.model, one.observed, options)
     monkeypatch.setattr("trueaxis.identification.paper.solution.MOST_ITERATIONS", 1)
     with pytest.raises(NotConvergedError):

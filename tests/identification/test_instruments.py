@@ -235,13 +235,13 @@ def test_sphere_on_a_turning_table_and_zero_of_the_probe(frame: str) -> None:
     for name, direction in zip("xyz", np.eye(3), strict=True):
         runs.append(
             Run(
-                name,
-                "probe",
-                PointOn("tool"),
-                PointOn("workpiece", tuple(sphere.tolist())),
-                frame,  # type: ignore[arg-type]
-                home,
-                tuple(direction.tolist()),
+                id=name,
+                instrument="probe",
+                target=PointOn("tool"),
+                reference=PointOn("workpiece", tuple(sphere.tolist())),
+                frame=frame,  # type: ignore[arg-type]
+                home=home,
+                direction=tuple(direction.tolist()),
             )
         )
         for column in at.T:

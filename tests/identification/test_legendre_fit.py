@@ -32,8 +32,11 @@ def machine() -> Machine:
 
 def estimate_of(coefficients: dict[str, FloatArray], root: FloatArray) -> tuple[ErrorValues, Covariance]:
     basis = travel_basis(TRAVEL, DEGREE)
-    curves = {name: LegendreCurve(basis, tuple(c.tolist()), measured=TRAVEL) for name, c in coefficients.items()}
-    errors = ErrorValues("dmu60p", {"eps_xy": 2e-5}, curves)
+    curves = {
+        name: LegendreCurve(basis=basis, coefficients=tuple(c.tolist()), measured=TRAVEL)
+        for name, c in coefficients.items()
+    }
+    errors = ErrorValues(machine="dmu60p", parameters={"eps_xy": 2e-5}, motion_errors=curves)
     covariance = Covariance(
         machine="dmu60p",
         components=tuple(map(ErrorName, curves)),
@@ -134,7 +137,7 @@ def test_where_a_curve_is_sampled_makes_no_difference() -> None:
     root = 1e-4 * draw.normal(size=(DEGREE + 3, DEGREE + 3))
     white: FloatArray = np.asarray(np.linalg.inv(root))
     precision = np.linalg.inv(root @ root.T)
-    curve = LegendreCurve(travel_basis(TRAVEL, DEGREE), tuple(cubic().tolist()))
+    curve = LegendreCurve(basis=travel_basis(TRAVEL, DEGREE), coefficients=tuple(cubic().tolist()))
     even = legendre_samples(curve, white[:, :DEGREE], 5)
     at = np.sort(draw.uniform(150.0, 540.0, DEGREE))
     given_others = np.linalg.inv(precision[:DEGREE, :DEGREE])

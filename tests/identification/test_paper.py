@@ -31,9 +31,9 @@ from trueaxis.model.errors import ErrorValues
 
 LEVER = 700.0
 DIMENSIONS = {name: value for name, value in PARAMETERS.items() if name.startswith("q")}
-KNOWN = PaperOptions("known", ErrorValues("dmu60p", parameters=PARAMETERS))
-CONVENTION = PaperOptions("convention", ErrorValues("dmu60p", parameters=DIMENSIONS))
-SECT36 = PaperOptions("from-angles", ErrorValues("dmu60p", parameters=DIMENSIONS))
+KNOWN = PaperOptions("known", ErrorValues(machine="dmu60p", parameters=PARAMETERS))
+CONVENTION = PaperOptions("convention", ErrorValues(machine="dmu60p", parameters=DIMENSIONS))
+SECT36 = PaperOptions("from-angles", ErrorValues(machine="dmu60p", parameters=DIMENSIONS))
 
 
 def off(found: Identification, truth: dict[str, Function], name: str) -> float:
@@ -283,14 +283,22 @@ def test_known_components_are_not_identified_but_used() -> None:
     full = identify_paper(dmu60p(), data, KNOWN).values
     given = {name: full.motion_errors[name] for name in ("EXX", "EBX", "ECX")}
     keep = np.flatnonzero(np.isin(data.run, [i for i, run in enumerate(data.runs) if moving(run) != "X"]))
-    options = replace(KNOWN, known=ErrorValues("dmu60p", PARAMETERS, given))
+    options = replace(KNOWN, known=ErrorValues(machine="dmu60p", parameters=PARAMETERS, motion_errors=given))
     found = identify_paper(dmu60p(), data.of(keep), options)
     assert max(off(found, truth, name) for name in truth) < 1e-12
     assert {part.name for part in found.report.components if part.known == "given"} == set(given)
 
 
 def test_ball_bar_runs_are_left_out_and_alone_refused() -> None:
-    bar = Run("bar", "ballbar", PointOn("tool"), PointOn("workpiece"), "bed", {}, length=100.0)
+    bar = Run(
+        id="bar",
+        instrument="ballbar",
+        target=PointOn("tool"),
+        reference=PointOn("workpiece"),
+        frame="bed",
+        home={},
+        length=100.0,
+    )
     laser = paper_data(generator(cubic_errors()), 4)
     both = Observations(
         laser.source,

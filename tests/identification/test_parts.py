@@ -99,7 +99,7 @@ def test_accumulated_slope_sums_outwards_on_both_sides() -> None:
 
 
 def test_axis_lines_are_those_of_table_2() -> None:
-    machine = dmu60p().with_values(ErrorValues("dmu60p", PARAMETERS))
+    machine = dmu60p().with_values(ErrorValues(machine="dmu60p", parameters=PARAMETERS))
     lines = {line.axis: line for line in axis_lines(machine)}
     assert machine.location_errors == ("eps_xy", "eps_yz", "eps_xz")
     assert np.allclose(lines["X"].by_location, [[0, 0, 0], [1, 0, 0], [0, 0, 0]])
@@ -131,7 +131,7 @@ def test_tables_become_polynomials() -> None:
 
 
 def test_report_reads_well_and_is_json() -> None:
-    options = PaperOptions("known", ErrorValues("dmu60p", PARAMETERS), noise_um=0.3)
+    options = PaperOptions("known", ErrorValues(machine="dmu60p", parameters=PARAMETERS), noise_um=0.3)
     report = identify_paper(dmu60p(), paper_data(generator(cubic_errors()), 4, P9_PRINTED), options).report
     text = report_text(report)
     assert "RANK 6 OF 9" in text

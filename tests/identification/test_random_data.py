@@ -27,7 +27,9 @@ def test_tiny_data_end_as_they_should(seed: int, tmp_path: Path) -> None:
 def test_one_line_is_enough_to_end_well(prior: bool) -> None:
     """Far fewer readings than unknowns, without noise: nothing is singular, and what is not read stays zero."""
     data = observed(generator(cubic_errors()), [tool("X-1", "x", (0.0, 0.0, 0.0), PointOn("bed"))], [line("X", 9)])
-    options = IdentifyOptions(known=ErrorValues("dmu60p", PARAMETERS), estimation=EstimationOptions(prior=prior))
+    options = IdentifyOptions(
+        known=ErrorValues(machine="dmu60p", parameters=PARAMETERS), estimation=EstimationOptions(prior=prior)
+    )
     found = identify_estimated(dmu60p_model(), data, options)
     assert found.values.fit is not None
     assert found.values.fit.state == "converged"

@@ -11,7 +11,16 @@ from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.errors import Fit
 
 RUNS = tuple(
-    Run(f"run-{k}", "laser", PointOn("tool"), PointOn("bed"), "bed", {"X": 0.0}, (1.0, 0.0, 0.0)) for k in range(40)
+    Run(
+        id=f"run-{k}",
+        instrument="laser",
+        target=PointOn("tool"),
+        reference=PointOn("bed"),
+        frame="bed",
+        home={"X": 0.0},
+        direction=(1.0, 0.0, 0.0),
+    )
+    for k in range(40)
 )
 EACH = 25  # readings
 

@@ -31,7 +31,7 @@ def quadratic() -> dict[str, PolynomialCurve]:
     """So small that the exact model is linear within rounding."""
     source = np.random.default_rng(6)
     return {
-        name: PolynomialCurve((1, 2), (float(a) / TRAVEL[name[2]], float(b) / TRAVEL[name[2]] ** 2))
+        name: PolynomialCurve(powers=(1, 2), coefficients=(float(a) / TRAVEL[name[2]], float(b) / TRAVEL[name[2]] ** 2))
         for name in dmu60p_model().components
         for a, b in [source.normal(0.0, 3e-3 if name[1] in "XYZ" else 4e-6, 2)]
     }
@@ -63,7 +63,11 @@ def jacobian() -> FloatArray:
         ends = [
             expected_readings(
                 machine.with_values(
-                    ErrorValues("dmu60p", PARAMETERS, {name: PolynomialCurve((power,), (sign * step,))})
+                    ErrorValues(
+                        machine="dmu60p",
+                        parameters=PARAMETERS,
+                        motion_errors={name: PolynomialCurve(powers=(power,), coefficients=(sign * step,))},
+                    )
                 ),
                 data.runs,
                 data.run,
@@ -81,7 +85,7 @@ def size(name: str, power: int) -> float:
 
 def right() -> FloatArray:
     """Readings less those of the machine with its location errors alone."""
-    machine, data = dmu60p_model().with_values(ErrorValues("dmu60p", PARAMETERS)), scattered()
+    machine, data = dmu60p_model().with_values(ErrorValues(machine="dmu60p", parameters=PARAMETERS)), scattered()
     return data.reading - expected_readings(machine, data.runs, data.run, data.positions)
 
 
@@ -122,7 +126,7 @@ def test_with_outliers_the_fit_is_that_of_the_other_readings() -> None:
 
 def test_runs_that_are_far_from_zero_are_told() -> None:
     data = scattered()
-    real = IdentifyOptions(known=ErrorValues("dmu60p", PARAMETERS), squareness="known")
+    real = IdentifyOptions(known=ErrorValues(machine="dmu60p", parameters=PARAMETERS), squareness="known")
     off = data.reading + np.where(data.run == 4, 0.4, 0.0)
     found, shifted = (
         identify_estimated(dmu60p_model(), one, real).report.notes for one in (data, replace(data, reading=off))

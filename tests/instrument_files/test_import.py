@@ -387,7 +387,15 @@ def test_odd_names_of_runs_read_back(tmp_path: Path) -> None:
     words = ["--map", "axis=X", "target.point=0,0,0", "at.Y=0", "at.Z=0"]
     data = imported(tmp_path / "data", tmp_path / "x.csv", *words)
     assert data.setup.runs[0].id == 'a "b" \\ c'
-    run = Run("é\u202e", "probe", PointOn("tool"), PointOn("bed"), "bed", {"X": 0.1}, (0.0, 0.0, 1.0))
+    run = Run(
+        id="é\u202e",
+        instrument="probe",
+        target=PointOn("tool"),
+        reference=PointOn("bed"),
+        frame="bed",
+        home={"X": 0.1},
+        direction=(0.0, 0.0, 1.0),
+    )
     assert "\u202e" not in run_table(run)
     table = tomllib.loads(run_table(replace(run, device=Device(id="XL"), session="monday")))["run"][0]
     assert (table["device"], table["session"]) == ("XL", "monday")

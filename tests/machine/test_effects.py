@@ -39,29 +39,29 @@ def test_effects_stand_in_the_order_of_the_spec() -> None:
         + effect(kind="ballbar_centre")
     )
     assert machine_of(MILL + text).effects == (
-        Effect("servo_lag", "EXX"),
-        Effect("cross_axis", "EZX", "Y"),
-        Effect("laser_cosine", runs=("X2", "X1")),
-        Effect("laser_cosine"),
-        Effect("ballbar_length"),
-        Effect("point_offset", runs=("X1",), end="target"),
-        Effect("point_offset", runs=("X1",), end="reference"),
-        Effect("ballbar_centre"),
+        Effect(kind="servo_lag", component="EXX"),
+        Effect(kind="cross_axis", component="EZX", axis="Y"),
+        Effect(kind="laser_cosine", runs=("X2", "X1")),
+        Effect(kind="laser_cosine"),
+        Effect(kind="ballbar_length"),
+        Effect(kind="point_offset", runs=("X1",), end="target"),
+        Effect(kind="point_offset", runs=("X1",), end="reference"),
+        Effect(kind="ballbar_centre"),
     )
 
 
 def test_an_own_kind_is_as_its_table_says() -> None:
     machine = machine_of(MILL + SAG + effect(kind="table_sag", component="ECX"))
-    assert machine.effects == (Effect("table_sag", "ECX"),)
+    assert machine.effects == (Effect(kind="table_sag", component="ECX"),)
     assert machine.kinds["table_sag"] == Kind(
-        "table_sag",
-        "component",
-        "sag*s*(1 - s)*T*cos(q/period)",
-        (
-            Parameter("sag", "u/K", "in the middle"),
-            Parameter("period", "axis", "period", "grid", "given", (5.0, 10.0)),
+        name="table_sag",
+        place="component",
+        expression="sag*s*(1 - s)*T*cos(q/period)",
+        parameters=(
+            Parameter(name="sag", unit="u/K", meaning="in the middle"),
+            Parameter(name="period", unit="axis", meaning="period", role="grid", grid="given", values=(5.0, 10.0)),
         ),
-        "the table sags",
+        sentence="the table sags",
         directions=("turn",),
         components=("EZY",),
     )
@@ -246,7 +246,7 @@ def test_there_may_be_so_many_kinds_and_no_more() -> None:
 
 def test_rotary_axes_and_their_positioning_errors() -> None:
     text = serial_text("C", "XYZ") + effect(kind="servo_lag", component="ECC")
-    assert machine_of(text).effects == (Effect("servo_lag", "ECC"),)
+    assert machine_of(text).effects == (Effect(kind="servo_lag", component="ECC"),)
     text = serial_text("C", "XYZ") + effect(kind="squareness", component="EA0C")
     assert machine_of(text).location_errors == ("EA0C",)
     (fault,) = faults_of(serial_text("C", "XYZ") + effect(kind="squareness", component="EC0C"))

@@ -63,11 +63,11 @@ def model(spec: Path) -> MachineModel:
         reach = max(abs(end) for end in machine.travel[name.axis])
         size = 1e-4 if name.is_rotation else 0.05
         drawn = source.normal(0.0, size, 2) / np.array([1.0, reach])
-        curves[name] = PolynomialCurve((0, 1), tuple(drawn.tolist()))
+        curves[name] = PolynomialCurve(powers=(0, 1), coefficients=tuple(drawn.tolist()))
     values = {name: float(source.normal(0.0, 100.0)) for name in machine.dimensions}
     values |= {name: float(source.normal(0.0, 1e-4)) for name in machine.location_errors}
     kernels = load_kernels(machine, spec, emitted(TRUE), backend="numpy")
-    return MachineModel(machine, kernels, ErrorValues(machine.name, values, curves))
+    return MachineModel(machine, kernels, ErrorValues(machine=machine.name, parameters=values, motion_errors=curves))
 
 
 HOME = {"X": 20.0, "Y": -30.0, "Z": 10.0, "A": 0.0, "B": 0.0, "C": 0.0}
@@ -80,8 +80,15 @@ RUNS = [
 
 def angle_run(machine: MachineModel, target: str, reference: str, frame: str) -> Run:
     home = {axis: HOME[axis] for axis in machine.axes}
-    ends = PointOn(target), PointOn(reference)  # type: ignore[arg-type]
-    return Run("A", "angle", *ends, frame, home, AXIS)  # type: ignore[arg-type]
+    return Run(
+        id="A",
+        instrument="angle",
+        target=PointOn(target),  # type: ignore[arg-type]
+        reference=PointOn(reference),  # type: ignore[arg-type]
+        frame=frame,  # type: ignore[arg-type]
+        home=home,
+        direction=AXIS,
+    )
 
 
 def poses(machine: MachineModel, count: int = 6) -> np.ndarray:
@@ -120,13 +127,13 @@ def test_its_derivative_is_that_of_the_exact_reading(model: MachineModel) -> Non
     run, positions = angle_run(model, "tool", "workpiece", "bed"), poses(model)
     slopes = sensed(model, run, positions) - sensed_at_home(model, run)
     nothing = model.with_values(
-        ErrorValues(model.name, {name: model.errors.parameters[name] for name in model.dimensions})
+        ErrorValues(machine=model.name, parameters={name: model.errors.parameters[name] for name in model.dimensions})
     )
     step = 1e-7
     for row, name in enumerate((*model.components, *model.location_errors)):
         values = nothing.errors
         if name in model.components:
-            values = replace(values, motion_errors={name: PolynomialCurve((0,), (step,))})
+            values = replace(values, motion_errors={name: PolynomialCurve(powers=(0,), coefficients=(step,))})
         else:
             values = replace(values, parameters={**values.parameters, name: step})
         quotient = expected_reading(nothing.with_values(values), run, positions) / step

@@ -21,11 +21,28 @@ HOME = {"X": 0.0, "Y": 0.0, "Z": 0.0}
 
 
 def laser(run_id: str, direction: Any = (1.0, 0.0, 0.0), **home: float) -> Run:
-    return Run(run_id, "laser", PointOn("tool"), PointOn("bed"), "bed", {**HOME, **home}, direction)
+    return Run(
+        id=run_id,
+        instrument="laser",
+        target=PointOn("tool"),
+        reference=PointOn("bed"),
+        frame="bed",
+        home={**HOME, **home},
+        direction=direction,
+    )
 
 
 def bar(run_id: str) -> Run:
-    return Run(run_id, "ballbar", PointOn("tool"), PointOn("workpiece"), "bed", HOME, None, 100.0)
+    return Run(
+        id=run_id,
+        instrument="ballbar",
+        target=PointOn("tool"),
+        reference=PointOn("workpiece"),
+        frame="bed",
+        home=HOME,
+        direction=None,
+        length=100.0,
+    )
 
 
 def readings(runs: tuple[Run, ...], paths: list[Any], **columns: Any) -> Readings:
@@ -43,7 +60,16 @@ def readings(runs: tuple[Run, ...], paths: list[Any], **columns: Any) -> Reading
     )
     given: dict[str, Any] = {name: np.array(values, dtype=float) for name, values in columns.items()}
     ids = tuple(one.id for one in runs)
-    return Readings(AXES, ids, run, seq, positions, directions, np.zeros(run.size), **given)
+    return Readings(
+        axes=AXES,
+        run_ids=ids,
+        run=run,
+        seq=seq,
+        positions=positions,
+        directions=directions,
+        reading=np.zeros(run.size),
+        **given,
+    )
 
 
 THERE_AND_BACK = [[0, 10, 30, 30, 20, 20, 0, 5], [0, 0, 0, 1, 1, 1, 1, 1], [7, 7, 7, 7, 7, 7, 7, 7]]

@@ -164,7 +164,18 @@ def test_thousands_of_runs_take_seconds(tmp_path: Path) -> None:
         read_setup(path, Dmu60pAxes())
     assert [fault.place for fault in raised.value.faults] == [f"line {2 + 8 * count + 1}, key run[{count - 1}].odd"]
     home = {"X": 0.0, "Y": 0.0, "Z": 0.0}
-    runs = [Run(name, "laser", PointOn("tool"), PointOn("bed"), "bed", home, (1.0, 0.0, 0.0)) for name in names]
+    runs = [
+        Run(
+            id=name,
+            instrument="laser",
+            target=PointOn("tool"),
+            reference=PointOn("bed"),
+            frame="bed",
+            home=home,
+            direction=(1.0, 0.0, 0.0),
+        )
+        for name in names
+    ]
     rows = "".join(f"{name},{seq},{20 * seq},0,0,0\n" for name in names for seq in (2, 1, 3))
     table = tmp_path / "readings.csv"
     table.write_text("run,seq,X,Y,Z,reading\n" + rows)

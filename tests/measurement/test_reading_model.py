@@ -29,12 +29,29 @@ AWAY = {"X": 100.0, "Y": 250.0, "Z": 333.0}
 
 
 def laser_run(target: PointOn, reference: PointOn, **changes: object) -> Run:
-    run = Run("R", "laser", target, reference, "bed", ZERO, (1.0, 0.0, 0.0))
+    run = Run(
+        id="R",
+        instrument="laser",
+        target=target,
+        reference=reference,
+        frame="bed",
+        home=ZERO,
+        direction=(1.0, 0.0, 0.0),
+    )
     return replace(run, **changes)  # type: ignore[arg-type]
 
 
 def bar_run(target: PointOn, reference: PointOn, length: float = 300.0) -> Run:
-    return Run("B", "ballbar", target, reference, "bed", ZERO, None, length)
+    return Run(
+        id="B",
+        instrument="ballbar",
+        target=target,
+        reference=reference,
+        frame="bed",
+        home=ZERO,
+        direction=None,
+        length=length,
+    )
 
 
 LASERS = [

@@ -19,7 +19,16 @@ from trueaxis.measurement.setup import PointOn, Run
 
 HOME = {"X": 0.0, "Y": 0.0, "Z": 0.0}
 RUNS = tuple(
-    Run(name, "laser", PointOn("tool"), PointOn("bed"), "bed", HOME, (1.0, 0.0, 0.0)) for name in ("X1", "b, c")
+    Run(
+        id=name,
+        instrument="laser",
+        target=PointOn("tool"),
+        reference=PointOn("bed"),
+        frame="bed",
+        home=HOME,
+        direction=(1.0, 0.0, 0.0),
+    )
+    for name in ("X1", "b, c")
 )
 
 VALID = """run,seq,time_s,X,Y,Z,reading
@@ -163,7 +172,16 @@ def test_directions_follow_seq_not_the_order_of_lines_and_are_kept_while_an_axis
 
 
 def test_a_ball_bar_run_starts_where_it_is_first_read(tmp_path: Path) -> None:
-    bar = Run("bar", "ballbar", PointOn("tool"), PointOn("workpiece"), "bed", HOME, None, 300.0)
+    bar = Run(
+        id="bar",
+        instrument="ballbar",
+        target=PointOn("tool"),
+        reference=PointOn("workpiece"),
+        frame="bed",
+        home=HOME,
+        direction=None,
+        length=300.0,
+    )
     text = "run,seq,X,Y,Z,reading\nbar,1,300,5,0,\nbar,2,290,5,0,\n"
     assert read_text(tmp_path, text, (bar,)).directions.tolist() == [[0, -1], [0, 0], [0, 0]]
 

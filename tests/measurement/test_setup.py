@@ -76,38 +76,39 @@ def test_defaults_are_bed_and_home_at_zero(tmp_path: Path) -> None:
     assert run.direction == (0.0, 0.6, 0.8)
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "expected"),
-    [
-        ("schema = 1", "schema = 2", "line 1, key schema: 2 is not a schema"),
-        ('"dmu60p"', '"other"', "line 2, key machine: 'other' is another machine; machine = \"dmu60p\""),
-        ('id = "X1"', 'id = "XY-300-cw"', 'line 12, key run[1].id: "XY-300-cw" names another run already'),
-        ('id = "X1"\n', "", "line 3, key run[0].id: is missing"),
-        ('id = "X1"', 'id = " X1"', "line 4, key run[0].id: is ' X1'"),
-        ('"laser"  ', '"lazer"  ', "line 5, key run[0].instrument: is 'lazer'"),
-        ("[1.0, 0.0, 0.0]  ", "[0.7071, 0.7071, 0.0] ", "line 6, key run[0].direction: has length 0.99999"),
-        ("[1.0, 0.0, 0.0]  ", "[0, 0, 0] ", "line 6, key run[0].direction: has length 0 where a unit vector has 1"),
-        ("[1.0, 0.0, 0.0]  ", "[nan, 0, 0] ", "line 6, key run[0].direction: is [nan, 0, 0]"),
-        ("[1.0, 0.0, 0.0]  ", "[1.0, 0.0] ", "line 6, key run[0].direction: is [1.0, 0.0]"),
-        ("direction = [1.0, 0.0, 0.0]", "", "line 3, key run[0].direction: is missing"),
-        ('"bed"     ', '"tool"   ', "line 7, key run[0].frame: is 'tool'"),
-        ('{ on = "tool", point = [167.0', '{ on = "bed", point = [167.0', "line 8, key run[0].target.on: is 'bed'"),
-        ("point = [167.0, 30.0, -195.0]", "pt = [1, 2, 3]", "line 8, key run[0].target.point: is missing"),
-        ("point = [167.0, 30.0, -195.0]", "pt = [1, 2, 3]", "line 8, key run[0].target.pt: is not a key"),
-        ("{ on = \"bed\" }", '"bed"', "line 9, key run[0].reference: is 'bed'"),
-        ("home = { X = 0.0,", "home = { A = 0.0,", "line 10, key run[0].home.A: machine dmu60p has no axis A"),
-        ("home = { X = 0.0,", "home = { X = 541.0,", "line 10, key run[0].home.X: 541.0 is outside the travel"),
-        ("home = { X = 0.0,", 'home = { X = "0",', "line 10, key run[0].home.X: is '0'; a finite number"),
-        ("length = 300.0", "", "line 11, key run[1].length: is missing; the nominal length of the ball bar"),
-        ("length = 300.0", "length = 0", "line 14, key run[1].length: is 0"),
-        ("length = 300.0", "length = inf", "line 14, key run[1].length: is inf"),
-        ("length = 300.0", "length = 3.0\ndirection = [1, 0, 0]", "line 15, key run[1].direction: a ball bar senses"),
-        ('home = { X', 'length = 1.0\nhome = { X', "line 10, key run[0].length: a laser has no length"),
-        ("reference = { on = \"workpiece\"", "ref = { on = \"workpiece\"", "line 11, key run[1].reference: is missing"),
-        ('{ on = "workpiece", point = [270', '{ on = "tool", point = [270', "line 16, key run[1].reference: both"),
-        ("[[run]]\nid", "[run]\nid", "line 11: is not TOML: Cannot"),
-    ],
-)  # fmt: skip
+# What of the contract is replaced by what, and how the fault begins.
+FAULTS = [
+    ("schema = 1", "schema = 2", "line 1, key schema: 2 is not a schema"),
+    ('"dmu60p"', '"other"', "line 2, key machine: 'other' is another machine; machine = \"dmu60p\""),
+    ('id = "X1"', 'id = "XY-300-cw"', 'line 12, key run[1].id: "XY-300-cw" names another run already'),
+    ('id = "X1"\n', "", "line 3, key run[0].id: is missing"),
+    ('id = "X1"', 'id = " X1"', "line 4, key run[0].id: is ' X1'"),
+    ('"laser"  ', '"lazer"  ', "line 5, key run[0].instrument: is 'lazer'"),
+    ("[1.0, 0.0, 0.0]  ", "[0.7071, 0.7071, 0.0] ", "line 6, key run[0].direction: has length 0.99999"),
+    ("[1.0, 0.0, 0.0]  ", "[0, 0, 0] ", "line 6, key run[0].direction: has length 0 where a unit vector has 1"),
+    ("[1.0, 0.0, 0.0]  ", "[nan, 0, 0] ", "line 6, key run[0].direction: is [nan, 0, 0]"),
+    ("[1.0, 0.0, 0.0]  ", "[1.0, 0.0] ", "line 6, key run[0].direction: is [1.0, 0.0]"),
+    ("direction = [1.0, 0.0, 0.0]", "", "line 3, key run[0].direction: is missing"),
+    ('"bed"     ', '"tool"   ', "line 7, key run[0].frame: is 'tool'"),
+    ('{ on = "tool", point = [167.0', '{ on = "bed", point = [167.0', "line 8, key run[0].target.on: is 'bed'"),
+    ("point = [167.0, 30.0, -195.0]", "pt = [1, 2, 3]", "line 8, key run[0].target.point: is missing"),
+    ("point = [167.0, 30.0, -195.0]", "pt = [1, 2, 3]", "line 8, key run[0].target.pt: is not a key"),
+    ("{ on = \"bed\" }", '"bed"', "line 9, key run[0].reference: is 'bed'"),
+    ("home = { X = 0.0,", "home = { A = 0.0,", "line 10, key run[0].home.A: machine dmu60p has no axis A"),
+    ("home = { X = 0.0,", "home = { X = 541.0,", "line 10, key run[0].home.X: 541.0 is outside the travel"),
+    ("home = { X = 0.0,", 'home = { X = "0",', "line 10, key run[0].home.X: is '0'; a finite number"),
+    ("length = 300.0", "", "line 11, key run[1].length: is missing; the nominal length of the ball bar"),
+    ("length = 300.0", "length = 0", "line 14, key run[1].length: is 0"),
+    ("length = 300.0", "length = inf", "line 14, key run[1].length: is inf"),
+    ("length = 300.0", "length = 3.0\ndirection = [1, 0, 0]", "line 15, key run[1].direction: a ball bar senses"),
+    ('home = { X', 'length = 1.0\nhome = { X', "line 10, key run[0].length: a laser has no length"),
+    ("reference = { on = \"workpiece\"", "ref = { on = \"workpiece\"", "line 11, key run[1].reference: is missing"),
+    ('{ on = "workpiece", point = [270', '{ on = "tool", point = [270', "line 16, key run[1].reference: both"),
+    ("[[run]]\nid", "[run]\nid", "line 11: is not TOML: Cannot"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "expected"), FAULTS)
 def test_each_fault_has_its_line_key_and_remedy(tmp_path: Path, old: str, new: str, expected: str) -> None:
     assert old in CONTRACT
     found = faults_of(tmp_path, CONTRACT.replace(old, new, 1))

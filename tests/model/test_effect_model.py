@@ -17,11 +17,11 @@ from trueaxis.model.model import MachineModel, load_model
 
 AT = np.array([[10.0, 200.0, -50.0], [0.0, 5.0, 7.0], [1.0, 2.0, 3.0]])
 TOOL = np.zeros((3, 1))
-CURVES = {"EXX": PolynomialCurve((1,), (1e-5,))}
-BACKLASH = EffectValues(Effect("backlash", "EXX"), {"width": 4e-3})
-COUPLED = EffectValues(Effect("cross_axis", "EXX", "Y"), {"k": 1e-3})
-DRIFT = EffectValues(Effect("drift", "EXX"), {"rate": 1e-6})
-SQUARENESS = EffectValues(Effect("squareness", "EC0Y"), {"angle": 1e-5})
+CURVES = {"EXX": PolynomialCurve(powers=(1,), coefficients=(1e-5,))}
+BACKLASH = EffectValues(Effect(kind="backlash", component="EXX"), {"width": 4e-3})
+COUPLED = EffectValues(Effect(kind="cross_axis", component="EXX", axis="Y"), {"k": 1e-3})
+DRIFT = EffectValues(Effect(kind="drift", component="EXX"), {"rate": 1e-6})
+SQUARENESS = EffectValues(Effect(kind="squareness", component="EC0Y"), {"angle": 1e-5})
 
 
 @pytest.fixture(scope="module", params=["numpy", "c"])
@@ -31,7 +31,7 @@ def model(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
 
 
 def with_effects(model: MachineModel, *effects: EffectValues) -> MachineModel:
-    return model.with_values(ErrorValues("test", {}, CURVES, effects=effects))
+    return model.with_values(ErrorValues(machine="test", parameters={}, motion_errors=CURVES, effects=effects))
 
 
 def context(**columns: Any) -> Context:
@@ -51,9 +51,9 @@ def test_a_term_is_added_to_the_curve_of_its_component_in_every_view(model: Mach
 
 def test_without_a_context_axes_stand_and_positions_still_count(model: MachineModel) -> None:
     row = model.components.index("EXX")
-    moving = [BACKLASH, DRIFT, EffectValues(Effect("servo_lag", "EXX"), {"tau": 1.0})]
-    moving += [EffectValues(Effect("thermal_expansion", "EXX"), {"coefficient": 1.0})]
-    moving += [EffectValues(Effect("reversal_spike", "EXX"), {"height": 1.0, "decay": 1.0})]
+    moving = [BACKLASH, DRIFT, EffectValues(Effect(kind="servo_lag", component="EXX"), {"tau": 1.0})]
+    moving += [EffectValues(Effect(kind="thermal_expansion", component="EXX"), {"coefficient": 1.0})]
+    moving += [EffectValues(Effect(kind="reversal_spike", component="EXX"), {"height": 1.0, "decay": 1.0})]
     found = with_effects(model, *moving, COUPLED).component_errors(AT)[row]
     x, y = ((AT[index] - TRAVEL[0]) / (TRAVEL[1] - TRAVEL[0]) for index in (0, 1))
     np.testing.assert_allclose(found, 1e-5 * AT[0] + 1e-3 * x * y**2, rtol=1e-13)
@@ -68,20 +68,20 @@ def test_what_the_context_does_not_know_is_unknown_in_that_row_alone(model: Mach
 
 
 def test_a_step_at_an_unknown_time_is_unknown(model: MachineModel) -> None:
-    step = Effect("laser_step", runs=("X1",))
+    step = Effect(kind="laser_step", runs=("X1",))
     nothing, time = np.full(3, np.nan), np.array([1.0, np.nan, 3.0])
     term = reading_term(
         model.kernels,
         model.machine,
         step,
         np.array([0.5, 2.0]),
-        ReadingContext(nothing, nothing, nothing, time, nothing),
+        ReadingContext(along=nothing, theta=nothing, way=nothing, time=time, temperature=nothing),
     )
     np.testing.assert_array_equal(term[0], [0.0, np.nan, 0.5])
 
 
 def test_before_the_first_reversal_a_spike_and_its_derivatives_are_zero(model: MachineModel) -> None:
-    spike = Effect("reversal_spike", "EXX")
+    spike = Effect(kind="reversal_spike", component="EXX")
     moved = context(directions=np.ones((3, 3)))
     term = component_term(model.kernels, model.machine, spike, np.array([1e-3, 5.0]), AT, moved)
     assert term.shape == (3, 3)
@@ -94,17 +94,26 @@ def test_spikes_over_time_and_path_take_what_has_passed_of_it(model: MachineMode
     passed[0] = [0.0, 2.0, np.nan]
     name = "time_since" if kind == "reversal_spike_time" else "path_since"
     moved = context(directions=-np.ones((3, 3)), **{name: passed})
-    term = component_term(model.kernels, model.machine, Effect(kind, "EXX"), np.array([1e-3, 4.0]), AT, moved)
+    term = component_term(
+        model.kernels, model.machine, Effect(kind=kind, component="EXX"), np.array([1e-3, 4.0]), AT, moved
+    )
     np.testing.assert_allclose(term[0], [-1e-3, -1e-3 * np.exp(-0.5), np.nan], rtol=1e-14)
-    other = component_term(model.kernels, model.machine, Effect(kind, "EYY"), np.array([1e-3, 4.0]), AT, moved)
+    other = component_term(
+        model.kernels, model.machine, Effect(kind=kind, component="EYY"), np.array([1e-3, 4.0]), AT, moved
+    )
     assert not other.any()  # Y has not turned back
 
 
+def reading_context(values: np.ndarray) -> ReadingContext:
+    """Everything at the same values."""
+    return ReadingContext(along=values, theta=values, way=values, time=values, temperature=values)
+
+
 def test_what_a_term_does_not_use_may_be_unknown(model: MachineModel) -> None:
-    nothing = ReadingContext(*np.full((5, 3), np.nan))
-    zero = Effect("reading_zero", runs=("c",))
+    nothing = reading_context(np.full(3, np.nan))
+    zero = Effect(kind="reading_zero", runs=("c",))
     np.testing.assert_array_equal(reading_term(model.kernels, model.machine, zero, np.array([2e-3]), nothing)[0], 2e-3)
-    slope = Effect("reading_slope", runs=("c",))
+    slope = Effect(kind="reading_slope", runs=("c",))
     assert np.isnan(reading_term(model.kernels, model.machine, slope, np.array([2e-3]), nothing)).all()
 
 
@@ -115,10 +124,10 @@ def test_a_context_is_of_as_many_positions(model: MachineModel) -> None:
 
 
 def test_terms_of_another_place_are_refused(model: MachineModel) -> None:
-    scale = Effect("laser_scale")
+    scale = Effect(kind="laser_scale")
     with pytest.raises(ValueError, match="laser_scale is no effect on a component"):
         component_term(model.kernels, model.machine, scale, np.zeros(1), AT, context())
-    nothing = ReadingContext(*np.zeros((5, 3)))
+    nothing = reading_context(np.zeros(3))
     with pytest.raises(ValueError, match="backlash EXX is no effect on a reading"):
         reading_term(model.kernels, model.machine, BACKLASH.effect, np.zeros(1), nothing)
 

@@ -17,11 +17,11 @@ from trueaxis.model.effect_values import EffectValues
 from trueaxis.model.errors import ErrorValues, dump_errors, read_errors
 
 EFFECTS = (
-    Effect("backlash", "EXX"),
-    Effect("cross_axis", "EXX", "Y"),
-    Effect("cyclic", "EYY"),
-    Effect("point_offset", runs=("X1", "X2"), end="target"),
-    Effect("laser_scale"),
+    Effect(kind="backlash", component="EXX"),
+    Effect(kind="cross_axis", component="EXX", axis="Y"),
+    Effect(kind="cyclic", component="EYY"),
+    Effect(kind="point_offset", runs=("X1", "X2"), end="target"),
+    Effect(kind="laser_scale"),
 )
 CYCLIC = {"amplitude": 1e-3, "phase": 0.0, "pitch": 10.0}
 
@@ -114,7 +114,7 @@ def test_what_is_written_reads_back_in_the_order_of_the_machine(
         )
         for effect in order
     }
-    errors = ErrorValues("m", effects=tuple(values[effect] for effect in order))
+    errors = ErrorValues(machine="m", effects=tuple(values[effect] for effect in order))
     text = dump_errors(errors, components=(), parameters=(), effects=EFFECTS)
     found = read_text(tmp_path, text).effects
     assert [one.effect for one in found] == list(EFFECTS)

@@ -53,21 +53,21 @@ def test_the_file_of_the_contract_is_read(tmp_path: Path) -> None:
     errors = read(tmp_path, VALID)
     assert errors.parameters == {"q_wx": 0.0, "eps_xy": -5e-6}
     assert errors.motion_errors == {
-        "EXX": PolynomialCurve((1, 2, 3), (1e-5, -2e-8, 1e-11)),
+        "EXX": PolynomialCurve(powers=(1, 2, 3), coefficients=(1e-5, -2e-8, 1e-11)),
         "EBX": TableCurve((0.0, 30.0, 60.0), (0.0, 1e-6, 2e-6)),
     }
 
 
 def test_what_is_not_named_is_absent_and_so_zero(tmp_path: Path) -> None:
     errors = read(tmp_path, {"schema": 1, "machine": "dmu60p"})
-    assert errors == ErrorValues("dmu60p", {}, {}, {}, ())
+    assert errors == ErrorValues(machine="dmu60p", parameters={}, motion_errors={}, u={}, undetermined=())
 
 
 @pytest.mark.parametrize(
     "fit", [Fit("converged"), Fit("converged", 1.02), Fit("misfit", 961.0, ("Y2", "X1"))], ids=lambda fit: fit.state
 )
 def test_how_the_fit_ended_is_kept(tmp_path: Path, fit: Fit) -> None:
-    text = dump_errors(ErrorValues("dmu60p", fit=fit), components=COMPONENTS, parameters=PARAMETERS)
+    text = dump_errors(ErrorValues(machine="dmu60p", fit=fit), components=COMPONENTS, parameters=PARAMETERS)
     assert read_text(tmp_path, text).fit == fit
 
 
@@ -89,9 +89,9 @@ def test_a_wrong_fit_is_a_fault(tmp_path: Path, fit: Any, place: str) -> None:
 
 
 def test_the_measured_range_of_a_polynomial_is_kept(tmp_path: Path) -> None:
-    curve = PolynomialCurve((1, 2), (1e-5, -2e-8), None, (10.0, 480.0))
+    curve = PolynomialCurve(powers=(1, 2), coefficients=(1e-5, -2e-8), u=None, measured=(10.0, 480.0))
     text = dump_errors(
-        ErrorValues("dmu60p", motion_errors={"EXX": curve}), components=COMPONENTS, parameters=PARAMETERS
+        ErrorValues(machine="dmu60p", motion_errors={"EXX": curve}), components=COMPONENTS, parameters=PARAMETERS
     )
     assert read_text(tmp_path, text).motion_errors == {"EXX": curve}
     assert TableCurve((0.0, 5.0, 9.0), (0.0, 0.0, 0.0)).measured == (0.0, 9.0)
@@ -129,67 +129,69 @@ def test_uncertainties_ride_along(tmp_path: Path) -> None:
     assert again.undetermined == errors.undetermined
 
 
-@pytest.mark.parametrize(
-    ("change", "expected"),
-    [
-        ({"schema": 2}, "schema: 2 is not a known schema"),
-        ({"schema": True}, "schema: true is not a known schema"),
-        ({"machine": "other"}, 'machine: "other" is another machine; the machine is "dmu60p"'),
-        ({"parameters": {"eps_xX": 1.0}}, "parameters.eps_xX: the machine has no parameter eps_xX; did you mean eps_x"),
-        ({"parameters": {"q_wx": "1"}}, 'parameters.q_wx: "1" is not a number'),
-        ({"parameters": {"q_wx": True}}, "parameters.q_wx: true is not a number"),
-        ({"parameters": []}, "parameters: a list is not an object"),
-        ({"motion_errors": {"EXZ": {}}}, "motion_errors.EXZ: the machine has no motion error EXZ"),
-        ({"motion_errors": {"EXX": 3}}, "motion_errors.EXX: 3 is not an error curve"),
-        ({"effects": [{"kind": "backlash"}]}, "effects[0]: the machine has no effect backlash; add it to the"),
-        ({"u": {"eps_xy": -1.0}}, "u.eps_xy: -1.0 is negative"),
-        ({"paramters": {}}, "paramters: is not a key of an error-values file; did you mean parameters?"),
-        ({"undetermined": {}}, "undetermined: an object is not a list"),
-        ({"undetermined": [3]}, "undetermined[0]: is not an object of combination and parameters"),
-        ({"undetermined": [{"combination": "", "parameters": [1]}]}, "undetermined[0].parameters: is not a list of n"),
-        ({"parameters": {"zzz": 1.0}}, "parameters.zzz: the machine has no parameter zzz; known: q_wx, eps_xy, eps_xz"),
-        ({"undetermined": [{"combination": 3, "parameters": []}]}, "undetermined[0].combination: 3 is not a text"),
-    ],
-)
+# What is changed in VALID, and how the fault begins.
+CHANGES: list[tuple[dict[str, Any], str]] = [
+    ({"schema": 2}, "schema: 2 is not a known schema"),
+    ({"schema": True}, "schema: true is not a known schema"),
+    ({"machine": "other"}, 'machine: "other" is another machine; the machine is "dmu60p"'),
+    ({"parameters": {"eps_xX": 1.0}}, "parameters.eps_xX: the machine has no parameter eps_xX; did you mean eps_x"),
+    ({"parameters": {"q_wx": "1"}}, 'parameters.q_wx: "1" is not a number'),
+    ({"parameters": {"q_wx": True}}, "parameters.q_wx: true is not a number"),
+    ({"parameters": []}, "parameters: a list is not an object"),
+    ({"motion_errors": {"EXZ": {}}}, "motion_errors.EXZ: the machine has no motion error EXZ"),
+    ({"motion_errors": {"EXX": 3}}, "motion_errors.EXX: 3 is not an error curve"),
+    ({"effects": [{"kind": "backlash"}]}, "effects[0]: the machine has no effect backlash; add it to the"),
+    ({"u": {"eps_xy": -1.0}}, "u.eps_xy: -1.0 is negative"),
+    ({"paramters": {}}, "paramters: is not a key of an error-values file; did you mean parameters?"),
+    ({"undetermined": {}}, "undetermined: an object is not a list"),
+    ({"undetermined": [3]}, "undetermined[0]: is not an object of combination and parameters"),
+    ({"undetermined": [{"combination": "", "parameters": [1]}]}, "undetermined[0].parameters: is not a list of n"),
+    ({"parameters": {"zzz": 1.0}}, "parameters.zzz: the machine has no parameter zzz; known: q_wx, eps_xy, eps_xz"),
+    ({"undetermined": [{"combination": 3, "parameters": []}]}, "undetermined[0].combination: 3 is not a text"),
+]
+
+
+@pytest.mark.parametrize(("change", "expected"), CHANGES)
 def test_each_fault_has_its_key_and_remedy(tmp_path: Path, change: dict[str, Any], expected: str) -> None:
     assert any(fault.startswith(expected) for fault in faults_of(tmp_path, json.dumps({**VALID, **change})))
 
 
-@pytest.mark.parametrize(
-    ("curve", "expected"),
-    [
-        ({"powers": [1]}, "motion_errors.EXX.basis: is missing"),
-        ({"basis": "spline"}, 'motion_errors.EXX.basis: "spline" is not a basis'),
-        ({"basis": "polynomial", "powers": [1]}, "motion_errors.EXX.coefficients: is missing"),
-        (
-            {"basis": "polynomial", "powers": [1, 2], "coefficients": [1.0]},
-            "motion_errors.EXX.coefficients: has 1 entr",
-        ),
-        (
-            {"basis": "polynomial", "powers": [1, 1], "coefficients": [1, 2]},
-            "motion_errors.EXX.powers[1]: power 1 is gi",
-        ),
-        (
-            {"basis": "polynomial", "powers": [1.5], "coefficients": [1]},
-            "motion_errors.EXX.powers[0]: 1.5 is not a powe",
-        ),
-        (
-            {"basis": "polynomial", "powers": [-1], "coefficients": [1]},
-            "motion_errors.EXX.powers[0]: -1.0 is not a powe",
-        ),
-        ({"basis": "polynomial", "powers": 1, "coefficients": [1]}, "motion_errors.EXX.powers: 1 is not a list"),
-        ({"basis": "table", "positions": [], "values": []}, "motion_errors.EXX.positions: is empty"),
-        ({"basis": "table", "positions": [0, 0], "values": [0, 1]}, "motion_errors.EXX.positions[1]: 0.0 follows 0.0"),
-        ({"basis": "table", "positions": [1, 0], "values": [0, 1]}, "motion_errors.EXX.positions[1]: 0.0 follows 1.0"),
-        ({"basis": "table", "positions": [0, 1], "values": [0]}, "motion_errors.EXX.values: has 1 entries; as many as"),
-        (
-            {"basis": "table", "positions": [0], "values": [0], "powers": []},
-            "motion_errors.EXX.powers: is not a key of",
-        ),
-        ({"basis": "table", "positions": [0], "values": [0], "u": 1}, "motion_errors.EXX.u: 1 is not a list"),
-        ({"basis": "table", "positions": [0], "values": [10**400]}, "motion_errors.EXX.values[0]: is not a finite nu"),
-    ],
-)
+# Wrong curves, and how the fault begins.
+CURVES: list[tuple[dict[str, Any], str]] = [
+    ({"powers": [1]}, "motion_errors.EXX.basis: is missing"),
+    ({"basis": "spline"}, 'motion_errors.EXX.basis: "spline" is not a basis'),
+    ({"basis": "polynomial", "powers": [1]}, "motion_errors.EXX.coefficients: is missing"),
+    (
+        {"basis": "polynomial", "powers": [1, 2], "coefficients": [1.0]},
+        "motion_errors.EXX.coefficients: has 1 entr",
+    ),
+    (
+        {"basis": "polynomial", "powers": [1, 1], "coefficients": [1, 2]},
+        "motion_errors.EXX.powers[1]: power 1 is gi",
+    ),
+    (
+        {"basis": "polynomial", "powers": [1.5], "coefficients": [1]},
+        "motion_errors.EXX.powers[0]: 1.5 is not a powe",
+    ),
+    (
+        {"basis": "polynomial", "powers": [-1], "coefficients": [1]},
+        "motion_errors.EXX.powers[0]: -1.0 is not a powe",
+    ),
+    ({"basis": "polynomial", "powers": 1, "coefficients": [1]}, "motion_errors.EXX.powers: 1 is not a list"),
+    ({"basis": "table", "positions": [], "values": []}, "motion_errors.EXX.positions: is empty"),
+    ({"basis": "table", "positions": [0, 0], "values": [0, 1]}, "motion_errors.EXX.positions[1]: 0.0 follows 0.0"),
+    ({"basis": "table", "positions": [1, 0], "values": [0, 1]}, "motion_errors.EXX.positions[1]: 0.0 follows 1.0"),
+    ({"basis": "table", "positions": [0, 1], "values": [0]}, "motion_errors.EXX.values: has 1 entries; as many as"),
+    (
+        {"basis": "table", "positions": [0], "values": [0], "powers": []},
+        "motion_errors.EXX.powers: is not a key of",
+    ),
+    ({"basis": "table", "positions": [0], "values": [0], "u": 1}, "motion_errors.EXX.u: 1 is not a list"),
+    ({"basis": "table", "positions": [0], "values": [10**400]}, "motion_errors.EXX.values[0]: is not a finite nu"),
+]
+
+
+@pytest.mark.parametrize(("curve", "expected"), CURVES)
 def test_each_fault_of_a_curve(tmp_path: Path, curve: dict[str, Any], expected: str) -> None:
     found = faults_of(tmp_path, with_curve(curve))
     assert len(found) == 1
@@ -258,7 +260,7 @@ def polynomials(draw: st.DrawFn) -> PolynomialCurve:
     count = len(powers)
     coefficients = draw(st.lists(FINITE, min_size=count, max_size=count))
     u = draw(st.none() | st.lists(U, min_size=count, max_size=count).map(tuple))
-    return PolynomialCurve(tuple(powers), tuple(coefficients), u)
+    return PolynomialCurve(powers=tuple(powers), coefficients=tuple(coefficients), u=u)
 
 
 @given(curve=polynomials(), value=FINITE, order=st.permutations(COMPONENTS))
@@ -266,9 +268,13 @@ def polynomials(draw: st.DrawFn) -> PolynomialCurve:
 def test_what_is_written_reads_back_and_does_not_depend_on_insertion_order(
     tmp_path: Path, curve: PolynomialCurve, value: float, order: list[str]
 ) -> None:
-    errors = ErrorValues("dmu60p", {"eps_xz": value, "eps_xy": -value}, dict.fromkeys(order, curve))
+    errors = ErrorValues(
+        machine="dmu60p", parameters={"eps_xz": value, "eps_xy": -value}, motion_errors=dict.fromkeys(order, curve)
+    )
     text = dump_errors(errors, components=COMPONENTS, parameters=PARAMETERS)
-    straight = ErrorValues("dmu60p", {"eps_xy": -value, "eps_xz": value}, dict.fromkeys(COMPONENTS, curve))
+    straight = ErrorValues(
+        machine="dmu60p", parameters={"eps_xy": -value, "eps_xz": value}, motion_errors=dict.fromkeys(COMPONENTS, curve)
+    )
     assert text == dump_errors(straight, components=COMPONENTS, parameters=PARAMETERS)
     back = read_text(tmp_path, text)
     assert back.parameters == errors.parameters

@@ -17,7 +17,7 @@ COEFFICIENTS = (3e-3, -1e-3, 5e-4, 0.0, 2e-4)
 
 @pytest.fixture(params=TRAVELS, ids=str)
 def curve(request: pytest.FixtureRequest) -> LegendreCurve:
-    return LegendreCurve(travel_basis(request.param, len(COEFFICIENTS)), COEFFICIENTS)
+    return LegendreCurve(basis=travel_basis(request.param, len(COEFFICIENTS)), coefficients=COEFFICIENTS)
 
 
 def home_of(curve: LegendreCurve) -> float:
@@ -42,14 +42,19 @@ def test_it_is_a_polynomial_within_the_travel(curve: LegendreCurve) -> None:
 
 
 def test_components_of_an_axis_are_evaluated_together(curve: LegendreCurve) -> None:
-    other = LegendreCurve(curve.basis, tuple(2.0 * c for c in COEFFICIENTS))
+    other = LegendreCurve(basis=curve.basis, coefficients=tuple(2.0 * c for c in COEFFICIENTS))
     positions = np.linspace(curve.basis.low - 1.0, curve.basis.high + 1.0, 7)[np.newaxis]
     found = evaluate_components({"EXX": curve, "EYX": other}, ("EXX", "EYX", "EZX"), (0, 0, 0), positions)
     np.testing.assert_allclose(found, [curve(positions[0]), 2.0 * curve(positions[0]), 0.0 * positions[0]], atol=1e-16)
 
 
 def test_the_file_gives_it_back(curve: LegendreCurve) -> None:
-    whole = LegendreCurve(curve.basis, COEFFICIENTS, (1e-4, float("nan"), 0.0, 1e-5, 1e-6), (curve.basis.low, 30.0))
+    whole = LegendreCurve(
+        basis=curve.basis,
+        coefficients=COEFFICIENTS,
+        u=(1e-4, float("nan"), 0.0, 1e-5, 1e-6),
+        measured=(curve.basis.low, 30.0),
+    )
     tree = json.loads(json.dumps(curve_object(whole)))
     assert set(tree) == {"basis", "range", "coefficients", "u", "measured"}
     faults = Faults("e.json")

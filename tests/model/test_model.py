@@ -19,11 +19,11 @@ from trueaxis.view import VIEWS, View
 
 CHAIN = ExactChain(FIVE_AXIS.read_text())
 POLYNOMIALS = {
-    "EXX": PolynomialCurve((1, 3), (1e-5, 2e-11)),
-    "ECY": PolynomialCurve((2,), (1e-10,)),
-    "EBZ": PolynomialCurve((1, 2), (1e-7, -1e-10)),
-    "EZC": PolynomialCurve((1,), (1e-4,)),
-    "EAB": PolynomialCurve((1, 7), (1e-6, 1e-18)),
+    "EXX": PolynomialCurve(powers=(1, 3), coefficients=(1e-5, 2e-11)),
+    "ECY": PolynomialCurve(powers=(2,), coefficients=(1e-10,)),
+    "EBZ": PolynomialCurve(powers=(1, 2), coefficients=(1e-7, -1e-10)),
+    "EZC": PolynomialCurve(powers=(1,), coefficients=(1e-4,)),
+    "EAB": PolynomialCurve(powers=(1, 7), coefficients=(1e-6, 1e-18)),
 }
 PARAMETERS = {"q_Tz": 150.0, "q_Hz": -80.0, "q_wx": 100.0, "eps_xz": 2e-5, "eps_Cx": 3e-3, "eps_BA": -4e-5}
 AT = [10.0, 20.0, -30.0]
@@ -41,7 +41,7 @@ def kernels(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def model(kernels: Path) -> MachineModel:
     empty = load_model(FIVE_AXIS, None, kernels, backend="numpy")
-    return empty.with_values(ErrorValues("five_axis", PARAMETERS, POLYNOMIALS))
+    return empty.with_values(ErrorValues(machine="five_axis", parameters=PARAMETERS, motion_errors=POLYNOMIALS))
 
 
 def positions(count: int = 4) -> Any:
@@ -79,16 +79,22 @@ def test_the_deviation_is_the_same_by_curve_kernel_and_by_component_kernel(model
     np.testing.assert_allclose(model.deviation(at, np.repeat(POINT, 6, axis=1)), plain, rtol=0, atol=1e-15)
     table: dict[str, Curve] = {**POLYNOMIALS, "EXX": TableCurve((0.0, 540.0), (0.0, 0.0))}
     without = {name: curve for name, curve in POLYNOMIALS.items() if name != "EXX"}
-    by_table = model.with_values(ErrorValues("five_axis", PARAMETERS, table)).deviation(at, POINT)
-    by_curve = model.with_values(ErrorValues("five_axis", PARAMETERS, without)).deviation(at, POINT)
+    by_table = model.with_values(
+        ErrorValues(machine="five_axis", parameters=PARAMETERS, motion_errors=table)
+    ).deviation(at, POINT)
+    by_curve = model.with_values(
+        ErrorValues(machine="five_axis", parameters=PARAMETERS, motion_errors=without)
+    ).deviation(at, POINT)
     np.testing.assert_allclose(by_table, by_curve, rtol=0, atol=1e-15)
     assert np.abs(by_table - plain).max() > 1e-4
 
 
 def test_powers_beyond_the_curve_kernels_are_not_lost(model: MachineModel) -> None:
     at = positions()
-    curves = {"EYY": PolynomialCurve((0, 9), (1e-3, 1e-26))}
-    found = model.with_values(ErrorValues("five_axis", PARAMETERS, curves)).deviation(at, POINT)
+    curves = {"EYY": PolynomialCurve(powers=(0, 9), coefficients=(1e-3, 1e-26))}
+    found = model.with_values(ErrorValues(machine="five_axis", parameters=PARAMETERS, motion_errors=curves)).deviation(
+        at, POINT
+    )
     np.testing.assert_allclose(found, exact("tool_in_workpiece", at, curves=curves), rtol=0, atol=1e-14)
 
 

@@ -77,11 +77,13 @@ def with_steps(covariance: Covariance, step: FloatArray) -> ErrorValues:
     assert isinstance(powers, PowerBasis)
     plain = step[:3] @ legendre.powers
     curves: dict[str, Curve] = {
-        "EXX": PolynomialCurve((1, 2, 3), tuple(plain.tolist())),
+        "EXX": PolynomialCurve(powers=(1, 2, 3), coefficients=tuple(plain.tolist())),
         "EBX": TableCurve(table.positions, tuple(step[3:6].tolist())),
-        "ECY": PolynomialCurve(powers.powers, tuple(step[6:8].tolist())),
+        "ECY": PolynomialCurve(powers=powers.powers, coefficients=tuple(step[6:8].tolist())),
     }
-    return ErrorValues("dmu60p", {"eps_xy": float(step[8]), "eps_xz": float(step[9])}, curves)
+    return ErrorValues(
+        machine="dmu60p", parameters={"eps_xy": float(step[8]), "eps_xz": float(step[9])}, motion_errors=curves
+    )
 
 
 @pytest.mark.parametrize("from_home", [False, True])
@@ -148,10 +150,13 @@ def test_what_nothing_holds_is_open_at_the_size_of_the_prior(model: MachineModel
 
 def test_own_uncertainties_count_as_independent(model: MachineModel) -> None:
     errors = ErrorValues(
-        "dmu60p",
-        {"eps_xy": 1e-5, "eps_yz": 2e-5, "eps_xz": 0.0},
-        {"EXX": TableCurve((0.0, 540.0), (0.0, 0.01), (0.0, 3e-3)), "EYY": PolynomialCurve((1,), (1e-5,), (4e-6,))},
-        {"eps_xy": 2e-6, "eps_yz": 1e-6, "eps_xz": 0.0},
+        machine="dmu60p",
+        parameters={"eps_xy": 1e-5, "eps_yz": 2e-5, "eps_xz": 0.0},
+        motion_errors={
+            "EXX": TableCurve((0.0, 540.0), (0.0, 0.01), (0.0, 3e-3)),
+            "EYY": PolynomialCurve(powers=(1,), coefficients=(1e-5,), u=(4e-6,)),
+        },
+        u={"eps_xy": 2e-6, "eps_yz": 1e-6, "eps_xz": 0.0},
     )
     covariance = own_uncertainty(model.machine, errors)
     u = tool_uncertainty(model, covariance, np.array([[270.0], [0.0], [0.0]]), np.zeros((3, 1)), datum=None).u
@@ -161,17 +166,23 @@ def test_own_uncertainties_count_as_independent(model: MachineModel) -> None:
 def test_a_value_without_u_among_others_is_open(model: MachineModel) -> None:
     curves: dict[str, Curve] = {
         "EXX": TableCurve((0.0, 540.0), (0.0, 0.01), (0.0, np.nan)),
-        "EYY": PolynomialCurve((1,), (1e-5,), (0.0,)),
+        "EYY": PolynomialCurve(powers=(1,), coefficients=(1e-5,), u=(0.0,)),
     }
     moved = tool_uncertainty(
-        model, own_uncertainty(model.machine, ErrorValues("dmu60p", {}, curves)), AT, np.zeros((3, 1)), datum=None
+        model,
+        own_uncertainty(model.machine, ErrorValues(machine="dmu60p", parameters={}, motion_errors=curves)),
+        AT,
+        np.zeros((3, 1)),
+        datum=None,
     )
     assert (moved.open[0, 1:] > 0.0).all()
     assert not moved.open[1:].any()
 
 
 def test_values_without_any_u_are_not_known_but_not_open(model: MachineModel) -> None:
-    errors = ErrorValues("dmu60p", {}, {"EXX": PolynomialCurve((1,), (1e-5,))})
+    errors = ErrorValues(
+        machine="dmu60p", parameters={}, motion_errors={"EXX": PolynomialCurve(powers=(1,), coefficients=(1e-5,))}
+    )
     moved = tool_uncertainty(model, own_uncertainty(model.machine, errors), AT, np.zeros((3, 1)), datum=None)
     assert np.isnan(moved.u).all()
     assert not moved.open.any()
@@ -217,9 +228,11 @@ def test_edited_values_do_not_keep_their_uncertainties(model: MachineModel, tmp_
 
 
 def test_the_digest_is_of_values_and_of_what_is_decided_by() -> None:
-    curve = PolynomialCurve((2, 1), (1e-8, 1e-5), (1e-9, 1e-6), (0.0, 100.0))
-    plain = PolynomialCurve((1, 2), (1e-5, 1e-8), None, (0.0, 100.0))
-    values = ErrorValues("m", {"a": 1.0}, {"EXX": plain}, fit=Fit("misfit", 9.0, ("X-1",)))
+    curve = PolynomialCurve(powers=(2, 1), coefficients=(1e-8, 1e-5), u=(1e-9, 1e-6), measured=(0.0, 100.0))
+    plain = PolynomialCurve(powers=(1, 2), coefficients=(1e-5, 1e-8), u=None, measured=(0.0, 100.0))
+    values = ErrorValues(
+        machine="m", parameters={"a": 1.0}, motion_errors={"EXX": plain}, fit=Fit("misfit", 9.0, ("X-1",))
+    )
     assert digest_of_values(replace(values, motion_errors={"EXX": curve}, u={"a": 0.1})) == digest_of_values(values)
     edited = [
         replace(values, parameters={"a": 1.0 + 1e-15}),
@@ -282,13 +295,15 @@ def test_the_prior_at_the_tool_is_the_scatter_of_drawn_errors(model: MachineMode
 
 def test_use_beyond_what_was_measured_is_told_by_axis_and_range() -> None:
     curves: dict[str, Curve] = {
-        "EXX": PolynomialCurve((1,), (1e-5,), None, (10.0, 480.0)),
-        "EYX": PolynomialCurve((1,), (1e-5,), None, (10.0, 480.0)),
-        "EZX": PolynomialCurve((1,), (1e-5,)),
+        "EXX": PolynomialCurve(powers=(1,), coefficients=(1e-5,), u=None, measured=(10.0, 480.0)),
+        "EYX": PolynomialCurve(powers=(1,), coefficients=(1e-5,), u=None, measured=(10.0, 480.0)),
+        "EZX": PolynomialCurve(powers=(1,), coefficients=(1e-5,)),
         "EYY": TableCurve((0.0, 700.0), (0.0, 0.0)),
     }
     found = beyond_measured(
-        ErrorValues("m", {}, curves), ("X", "Y"), np.array([[0.0, 10.0, 500.0], [0.0, 700.0, 30.0]])
+        ErrorValues(machine="m", parameters={}, motion_errors=curves),
+        ("X", "Y"),
+        np.array([[0.0, 10.0, 500.0], [0.0, 700.0, 30.0]]),
     )
     (one,) = found
     assert (one.axis, one.components, one.low, one.high) == ("X", ("EXX", "EYX"), 10.0, 480.0)

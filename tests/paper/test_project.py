@@ -113,7 +113,14 @@ def _runs() -> list[RunPattern]:
         along = [float(d == direction) for d in DIRECTIONS]
         target, other = (*ends, ("bed", (0.0, 0.0, 0.0)))[:2]
         runs.append(
-            RunPattern(f"{run}-{label}{direction}", tuple(run), (along[0], along[1], along[2]), "bed", target, other)
+            RunPattern(
+                name=f"{run}-{label}{direction}",
+                moves=tuple(run),
+                direction=(along[0], along[1], along[2]),
+                frame="bed",
+                target=target,
+                reference=other,
+            )
         )
     return runs
 

@@ -29,7 +29,15 @@ def folder(name: str) -> PlannedRuns:
 
 
 def laser(run_id: str, along: str, point: Vector, reference: PointOn | None = None) -> Run:
-    return Run(run_id, "laser", PointOn("tool", point), reference or PointOn("bed"), "bed", HOME, UNIT[along])
+    return Run(
+        id=run_id,
+        instrument="laser",
+        target=PointOn("tool", point),
+        reference=reference or PointOn("bed"),
+        frame="bed",
+        home=HOME,
+        direction=UNIT[along],
+    )
 
 
 def path(axes: str, steps: Sequence[float], start: Mapping[str, float] | None = None) -> FloatArray:

@@ -63,7 +63,7 @@ def shop(
     instruments: tuple[Instrument, ...],
     dimensions: Mapping[str, float] = {},
 ) -> Shop:
-    given = ErrorValues(machine.name, dict(dimensions))
+    given = ErrorValues(machine=machine.name, parameters=dict(dimensions))
     options = PlanOptions(given=given, noise=NoiseModel(um=1e3 * NOISE), tools=TOOL)
     return Shop(machine, given, first_plan(machine, options, instruments, hours))
 

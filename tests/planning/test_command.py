@@ -151,7 +151,7 @@ DIMENSIONS = {"q_Ax": 250.0, "q_Ay": -225.0, "q_Az": 200.0, "q_Cx": 5.0, "q_Cy":
 def trunnion_plan(folder: Path) -> Path:
     """A probe on one sphere, A and C turning with the linear axes following, and two ball-bar circles."""
     (folder / "known.json").write_text(json.dumps({"schema": 1, "machine": "trunnion_mill", "parameters": DIMENSIONS}))
-    machine = model("trunnion_mill").with_values(ErrorValues("trunnion_mill", DIMENSIONS))
+    machine = model("trunnion_mill").with_values(ErrorValues(machine="trunnion_mill", parameters=DIMENSIONS))
     tool = (0.0, 0.0, -100.0)
     middle = np.array([[np.mean(machine.travel[axis]) if axis in "XYZ" else 0.0] for axis in machine.axes])
     centre = machine.ideal(middle, np.array([tool]).T) + np.array([[60.0], [40.0], [0.0]])

@@ -13,7 +13,7 @@ STEPS = [0.0, 150.0, 300.0, 450.0]
 def three(*points: Vector) -> "list[str]":
     """What is said of three lasers along x at points of the tool, block by block."""
     lasers = [laser(f"L{i}", "x", (x + 10.0, y + 20.0, z + 30.0)) for i, (x, y, z) in enumerate(points, 1)]
-    found = order(model(), runs(lasers, [path("X", STEPS)] * 3).observed, ErrorValues("dmu60p"))
+    found = order(model(), runs(lasers, [path("X", STEPS)] * 3).observed, ErrorValues(machine="dmu60p"))
     assert found is not None
     (block,) = found.blocks()
     return [block.because, *[str(pair) for pair in block.ranks]]
@@ -43,7 +43,7 @@ def test_same_coordinates_need_one_direction_and_one_body() -> None:
 
 
 def test_the_papers_blocks_and_its_z_points_in_words() -> None:
-    found = order(model(), folder("dmu60p_runs").observed, ErrorValues("dmu60p"))
+    found = order(model(), folder("dmu60p_runs").observed, ErrorValues(machine="dmu60p"))
     assert found is not None
     blocks = found.blocks()
     assert [block.components for block in blocks][:3] == [
@@ -52,6 +52,6 @@ def test_the_papers_blocks_and_its_z_points_in_words() -> None:
         ("EZZ", "EAZ", "EBZ"),
     ]
     assert [block.because for block in blocks if block.because] == ["the points of Z-8 and Z-9 have the same x and y"]
-    regular = order(model(), folder("dmu60p_regular_runs").observed, ErrorValues("dmu60p"))
+    regular = order(model(), folder("dmu60p_regular_runs").observed, ErrorValues(machine="dmu60p"))
     assert regular is not None
     assert not any(block.because for block in regular.blocks())

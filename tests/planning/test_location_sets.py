@@ -12,7 +12,7 @@ FIVE_AXES = ("dmu60p_5axis", "trunnion_mill", "headhead_mill")
 
 
 def sets(name: str) -> dict[tuple[str, bool], LocationSet]:
-    return {(one.placement, one.workpiece_free): one for one in location_sets(model(name), ErrorValues(name))}
+    return {(one.placement, one.workpiece_free): one for one in location_sets(model(name), ErrorValues(machine=name))}
 
 
 @pytest.mark.parametrize("name", FIVE_AXES)
@@ -53,7 +53,11 @@ def test_displacements_of_two_axes_that_cancel() -> None:
     positions, point = random_positions("dmu60p_5axis"), np.array([[3.0], [5.0], [-80.0]])
 
     def deviation(**values: float) -> np.ndarray:
-        return model("dmu60p_5axis").with_values(ErrorValues("dmu60p_5axis", values)).deviation(positions, point)
+        return (
+            model("dmu60p_5axis")
+            .with_values(ErrorValues(machine="dmu60p_5axis", parameters=values))
+            .deviation(positions, point)
+        )
 
     assert np.abs(deviation(EX0B=0.02) - deviation(EX0C=-0.02)).max() < 1e-12
     assert np.abs(deviation(EX0B=0.02)).max() > 0.01
@@ -66,7 +70,9 @@ def test_a_displaced_a_axis_is_a_displaced_tool_on_a_trunnion() -> None:
     assert spare == dict.fromkeys(("EY0A", "EZ0A", "EX0C"), "a displaced tool")
     positions, point = random_positions("trunnion_mill"), np.array([[0.0], [0.0], [-50.0]])
     machine = model("trunnion_mill")
-    by_error = machine.with_values(ErrorValues("trunnion_mill", {"EZ0A": 0.01})).deviation(positions, point)
+    by_error = machine.with_values(ErrorValues(machine="trunnion_mill", parameters={"EZ0A": 0.01})).deviation(
+        positions, point
+    )
     by_tool = machine.ideal(positions, point - np.array([[0.0], [0.0], [0.01]])) - machine.ideal(positions, point)
     assert np.abs(by_error - by_tool).max() < 1e-12
 

@@ -41,7 +41,7 @@ def left_out_of_estimate(machine: MachineModel, observed: Observations, poses: S
     for place, pose in enumerate(poses):
         mine = np.arange(3 * pose, 3 * pose + 3)
         rest = observed.of(np.setdiff1d(np.arange(observed.reading.size), mine))
-        estimated = estimate(machine, rest, ErrorValues(machine.name, DIMENSIONS))
+        estimated = estimate(machine, rest, ErrorValues(machine=machine.name, parameters=DIMENSIONS))
         here = machine.with_values(estimated.values)
         for run in measured_runs(observed):
             own = np.zeros(len(own_kinds(run.rows.run, straightness=False)))
@@ -77,7 +77,9 @@ def main() -> int:
         print(f"{title}: 3-D rms, mm (of left-out poses)")
         print("\n".join(table(model(sense), sense, FORMS)))
     observed = probe_data()
-    inside = rms_3d(estimate(model(), observed, ErrorValues("headhead_mill", DIMENSIONS)).readings.residual)
+    inside = rms_3d(
+        estimate(model(), observed, ErrorValues(machine="headhead_mill", parameters=DIMENSIONS)).readings.residual
+    )
     outside = left_out_of_estimate(model(), observed, range(observed.reading.size // 3))
     print(f"  {'all errors with their prior, the estimate':<45}           {inside:.3f} ({outside:.3f})")
     print(f"repeats of B0 C0: 3-D standard deviation {repeats(observed):.3f} mm\n")

@@ -54,7 +54,15 @@ def probe_data(sense_of_b: int = 1) -> Observations:
     at = axis_positions(angles, np.repeat(centres[:, :1], angles.shape[1], axis=1), sense_of_b)
     home = dict(zip(AXES, at[:, 0].tolist(), strict=True))
     runs = tuple(
-        Run(f"sphere-{name}", "probe", PointOn("tool"), PointOn("workpiece"), "workpiece", home, direction)
+        Run(
+            id=f"sphere-{name}",
+            instrument="probe",
+            target=PointOn("tool"),
+            reference=PointOn("workpiece"),
+            frame="workpiece",
+            home=home,
+            direction=direction,
+        )
         for name, direction in DIRECTIONS.items()
     )
     n = angles.shape[1]

@@ -52,9 +52,15 @@ def given(kinds: str = "") -> tuple[MachineModel, MeasuredData]:
 def _model(spec: str) -> MachineModel:
     module = kernels_of(spec)
     kernels = Kernels(
-        module.META, module, {name: getattr(module, name) for name in module.META["routines"]}, "numpy", ""
+        meta=module.META,
+        module=module,
+        routines={name: getattr(module, name) for name in module.META["routines"]},
+        backend="numpy",
+        note="",
     )
-    return MachineModel(parse_machine(spec, Faults(SPEC.name)), kernels, ErrorValues("headhead_mill", DIMENSIONS))
+    return MachineModel(
+        parse_machine(spec, Faults(SPEC.name)), kernels, ErrorValues(machine="headhead_mill", parameters=DIMENSIONS)
+    )
 
 
 def diagnosis(kinds: str = "") -> Diagnosis:
@@ -79,7 +85,7 @@ def lobes_left_out(axis: str, lobes: Sequence[int]) -> tuple[int, float]:
     readings = readings_of(model, rows)
     found = [_columns(model, rows, 1)]
     for direction, count, (a, b) in product("XYZABC", lobes, ((1.0, 0.0), (0.0, 1.0))):
-        effect = Effect("lobes", f"E{direction}{axis}")
+        effect = Effect(kind="lobes", component=f"E{direction}{axis}")
         found.append(parameter_signature(readings, effect, np.array([a, b, count]))[0][:, np.newaxis])
     return _left_out(rows, np.hstack(found))
 

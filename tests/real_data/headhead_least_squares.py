@@ -93,8 +93,10 @@ class Poses:
         found: dict[str, dict[int, float]] = {}
         for (name, power), value in zip(self.form.terms, unknowns[3 + len(named) :].tolist(), strict=True):
             found.setdefault(name, {})[power] = value
-        curves = {name: PolynomialCurve(tuple(of), tuple(of.values())) for name, of in found.items()}
-        return ErrorValues(self.machine.name, {**DIMENSIONS, **named}, curves)
+        curves = {
+            name: PolynomialCurve(powers=tuple(of), coefficients=tuple(of.values())) for name, of in found.items()
+        }
+        return ErrorValues(machine=self.machine.name, parameters={**DIMENSIONS, **named}, motion_errors=curves)
 
     def readings(self, unknowns: FloatArray) -> FloatArray:
         """(n_readings,), mm, by the exact model; the sphere stands off by the first three."""

@@ -59,9 +59,13 @@ def diagnosis(*, swapped: bool = False, clock: bool = True, without: int = 0, ki
 def _model(spec: str) -> MachineModel:
     module = kernels_of(spec)
     kernels = Kernels(
-        module.META, module, {name: getattr(module, name) for name in module.META["routines"]}, "numpy", ""
+        meta=module.META,
+        module=module,
+        routines={name: getattr(module, name) for name in module.META["routines"]},
+        backend="numpy",
+        note="",
     )
-    return MachineModel(parse_machine(spec, Faults(SPEC.name)), kernels, ErrorValues("linear_axis"))
+    return MachineModel(parse_machine(spec, Faults(SPEC.name)), kernels, ErrorValues(machine="linear_axis"))
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ def test_inverse_kinematics_are_those_of_the_derived_machine() -> None:
     angles, centres = np.array([[0.0, 30.0, -50.0], [0.0, 90.0, 270.0]]), np.array([[1.0, 2, 3], [4, 5, 6], [7, 8, 9]])
     for sense in (1, -1):
         machine = model(sense)
-        nominal = machine.with_values(ErrorValues(machine.name, DIMENSIONS))
+        nominal = machine.with_values(ErrorValues(machine=machine.name, parameters=DIMENSIONS))
         there = nominal.view_ideal("tool_in_workpiece", axis_positions(angles, centres, sense), np.zeros((3, 1)))
         assert np.allclose(there, centres, rtol=0, atol=1e-10)
 
@@ -71,7 +71,7 @@ def test_the_estimate_predicts_left_out_poses_five_times_better() -> None:
 
 def test_the_sizes_of_the_spec_are_off_as_the_page_says() -> None:
     """Its "eight times too small", "three times too large" are notes of `identify`, which come from these factors."""
-    found = estimate(model(), probe_data(), ErrorValues("headhead_mill", DIMENSIONS)).factors
+    found = estimate(model(), probe_data(), ErrorValues(machine="headhead_mill", parameters=DIMENSIONS)).factors
     assert 7.0 < found["rotation"] < 10.0
     assert 5.0 < found["location rad"] < 8.0
     assert 2.5 < 1.0 / found["location mm"] < 4.0

@@ -31,6 +31,15 @@ OFFSETS = [(300.0 + 10.0 * k, -200.0, 100.0 - 5.0 * k) for k in range(9)]  # of 
 SPACING = 0.2  # mm between the places of a line that are looked at
 
 
+# what a program needs beside lines and arcs, by its words
+KINDS = {
+    "M codes of the shop, whose files are not there": r"(?i)\bM1\d\d\b",
+    "macro": r"[#\[]|(?i:\bO\s*<?\w+>?\s*(?:sub|call|if|while|do|repeat|endsub))|M9[89]\b",
+    "cutter compensation": r"(?i)G\s*4[12](?![\d])|G4[12]\.1",
+    "threads, lathes, splines": r"(?i)G0*(?:33|76|84|74|5\.[23]|7|8|96)(?![0-9.])",
+}
+
+
 @dataclass(frozen=True)
 class Grade:
     """kind: plain, or why it is no main program for this machine. outcome: accepted, refused, wrong, or empty.
@@ -75,12 +84,9 @@ def kind_of(text: str, ran: Ran) -> str:
     code = re.sub(r"\([^()]*\)|;.*", "", text)
     if {"uvw", "turned", "probe", "tap"} & ran.features or (ran.ends[:, 3:] != 0.0).any():
         return "rotary and parallel axes, turned frames, probing, tapping"
-    if re.search(r"[#\[]|(?i:\bO\s*<?\w+>?\s*(?:sub|call|if|while|do|repeat|endsub))|M9[89]\b", code):
-        return "macro"
-    if re.search(r"(?i)G\s*4[12](?![\d])|G4[12]\.1", code):
-        return "cutter compensation"
-    if re.search(r"(?i)G0*(?:33|76|84|74|5\.[23]|7|8|96)(?![0-9.])", code):
-        return "threads, lathes, splines"
+    for kind, pattern in KINDS.items():
+        if re.search(pattern, code):
+            return kind
     return "beyond the travel" if np.abs(ran.ends[:, :3]).max() > TRAVEL else "plain"
 
 
@@ -89,7 +95,7 @@ def grade(program: Path, package: Path, folder: Path, via: bool = False) -> Grad
     name, text = program.name, program.read_bytes().decode("latin-1")
     source = run(program, package, LENGTHS, OFFSETS)
     kind = kind_of(text, source)
-    if kind.startswith(("not run", "no motion", "rotary", "beyond")):
+    if kind.startswith(("not run", "no motion", "rotary", "beyond", "M codes")):
         return Grade(name, kind)
     out = folder / "out.ngc"
     out.unlink(missing_ok=True)

@@ -123,7 +123,9 @@ def outcome(one: World, seed: int, curves: str = "smooth", given: str = "default
     model = one.models[given]
     dimensions = {name: model.errors.parameters[name] for name in model.dimensions}
     start = time.process_time()
-    found = estimate(model, replace(one.plan, reading=reading.copy()), ErrorValues(model.name, dimensions))
+    found = estimate(
+        model, replace(one.plan, reading=reading.copy()), ErrorValues(machine=model.name, parameters=dimensions)
+    )
     seconds = time.process_time() - start
     positions = np.array([one.points[axis] for axis in model.axes])
     covariance = covariance_of(found.layout, found.spread)

@@ -136,7 +136,9 @@ def said(one: World, data: MeasuredData, plan: Observations, folder: Path) -> tu
     refused = setup_faults(one.model, measured, folder)
     if refused:
         return "refused", tuple(fault.problem.split(",")[0].removeprefix("run ") for fault in refused), "readings"
-    known = ErrorValues(one.model.name, {name: one.model.errors.parameters[name] for name in one.model.dimensions})
+    known = ErrorValues(
+        machine=one.model.name, parameters={name: one.model.errors.parameters[name] for name in one.model.dimensions}
+    )
     try:
         found = identify_estimated(one.model, plan, IdentifyOptions(known=known))
     except NotConvergedError as failure:

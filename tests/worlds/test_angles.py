@@ -47,7 +47,7 @@ def test_readings_are_those_of_the_exact_model(tmp_path: Path, monkeypatch: pyte
         at = at if at.size > 1 else np.array([at[0], at[0] + 1.0])
         curves[name] = TableCurve(tuple(at.tolist()), tuple(np.asarray(truth.curves[name](at)).tolist()))
     values = dict(design.machine.dimensions) | dict(truth.located)
-    given = model.with_values(ErrorValues(model.name, values, curves))
+    given = model.with_values(ErrorValues(machine=model.name, parameters=values, motion_errors=curves))
     count = 0
     for index, run in enumerate(data.setup.runs):
         if run.instrument == "angle":

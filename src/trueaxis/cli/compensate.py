@@ -74,12 +74,28 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    default = Settings()
+    _add_files(parser)
+    _add_accuracy(parser, Settings())
+    _add_reading(parser, Settings())
+    _add_frames(parser)
+    _add_limits(parser)
+    parser.set_defaults(run=run)
+
+
+def _add_files(parser: argparse.ArgumentParser) -> None:
+    """What is read and written."""
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine")
     parser.add_argument("--errors", type=Path, required=True, metavar="E.json", help="its error values")
     parser.add_argument("program", type=Path, metavar="PROGRAM", help="NC program or APT CL file")
     parser.add_argument("--out", type=file_to_write, required=True, metavar="PROGRAM", help="NC program to write")
     parser.add_argument("--format", choices=("nc", "apt"), help="of the program; default: by extension and content")
+    parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
+                        help="folder of derived kernels (default %(default)s)")  # fmt: skip
+    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON too")
+
+
+def _add_accuracy(parser: argparse.ArgumentParser, default: Settings) -> None:
+    """How well the tool is to follow, and in which words."""
     parser.add_argument("--tolerance", type=float, default=default.tolerance, metavar="MM",
                         help="largest tool point error allowed (default %(default)s)")  # fmt: skip
     parser.add_argument("--resolution", type=float, default=default.resolution, metavar="MM",
@@ -109,6 +125,10 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         "(default %(default)g)")  # fmt: skip
     parser.add_argument("--tool-axis", type=_point, default=default.tool_axis, metavar="X,Y,Z",
                         help="direction of the tool axis, tool frame (default 0,0,1)")  # fmt: skip
+
+
+def _add_reading(parser: argparse.ArgumentParser, default: Settings) -> None:
+    """What the program does not say of itself: where and when it runs, and on which control."""
     parser.add_argument("--start", type=_start, default={}, metavar="X0Y0Z0",
                         help="axis positions before the first block, in machine coordinates "
                         "(default: not known)")  # fmt: skip
@@ -130,6 +150,10 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         "heidenhain, else such a number is a fault")  # fmt: skip
     parser.add_argument("--pass-m", type=_codes, default=(), metavar="70,110",
                         help="M codes that move no axis and change no mode on this control")  # fmt: skip
+
+
+def _add_frames(parser: argparse.ArgumentParser) -> None:
+    """Work offsets and tools of the control."""
     parser.add_argument("--offset", type=_offset, action="append", default=[], metavar="G54=X1.0,Y2.0,Z3.0",
                         help="machine position of the zero of a work offset, mm and deg; once for each. It need be "
                         "known only roughly: the report says what 10 mm cost. A range like X0:500 asks for the worst "
@@ -139,9 +163,10 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--tools", type=Path, metavar="FILE",
                         help="tools by number: LinuxCNC's tool.tbl, or TOML with tables [tool.1] of length and offset; "
                         "G43 then adds the length to Z, and the tip of each tool is compensated")  # fmt: skip
-    parser.add_argument("--kernels", type=Path, default=Path("generated"), metavar="DIR",
-                        help="folder of derived kernels (default %(default)s)")  # fmt: skip
-    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON too")
+
+
+def _add_limits(parser: argparse.ArgumentParser) -> None:
+    """What is refused, and what is accepted nevertheless."""
     parser.add_argument("--max-u", type=size, metavar="MM",
                         help="write nothing, exit code 1, where a standard uncertainty of the tool point, relative to "
                         "home, is larger at a place of the program; what is not known or not determined counts as "
@@ -151,7 +176,6 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
                         "errors of the sizes in [prior] of the spec make of the tool point)")  # fmt: skip
     misfit_option(parser)
     uncertain_option(parser, "the program")
-    parser.set_defaults(run=run)
 
 
 def _point(text: str) -> tuple[float, float, float]:

@@ -103,5 +103,5 @@ def _read(args: argparse.Namespace) -> Given:
     found += overwritten({"the active compensation of --data": active_file(args.data, measured.data.setup)}, outputs)
     if found:
         raise InputError(found)
-    model = measured.model.with_values(measured.known or ErrorValues(machine.name))
+    model = measured.model.with_values(measured.known or ErrorValues(machine=machine.name))
     return Given(model=model, covariance=covariance, data=measured.data, folder=args.data, spec=text, runs=runs)

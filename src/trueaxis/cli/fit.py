@@ -106,7 +106,9 @@ def run(args: argparse.Namespace) -> int:
 def _model(args: argparse.Namespace, machine: Machine) -> MachineModel | None:
     """For the uncertainty of the tool point; None without kernels, which --max-u cannot do without."""
     try:
-        return MachineModel(machine, load_kernels(machine, args.machine, args.kernels), ErrorValues(machine.name))
+        return MachineModel(
+            machine, load_kernels(machine, args.machine, args.kernels), ErrorValues(machine=machine.name)
+        )
     except InputError:
         if args.max_u is not None:
             raise

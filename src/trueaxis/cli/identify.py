@@ -57,11 +57,38 @@ DEFAULT: Literal["convention"] = "convention"
 def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser("identify", help="error values from measured data", description=DESCRIPTION)
+    _add_files(parser)
+    _add_method(parser)
+    parser.set_defaults(run=run)
+
+
+def _add_files(parser: argparse.ArgumentParser) -> None:
+    """What is read and written."""
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--data", type=Path, required=True, metavar="DIR", help="folder with setup.toml, readings.csv")
     parser.add_argument(
         "--out", type=file_to_write, required=True, metavar="E.json", help="error values, to be written"
     )
+    parser.add_argument(
+        "--known",
+        type=Path,
+        metavar="E.json",
+        help="error values taken as they are: dimensions, location errors, whole components; the rest is identified",
+    )
+    parser.add_argument(
+        "--covariance",
+        type=file_to_write,
+        metavar="FILE.npz",
+        help="where the covariance of the values goes (default: beside --out, with the ending .npz)",
+    )
+    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON, too")
+    parser.add_argument(
+        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
+    )
+
+
+def _add_method(parser: argparse.ArgumentParser) -> None:
+    """How the errors are found."""
     parser.add_argument(
         "--method",
         type=method_option,
@@ -84,12 +111,6 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="what gives the squareness: convention (default) the slope of the straightness, whose least-squares lines "
         "become level as in ISO 230-1; known the file --known (zero where it is silent); from-angles the yaw and pitch "
         "curves by Sect. 3.6 of the paper, which docs/errata.md refutes (method stepwise; sect36 is its old name)",
-    )
-    parser.add_argument(
-        "--known",
-        type=Path,
-        metavar="E.json",
-        help="error values taken as they are: dimensions, location errors, whole components; the rest is identified",
     )
     parser.add_argument(
         "--noise-um",
@@ -122,17 +143,6 @@ def add_parser(subparsers: "Subparsers") -> None:
         "ideal: nothing",
     )
     parser.add_argument("--robust", help="gone: outliers are left out without it")
-    parser.add_argument(
-        "--covariance",
-        type=file_to_write,
-        metavar="FILE.npz",
-        help="where the covariance of the values goes (default: beside --out, with the ending .npz)",
-    )
-    parser.add_argument("--report", type=file_to_write, metavar="FILE", help="write the report as JSON, too")
-    parser.add_argument(
-        "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
-    )
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -40,6 +40,16 @@ nothing. Exit code 1 where the runs tell nothing."""
 def add_parser(subparsers: "Subparsers") -> None:
     """Add this command to the command line."""
     parser = subparsers.add_parser("plan", help="what runs will tell, and which to make", description=DESCRIPTION)
+    _add_given(parser)
+    _add_proposals(parser)
+    _add_outputs(parser)
+    for name, retired in RETIRED.items():
+        parser.add_argument(name, help=f"gone: {retired.instead}", **retired.argument)
+    parser.set_defaults(run=run)
+
+
+def _add_given(parser: argparse.ArgumentParser) -> None:
+    """The machine, the runs, and what is known of both."""
     parser.add_argument("machine", type=Path, metavar="MACHINE.toml", help="the machine spec")
     parser.add_argument("--data", type=Path, metavar="DIR", help="folder with setup.toml, readings.csv: the plan")
     parser.add_argument(
@@ -74,6 +84,10 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--tool-point", type=tool_point, action="append", default=[], metavar="X,Y,Z",
         help="point in the tool frame, mm, whose uncertainty counts (0,0,0); given more than once: their mean",
     )  # fmt: skip
+
+
+def _add_proposals(parser: argparse.ArgumentParser) -> None:
+    """Which runs are proposed."""
     parser.add_argument(
         "--propose", type=whole(1, MOST_PROPOSED), metavar="N",
         help="choose the N runs that add most per minute; with --out, write them",
@@ -92,6 +106,10 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="what the tool point is known against by proposed runs: the tool point at home (default), or a workpiece "
         "placed where it fits best: balls and beams do not see a turn of the whole volume",
     )  # fmt: skip
+
+
+def _add_outputs(parser: argparse.ArgumentParser) -> None:
+    """What is written, and with which kernels."""
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="another folder, to be written: the plan with the proposed runs"
     )
@@ -102,9 +120,6 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
-    for name, retired in RETIRED.items():
-        parser.add_argument(name, help=f"gone: {retired.instead}", **retired.argument)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -66,7 +66,7 @@ class Declaration:
     signature: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class FunctionText(Declaration):
     """What the source prints of one routine; calls: whether its body calls functions, which is not vectorised."""
 
@@ -161,21 +161,21 @@ def function_text(prefix: str, routine: Routine, layout: Layout = OF_POINTS) -> 
     direct = {target.name: value for target, value in routine.body if target.name in stored and target.name not in body}
     head = declaration(prefix, routine, layout)
     return FunctionText(
-        head.name,
-        head.comment,
-        head.signature,
-        tuple(a.name for a in routine.inputs if used.isdisjoint(a.rows)),
-        tuple(constants),
-        tuple(_assigned(assignment, printer) for assignment in routine.batch),
-        tuple(_loads(varying, _used(routine.preparation), names, layout)),
-        tuple(
+        name=head.name,
+        comment=head.comment,
+        signature=head.signature,
+        unused=tuple(a.name for a in routine.inputs if used.isdisjoint(a.rows)),
+        constants=tuple(constants),
+        batch=tuple(_assigned(assignment, printer) for assignment in routine.batch),
+        positions=tuple(_loads(varying, _used(routine.preparation), names, layout)),
+        preparation=tuple(
             TrigonometryText(names[target.name], f"{names[target.name]}_block", printer.doprint(value))
             for target, value in routine.preparation
         ),
-        any(value.has(sp.Function) for _, value in routine.body),
-        tuple(_loads(varying, body, names, layout)),
-        tuple(_assigned(assignment, printer) for assignment in routine.body if assignment[0].name not in direct),
-        tuple(
+        calls=any(value.has(sp.Function) for _, value in routine.body),
+        rows=tuple(_loads(varying, body, names, layout)),
+        body=tuple(_assigned(assignment, printer) for assignment in routine.body if assignment[0].name not in direct),
+        stores=tuple(
             _wrapped(f"{place} = {printer.doprint(direct[row]) if row in direct else names[row]};")
             for row, place in outputs
         ),

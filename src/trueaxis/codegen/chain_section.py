@@ -38,7 +38,7 @@ class StepText:
     same_as: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class BranchText:
     """One branch: its name in the paper, the product of its factors, its steps."""
 
@@ -49,7 +49,7 @@ class BranchText:
     steps: tuple[StepText, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class ChainTexts:
     """Everything that the template prints of the chain."""
 
@@ -71,16 +71,16 @@ def chain_texts(machine: Machine, latex: Latex) -> ChainTexts:
     ends = [side[-1].ideal if side else sp.eye(4) for side in sides]
     point = ends[1] * sp.Matrix([*symbols.point(), 1])
     return ChainTexts(
-        tuple(_joint(part, latex) for part in joints.values()),
-        tuple(
+        joints=tuple(_joint(part, latex) for part in joints.values()),
+        branches=tuple(
             _branch(name, number, side, latex)
             for name, number, side in (("[SBW]", "(2)", sides[0]), ("[SBT]", "(3)", sides[1]))
         ),
-        tuple(matrix_rows("M", _pose(main.ideal), latex, "M_{{{}}}")),
-        tuple(broken(f"P_{row}", latex.terms(point[i])) for i, row in enumerate(AXES)),
-        tuple(_turned(ends[0][:3, :3].T, latex)),
-        ends[0][:3, :3] != sp.eye(3),
-        tuple(_position(machine, main, latex)),
+        relative=tuple(matrix_rows("M", _pose(main.ideal), latex, "M_{{{}}}")),
+        in_bed=tuple(broken(f"P_{row}", latex.terms(point[i])) for i, row in enumerate(AXES)),
+        turned=tuple(_turned(ends[0][:3, :3].T, latex)),
+        workpiece_turns=ends[0][:3, :3] != sp.eye(3),
+        position=tuple(_position(machine, main, latex)),
     )
 
 
@@ -146,7 +146,7 @@ def _branch(name: str, number: str, steps: tuple[BranchStep, ...], latex: Latex)
         texts.append(_step(step, before, latex))
         before = step.joint.body.number
     product = broken(name, [f"\\,{factor}" for factor in factors] or ["1"]).replace("&= \\,", "&= ")
-    return BranchText(name, number, before, (product,), tuple(texts))
+    return BranchText(name=name, number=number, end=before, product=(product,), steps=tuple(texts))
 
 
 def _step(step: BranchStep, before: int, latex: Latex) -> StepText:

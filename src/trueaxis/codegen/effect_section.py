@@ -17,7 +17,7 @@ from trueaxis.machine.machine import ROTARY, Machine
 _INSTRUMENTS = {"laser": "the laser", "probe": "the probe", "ballbar": "the ball bar"}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class EffectText:
     """One effect: its heading, its cause, where it acts, its equation (empty where it has none of its own)."""
 
@@ -65,7 +65,13 @@ def effect_symbols(machine: Machine) -> list[SymbolRow]:
 def _text(machine: Machine, effect: Effect, number: int) -> EffectText:
     kind = machine.kinds[effect.kind]
     left, right = _equation(kind, effect, number)
-    return EffectText(_escaped(f"{number}. {effect.label}"), _escaped(kind.sentence), _where(kind, effect), left, right)
+    return EffectText(
+        title=_escaped(f"{number}. {effect.label}"),
+        cause=_escaped(kind.sentence),
+        where=_where(kind, effect),
+        left=left,
+        right=right,
+    )
 
 
 def _where(kind: Kind, effect: Effect) -> str:

@@ -19,7 +19,7 @@ BLOCK = 8192
 _TAKEN = frozenset(("np", "at", "start", "stop", "block", "n"))  # what the functions use beside their arguments
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class FunctionText:
     """What the template prints of one routine."""
 
@@ -81,23 +81,23 @@ def _function(routine: Routine) -> FunctionText:
     varying = [a for a in routine.inputs if a.per_point]
     places = {row: f"{a.name}[{k}, at]" for a in routine.outputs for k, row in enumerate(a.rows)}
     return FunctionText(
-        routine.name,
-        tuple(a.name for a in routine.inputs),
-        tuple(_doc(routine)),
-        tuple((a.name, len(a.rows)) for a in varying),
-        tuple((a.name, a.shape) for a in constants),
-        tuple((a.name, len(a.rows)) for a in routine.outputs),
-        ", ".join(_returned(a) for a in routine.outputs),
-        tuple(
+        name=routine.name,
+        arguments=tuple(a.name for a in routine.inputs),
+        doc=tuple(_doc(routine)),
+        per_point=tuple((a.name, len(a.rows)) for a in varying),
+        fixed=tuple((a.name, a.shape) for a in constants),
+        outputs=tuple((a.name, len(a.rows)) for a in routine.outputs),
+        returns=", ".join(_returned(a) for a in routine.outputs),
+        constants=tuple(
             f"{names[row]} = float({a.name}[{', '.join(str(i) for i in _unravel(a, k))}])"
             for a in constants
             for k, row in enumerate(a.rows)
             if row in used
         ),
-        tuple(_line(assignment, printer) for assignment in routine.batch),
-        tuple(f"{names[row]} = {a.name}[{k}, at]" for a in varying for k, row in enumerate(a.rows) if row in used),
-        tuple(_line(assignment, printer) for assignment in routine.preparation),
-        tuple(
+        batch=tuple(_line(assignment, printer) for assignment in routine.batch),
+        rows=tuple(f"{names[row]} = {a.name}[{k}, at]" for a in varying for k, row in enumerate(a.rows) if row in used),
+        preparation=tuple(_line(assignment, printer) for assignment in routine.preparation),
+        body=tuple(
             _stored(assignment, places, used, printer)
             for assignment in routine.body
             if not _is_zero_output(assignment, places)

@@ -19,7 +19,7 @@ class Reading:
         return f"L_{{{self.label}{self.direction}h}}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class System:
     """A numbered system of a pattern: its readings row by row, its unknowns in the paper's order.
 
@@ -33,7 +33,7 @@ class System:
     rows: bool = True
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Pattern:
     """A motion of Sects. 3.2 to 3.5: axes that move, number of its motion equation, of its readings and systems.
 
@@ -57,58 +57,68 @@ def _readings(labels: str, directions: str) -> tuple[Reading, ...]:
 
 PATTERNS = (
     Pattern(
-        "X",
-        "3.2",
-        "X alone",
-        12,
-        (System(15, 18, _readings("123", "x"), ("EXX", "ECX", "EBX"), rows=False),),
-    ),
-    Pattern(
-        "Y",
-        "3.2",
-        "Y alone",
-        13,
-        (System(16, 19, _readings("456", "y"), ("EYY", "ECY", "EAY"), rows=False),),
-    ),
-    Pattern(
-        "Z",
-        "3.2",
-        "Z alone",
-        14,
-        (System(17, 20, _readings("789", "z"), ("EZZ", "EBZ", "EAZ"), rows=False),),
-    ),
-    Pattern(
-        "XZ",
-        "3.3",
-        "X and Z together",
-        21,
-        (System(25, 26, _readings("12", "xz"), ("EXZ", "ECZ", "EZX", "EAX")),),
-        (22, "x", "z"),
-        (23, "xz"),
-        ((24, _readings("12", "xz")),),
-    ),
-    Pattern(
-        "XY",
-        "3.4",
-        "X and Y together",
-        27,
-        (
-            System(31, 32, _readings("12", "x"), ("EXY", "EBY")),
-            System(0, 34, _readings("1", "y"), ("EYX",)),
+        axes="X",
+        section="3.2",
+        title="X alone",
+        motion=12,
+        systems=(
+            System(number=15, solution=18, readings=_readings("123", "x"), unknowns=("EXX", "ECX", "EBX"), rows=False),
         ),
-        (28, "x", "y"),
-        (29, "xy"),
-        ((30, _readings("12", "x")), (33, _readings("1", "y"))),
     ),
     Pattern(
-        "YZ",
-        "3.5",
-        "Y and Z together",
-        35,
-        (System(0, 38, (Reading("1", "z"), Reading("1", "y")), ("EZY", "EYZ")),),
-        (36, "y", "z"),
-        None,
-        ((37, (Reading("1", "y"), Reading("1", "z"))),),
+        axes="Y",
+        section="3.2",
+        title="Y alone",
+        motion=13,
+        systems=(
+            System(number=16, solution=19, readings=_readings("456", "y"), unknowns=("EYY", "ECY", "EAY"), rows=False),
+        ),
+    ),
+    Pattern(
+        axes="Z",
+        section="3.2",
+        title="Z alone",
+        motion=14,
+        systems=(
+            System(number=17, solution=20, readings=_readings("789", "z"), unknowns=("EZZ", "EBZ", "EAZ"), rows=False),
+        ),
+    ),
+    Pattern(
+        axes="XZ",
+        section="3.3",
+        title="X and Z together",
+        motion=21,
+        systems=(
+            System(number=25, solution=26, readings=_readings("12", "xz"), unknowns=("EXZ", "ECZ", "EZX", "EAX")),
+        ),
+        projected=(22, "x", "z"),
+        general=(23, "xz"),
+        special=((24, _readings("12", "xz")),),
+    ),
+    Pattern(
+        axes="XY",
+        section="3.4",
+        title="X and Y together",
+        motion=27,
+        systems=(
+            System(number=31, solution=32, readings=_readings("12", "x"), unknowns=("EXY", "EBY")),
+            System(number=0, solution=34, readings=_readings("1", "y"), unknowns=("EYX",)),
+        ),
+        projected=(28, "x", "y"),
+        general=(29, "xy"),
+        special=((30, _readings("12", "x")), (33, _readings("1", "y"))),
+    ),
+    Pattern(
+        axes="YZ",
+        section="3.5",
+        title="Y and Z together",
+        motion=35,
+        systems=(
+            System(number=0, solution=38, readings=(Reading("1", "z"), Reading("1", "y")), unknowns=("EZY", "EYZ")),
+        ),
+        projected=(36, "y", "z"),
+        general=None,
+        special=((37, (Reading("1", "y"), Reading("1", "z"))),),
     ),
 )
 

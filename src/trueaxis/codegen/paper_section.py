@@ -18,7 +18,7 @@ from trueaxis.view import view_of
 Row = str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Block:
     """One numbered equation: a title, a sentence before it, plain maths or rows or both, behind it a warning and
     what its kernels take and return.
@@ -57,7 +57,7 @@ class Section:
         return f"sect-{self.number.replace('.', '')}-{self.title.lower().replace(' ', '-').replace(',', '')}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class PaperPart:
     """What the template asks for."""
 
@@ -101,12 +101,12 @@ def paper_part(model: DerivedModel) -> PaperPart:
     )
     patterns = tuple(pattern.axes for pattern in (*PATTERNS[:3], PATTERNS[4], PATTERNS[3], PATTERNS[5]))
     return PaperPart(
-        Table1(("X", "Y", "Z"), tuple(table_1(machine))),
-        patterns,
-        tuple(table_3(patterns)),
-        tuple(position_errors(machine, latex)),
-        sections,
-        tuple(points(model)),
+        table_1=Table1(("X", "Y", "Z"), tuple(table_1(machine))),
+        motions=patterns,
+        table_3=tuple(table_3(patterns)),
+        position_errors=tuple(position_errors(machine, latex)),
+        sections=sections,
+        points=tuple(points(model)),
     )
 
 
@@ -133,7 +133,7 @@ def _motion_block(machine: Machine, pattern: Pattern, latex: Latex) -> Block:
     text = (
         f"{sign}Eq. (11) with the columns {pattern.axes} of Table 3; to first order the change since home of {views}:"
     )
-    return Block(pattern.motion, f"motion of {pattern.title}", text, rows=tuple(rows))
+    return Block(number=pattern.motion, title=f"motion of {pattern.title}", text=text, rows=tuple(rows))
 
 
 def _difference(text: str, axis: str, *, bracket: bool) -> str:
@@ -152,17 +152,17 @@ def _reading_blocks(machine: Machine, pattern: Pattern, latex: Latex) -> Iterato
             "The displacement $L_{ih}$ along the linkage line and the straightness $\\delta_{ih}$ across it, $\\theta$ "
             f"measured from the {cosine.upper()} axis:"
         )
-        yield Block(number, "projections of the line", text, rows=rows)
+        yield Block(number=number, title="projections of the line", text=text, rows=rows)
     if pattern.general:
         number, directions = pattern.general
         text = f"The rows of Eq. ({pattern.motion}) that are read, for any point $i$:"
         rows = tuple(_reading_row(machine, pattern, Reading("i", d), latex) for d in directions)
-        yield Block(number, "readings", text, rows=rows)
+        yield Block(number=number, title="readings", text=text, rows=rows)
     for number, readings in pattern.special:
         projected = f"; their projections are those of Eq. ({pattern.projected[0]})" if pattern.projected else ""
         text = f"The same at the points of Table 5, rows of Eq. ({pattern.motion}){projected}:"
         rows = tuple(_reading_row(machine, pattern, reading, latex) for reading in readings)
-        yield Block(number, "readings at the measured points", text, rows=rows)
+        yield Block(number=number, title="readings at the measured points", text=text, rows=rows)
 
 
 def _reading_row(machine: Machine, pattern: Pattern, reading: Reading, latex: Latex) -> Row:
@@ -186,10 +186,10 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
         left += r"\end{bmatrix}"
         text = f"The rows of Eq. ({pattern.motion}) that are read at the three points of Table 4:"
         maths = f"{left} = {latex(matrix)} {unknowns}"
-        yield Block(system.number, f"system of {pattern.title}", text, maths, warning=warning)
+        yield Block(number=system.number, title=f"system of {pattern.title}", text=text, maths=maths, warning=warning)
         maths = f"{unknowns} = {latex(matrix)}^{{-1}} {left}"
         title, text = f"solution of {pattern.title}", f"Eq. ({system.number}) solved:"
-        yield Block(system.solution, title, text, maths, warning=warning, kernels=kernels)
+        yield Block(number=system.solution, title=title, text=text, maths=maths, warning=warning, kernels=kernels)
         return
     if system.number:
         sources = " and ".join(f"({number})" for number, rows in pattern.special if set(rows) & set(system.readings))
@@ -201,10 +201,14 @@ def _system_blocks(model: DerivedModel, pattern: Pattern, system: System, latex:
             broken(name, _known_terms(r, f, k, latex))
             for name, r, f, k in zip(names, system.readings, forms, known, strict=True)
         )
-        yield Block(system.number, "system", text, f"{latex(matrix)} {unknowns} = {stack}", rows)
+        yield Block(
+            number=system.number, title="system", text=text, maths=f"{latex(matrix)} {unknowns} = {stack}", rows=rows
+        )
     rows = tuple(_closed_forms(system, forms, latex))
     source = system.number or next(number for number, rows in pattern.special if set(rows) >= set(system.readings))
-    yield Block(system.solution, "solution", f"Eq. ({source}) solved{assumed}:", rows=rows, kernels=kernels)
+    yield Block(
+        number=system.solution, title="solution", text=f"Eq. ({source}) solved{assumed}:", rows=rows, kernels=kernels
+    )
 
 
 def _assumed(machine: Machine, forms: list[Form], latex: Latex) -> str:

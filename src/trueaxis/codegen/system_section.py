@@ -36,7 +36,7 @@ class ReadingText:
     what: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class SystemText:
     """One identification system: matrix times unknowns = b; b by rows; the solution by rows, none where it is left."""
 
@@ -89,24 +89,24 @@ def system_text(
     )
     matrix = sp.Matrix(system.matrix)
     return SystemText(
-        f"{index + 1}. {', '.join(system.unknowns)} ({' and '.join(''.join(m) for m in system.moves)})",
-        dict(machine.references).get(system_name(index), ""),
-        system_name(index) if system.inverse is not None else "",
-        tuple(
+        title=f"{index + 1}. {', '.join(system.unknowns)} ({' and '.join(''.join(m) for m in system.moves)})",
+        reference=dict(machine.references).get(system_name(index), ""),
+        kernel=system_name(index) if system.inverse is not None else "",
+        readings=tuple(
             ReadingText(latex(reading), run, _sensed(runs[run]))
             for reading, run in zip(readings, system.runs, strict=True)
         ),
-        tuple(
+        points=tuple(
             (f"({', '.join(latex(s) for s in triple)})", on, f"({', '.join(f'{c:g}' for c in at)})")
             for triple, on, at in system.points
         ),
-        latex(sp.Matrix([symbols.named(name) for name in system.unknowns])),
-        latex(matrix),
-        r"\begin{bmatrix}" + r"\\".join(names) + r"\end{bmatrix}",
-        right,
-        tuple(_solution(system, names, latex)),
-        system.rank,
-        len(system.unknowns),
+        unknowns=latex(sp.Matrix([symbols.named(name) for name in system.unknowns])),
+        matrix=latex(matrix),
+        reduced=r"\begin{bmatrix}" + r"\\".join(names) + r"\end{bmatrix}",
+        right=right,
+        solution=tuple(_solution(system, names, latex)),
+        rank=system.rank,
+        size=len(system.unknowns),
     )
 
 

@@ -25,7 +25,7 @@ class EffectNote:
     how: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Acting:
     """A machine with those effects that are compensated.
 
@@ -59,12 +59,12 @@ def acting(model: ErrorModel, settings: Settings) -> Acting | None:
                 reversing.add(axis or "")
             moving |= own in ("v", "d_time")
     return Acting(
-        model.with_values(replace(model.errors, effects=kept)),
-        tuple(note for _, note in found),
-        tuple(axis for axis in model.axes if axis in reversing),
-        moving,
-        settings.time or 0.0,
-        REFERENCE_TEMPERATURE if settings.temperature is None else settings.temperature,
+        model=model.with_values(replace(model.errors, effects=kept)),
+        notes=tuple(note for _, note in found),
+        reversing=tuple(axis for axis in model.axes if axis in reversing),
+        moving=moving,
+        time=settings.time or 0.0,
+        temperature=REFERENCE_TEMPERATURE if settings.temperature is None else settings.temperature,
     )
 
 

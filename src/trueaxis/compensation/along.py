@@ -37,7 +37,7 @@ class PointAlong:
         return np.asarray(np.sqrt(((correction[rows] - straight[rows]) ** 2).sum(axis=0)) / self.tolerance)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PoseAlong:
     """Tool point and tool axis, by all axes; tolerance mm, orientation_tolerance rad."""
 

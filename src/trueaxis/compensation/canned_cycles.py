@@ -12,7 +12,7 @@ RAPID, FEED, DWELL, SPINDLE_STOP, SPINDLE_START = range(5)
 Step = tuple[int, float]  # what is done, and to which position of the axis that drills (machine, mm)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Cycle:
     """A canned cycle with its words as they hold on, as written: code (times ten), z and r, peck (0: none), dwell (the
     text of its P word). initial: where the drilling axis was when it began, mm, machine coordinates, None: not

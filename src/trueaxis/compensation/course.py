@@ -15,7 +15,7 @@ from trueaxis.model.context import Context
 LONG = 1e4  # s: no spike lasts so long; small enough for sums over many motions to keep their digits
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Course:
     """One column for each motion of a path; rows of arrays (n_axes, n) are the axes.
 
@@ -55,22 +55,22 @@ class Course:
         """
         at_low, at_half, at_high = (self.context(motion, place, 0.0, 0.0) for place in (low, 0.5 * (low + high), high))
         return Course(
-            at_low.directions,
-            self.since[..., motion] + low * self.gone[..., motion],
-            (high - low) * self.gone[..., motion],
-            (at_low.velocity, at_half.velocity, at_high.velocity),
-            np.full(motion.size, 0.5),
+            direction=at_low.directions,
+            since=self.since[..., motion] + low * self.gone[..., motion],
+            gone=(high - low) * self.gone[..., motion],
+            velocity=(at_low.velocity, at_half.velocity, at_high.velocity),
+            ramp=np.full(motion.size, 0.5),
         )
 
     def with_halts(self, motion: NDArray[np.int64], halt: NDArray[np.bool_]) -> "Course":
         """The course of the motions given, some of which go nowhere: in the state in which they would start."""
         start, midst, end = (part[:, motion] for part in self.velocity)
         return Course(
-            self.direction[:, motion],
-            self.since[..., motion],
-            np.where(halt, 0.0, self.gone[..., motion]),
-            (start, np.where(halt, start, midst), np.where(halt, start, end)),
-            self.ramp[motion],
+            direction=self.direction[:, motion],
+            since=self.since[..., motion],
+            gone=np.where(halt, 0.0, self.gone[..., motion]),
+            velocity=(start, np.where(halt, start, midst), np.where(halt, start, end)),
+            ramp=self.ramp[motion],
         )
 
 

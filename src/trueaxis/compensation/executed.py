@@ -8,15 +8,17 @@ from numpy.typing import NDArray
 from trueaxis.compensation.held import Held, standing
 from trueaxis.compensation.lattice import Lattice, Stretch
 from trueaxis.compensation.machine import ErrorModel, FloatArray, linear_jacobian, linear_rows, rotary_rows
-from trueaxis.compensation.middles import passages, passages_allowed
+from trueaxis.compensation.middles import Passage, passages, passages_allowed
 from trueaxis.compensation.path import Path
 from trueaxis.compensation.placed import of_points
 from trueaxis.compensation.settings import Settings
 from trueaxis.compensation.solve import Solution
 from trueaxis.compensation.word_choice import choose
 
+SAME_TURN = 1e-9  # deg: less is no turn but the rounding of sums
 
-@dataclass(frozen=True, slots=True)
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Executed:
     """Ends of the blocks to be written, in order.
 
@@ -85,7 +87,7 @@ def _chosen(
     point = np.arange(stretch.first, stretch.last)
     programmed = path.points[:, part]
     none = np.zeros(point.size, dtype=bool)
-    plain = Executed(near, programmed, point, none, none)
+    plain = Executed(positions=near, reference=programmed, point=point, passed=none, stopped=none)
     free = ~held.any(axis=0)
     if settings.words == "nearest" or settings.ball is None:
         return plain
@@ -105,11 +107,7 @@ def _chosen(
         return plain
 
     rotary = list(rotary_rows(model.axes))
-    still = np.ones(point.size, dtype=bool)
-    if rotary:
-        turn = np.abs(np.diff(near[rotary], axis=1)).max(axis=0) < 1e-9
-        still[1:] &= turn
-        still[:-1] &= turn
+    still = _still(near[rotary])
     fed = ~path.rapid[part]
     fed[:-1] &= fed[1:]
     allowed, direction, half = passages_allowed(
@@ -125,13 +123,33 @@ def _chosen(
         commands[rows][:, index], error(on_half, index), target[:, index], ball, jacobian[:, :, index],
         direction[:, index], half[index], Lattice(lattice.base[rows], lattice.step[rows]), limit,
     )  # fmt: skip
+    return _passing(plain, passage, index, rows, direction)
+
+
+def _still(rotary: FloatArray) -> NDArray[np.bool_]:
+    """Where no rotary axis, (n_rotary, n), turns before or behind a point."""
+    still = np.ones(rotary.shape[1], dtype=bool)
+    if rotary.size:
+        stands = np.abs(np.diff(rotary, axis=1)).max(axis=0) < SAME_TURN
+        still[1:] &= stands
+        still[:-1] &= stands
+    return still
+
+
+def _passing(
+    plain: Executed, passage: Passage, index: NDArray[np.int64], rows: list[int], direction: FloatArray
+) -> Executed:
+    """Short blocks in place of the points, with these indices, that can be passed in their middle.
+
+    rows: of the linear axes; direction: (3, n), of the feed at every point.
+    """
     kept = passage.possible
     index = index[kept]
-    twice = np.ones(point.size, dtype=np.int64)
+    twice = np.ones(plain.point.size, dtype=np.int64)
     twice[index] = 2
-    source = np.repeat(np.arange(point.size), twice)
+    source = np.repeat(np.arange(plain.point.size), twice)
     second = np.cumsum(twice) - 1
-    positions, reference = near[:, source], programmed[:, source]
+    positions, reference = plain.positions[:, source], plain.reference[:, source]
     passed = np.zeros(source.size, dtype=bool)
     passed[second[index]] = True
     for column, ends, way in (
@@ -141,17 +159,23 @@ def _chosen(
         for row, linear in enumerate(rows):
             positions[linear, column] = ends[row, kept]
             reference[linear, column] += way[kept] * direction[row, index]
-    return Executed(positions, reference, point[source], passed, np.zeros_like(passed))
+    return Executed(
+        positions=positions,
+        reference=reference,
+        point=plain.point[source],
+        passed=passed,
+        stopped=np.zeros_like(passed),
+    )
 
 
 def joined(parts: list[Executed]) -> Executed:
     """Several stretches as one."""
     return Executed(
-        np.concatenate([part.positions for part in parts], axis=1),
-        np.concatenate([part.reference for part in parts], axis=1),
-        np.concatenate([part.point for part in parts]),
-        np.concatenate([part.passed for part in parts]),
-        np.concatenate([part.stopped for part in parts]),
+        positions=np.concatenate([part.positions for part in parts], axis=1),
+        reference=np.concatenate([part.reference for part in parts], axis=1),
+        point=np.concatenate([part.point for part in parts]),
+        passed=np.concatenate([part.passed for part in parts]),
+        stopped=np.concatenate([part.stopped for part in parts]),
     )
 
 

@@ -8,7 +8,7 @@ from trueaxis.compensation.offsets import Offsets, half_width, middle
 Id = tuple[object, ...]
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class Frames:
     """The offsets of one program as it is read; values by row of the machine's axes, mm and deg.
 

@@ -47,7 +47,7 @@ class KlartextReader:
 
     def __init__(self, axes: tuple[str, ...], settings: Settings, faults: FaultLog, notes: Notes) -> None:
         self._axes, self._settings, self._faults, self._notes = axes, settings, faults, notes
-        self._state = NcState(axes, [settings.start.get(axis) for axis in axes], offsets=settings.offsets)
+        self._state = NcState(axes=axes, position=[settings.start.get(axis) for axis in axes], offsets=settings.offsets)
         self._tools = ToolReader(self._state, settings, faults, notes)
         self._frames = FrameReader(self._state, settings, faults, notes)
         self._assumed = [settings.assumed.get(axis, 0.0) for axis in axes]

@@ -37,7 +37,7 @@ class Lattice:
         )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Stretch:
     """Points first to last - 1, whose words are of one kind; step as in Lattice. shift: (n_axes,), position minus word
     of absolute words.
@@ -73,7 +73,9 @@ def stretches(
     edges = [0, *(np.flatnonzero(switched) + 1).tolist(), kind.size]
     steps = {flag: word_steps(axes, settings, flag) for flag in (False, True)}
     for first, last in pairwise(edges):
-        yield Stretch(first, last, bool(absolute[first]), steps[bool(inch[first])], shift[:, first])
+        yield Stretch(
+            first=first, last=last, absolute=bool(absolute[first]), step=steps[bool(inch[first])], shift=shift[:, first]
+        )
 
 
 def rotary_on_words(

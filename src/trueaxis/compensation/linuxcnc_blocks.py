@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 AXES = "XYZABC"
 _LARGEST_NUMBER = 99999  # of a block, in LinuxCNC
+FOOT = 0.3048  # m
+NO_LIMIT = 1e9  # revolutions a minute: LinuxCNC has 1e30 where G96 has no D
 SAME = 1e-7  # mm, deg: what doubles lose on the way through inches
 _CALL = re.compile(r"\s*\d+\s+N\S+\s+(\w+)\((.*)\)\s*$")
 _MOTION = frozenset({"STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"})
@@ -35,7 +37,7 @@ _SILENT = frozenset({
 HEAD = "G21 G90 G94 G17 G40 G49 G80\nG92.1\nG10 L2 P9 X0 Y0 Z0\nG59.3\n"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Motion:
     """kind: rapid, feed or arc; line: of the source; plane, turns, centre: of an arc; end: X Y Z A B C in machine
     coordinates, mm and deg, None where it depends on where the axes stand at first; way: from the end before, NaN where
@@ -57,9 +59,8 @@ def blocks_of(calls: Sequence[str], motions: Sequence[Motion], tools: Sequence[i
 
     Raises ValueError with what a call does that is not written.
     """
-    at: list[float | None] = [None] * len(AXES)
+    writer = _Writer(tools)
     remaining = iter(motions)
-    unit, plane, feed, changed, absolute = 1.0, 1, "", False, True
     for text in calls:
         call = _CALL.match(text)
         if call is None:
@@ -69,29 +70,64 @@ def blocks_of(calls: Sequence[str], motions: Sequence[Motion], tools: Sequence[i
             motion = next(remaining, None)
             if motion is None:
                 raise ValueError("rs274 makes more motions than the module")
-            if motion.kind == "arc" and motion.plane != plane:
-                plane = motion.plane
-                yield f"G{(17, 19, 18)[plane - 1]}"
-            by_ways = _counts_from_start(motion)
-            if by_ways == absolute:
-                absolute = not by_ways
-                yield "G90" if absolute else "G91"
-            fed = "" if motion.kind == "rapid" else feed
-            yield _increments(motion, fed) if by_ways else _block(motion, at, fed)
-            at = [before if value is None else value for before, value in zip(at, motion.end, strict=True)]
-        elif function == "USE_LENGTH_UNITS":
-            unit = 25.4 if "INCH" in arguments else 1.0
-        elif function == "SET_FEED_RATE":
-            feed = f" F{float(arguments) * unit:.4f}"
-        elif function == "USE_TOOL_LENGTH_OFFSET":
-            _check_length(arguments, len(tools) > 1 and not changed)
-        elif function == "CHANGE_TOOL":
-            changed = True
-            yield f"T{tools[int(float(arguments))]} M6"
+            yield from writer.motion(motion)
         else:
-            yield from _words(function, arguments)
+            yield from writer.modes(function, arguments)
     if next(remaining, None) is not None:
         raise ValueError("the module makes more motions than rs274")
+
+
+class _Writer:
+    """What is in force: positions, unit and plane, feed, increments, and whether the spindle turns by G96."""
+
+    def __init__(self, tools: Sequence[int]) -> None:
+        self._tools, self._changed = tools, False
+        self._at: list[float | None] = [None] * len(AXES)
+        self._unit, self._plane, self._feed = 1.0, 1, ""
+        self._absolute, self._surface, self._mode = True, False, ""
+
+    def motion(self, motion: Motion) -> Iterator[str]:
+        if motion.kind == "arc" and motion.plane != self._plane:
+            self._plane = motion.plane
+            yield f"G{(17, 19, 18)[self._plane - 1]}"
+        by_ways = _counts_from_start(motion)
+        if by_ways == self._absolute:
+            self._absolute = not by_ways
+            yield "G90" if self._absolute else "G91"
+        fed = "" if motion.kind == "rapid" else self._feed
+        yield _increments(motion, fed) if by_ways else _block(motion, self._at, fed)
+        self._at = [before if value is None else value for before, value in zip(self._at, motion.end, strict=True)]
+
+    def modes(self, function: str, arguments: str) -> Iterator[str]:
+        if function == "USE_LENGTH_UNITS":
+            self._unit = 25.4 if "INCH" in arguments else 1.0
+        elif function == "SET_FEED_RATE":
+            self._feed = f" F{float(arguments) * self._unit:.4f}"
+        elif function == "SET_SPINDLE_MODE":
+            yield from self._spindle_mode(_numbers(arguments)[-1])
+        elif function == "SET_SPINDLE_SPEED":  # with G96 a speed along the surface, m/min or ft/min
+            foot = FOOT if self._surface and self._unit != 1.0 else 1.0
+            yield f"{self._mode}S{abs(_numbers(arguments)[-1]) * foot:.4f}"
+            self._mode = ""
+        elif function == "USE_TOOL_LENGTH_OFFSET":
+            _check_length(arguments, len(self._tools) > 1 and not self._changed)
+        elif function == "CHANGE_TOOL":
+            self._changed = True
+            yield f"T{self._tools[int(float(arguments))]} M6"
+        else:
+            yield from _words(function, arguments)
+
+    def _spindle_mode(self, most: float) -> Iterator[str]:
+        """G96 stands before the S that follows: LinuxCNC wants both in one block."""
+        if most:
+            self._mode = f"G96 D{most:.4f} " if most < NO_LIMIT else "G96 "
+        elif self._surface:
+            yield "G97"
+        self._surface = bool(most)
+
+
+def _numbers(arguments: str) -> list[float]:
+    return [float(number) for number in re.findall(r"[-+]?\d+\.?\d*", arguments)]
 
 
 def _check_length(arguments: str, unknown: bool) -> None:
@@ -100,23 +136,19 @@ def _check_length(arguments: str, unknown: bool) -> None:
 
 
 def _words(function: str, arguments: str) -> Iterator[str]:
-    numbers = [float(number) for number in re.findall(r"[-+]?\d+\.?\d*", arguments)]
+    numbers = _numbers(arguments)
     if function in _WORDS:
         yield _WORDS[function]
     elif function in _OUTPUTS:
         yield _OUTPUTS[function].format(*numbers)
     elif function == "SET_FEED_MODE":
         yield "G95" if numbers[-1] else "G94"
-    elif function == "SET_SPINDLE_SPEED":
-        yield f"S{abs(numbers[-1]):.4f}"
     elif function == "DWELL":
         yield f"G4 P{numbers[0]:.4f}"
     elif function == "SET_MOTION_CONTROL_MODE":
         mode = "G61" if "EXACT_STOP" in arguments else "G61.1" if "EXACT_PATH" in arguments else "G64"
         yield mode + (f" P{numbers[-1]:.4f}" if mode == "G64" and numbers and numbers[-1] else "")
-    elif (function == "SET_SPINDLE_MODE" and not any(numbers)) or function in _SILENT:
-        return
-    else:
+    elif function not in _SILENT:
         raise ValueError(f"the program calls {function}({arguments[:30]})")
 
 

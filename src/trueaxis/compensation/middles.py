@@ -29,7 +29,7 @@ _MIDDLES = 6  # middles for which ends are sought
 _SHARES = (1.0, 0.9, 0.8, 0.7, 0.6)  # of the half length; a step of 0.001 mm apart by 2 steps, +-1 is tried about each
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Passage:
     """Ends of the short blocks: commands of the linear axes (3, n), mm, and the way along the path, mm, from P."""
 
@@ -111,7 +111,7 @@ def passages(
     start, end = lattice.base + start * step, lattice.base + end * step
     way_before = ((start - commands) * direction).sum(axis=0)
     way_after = ((end - commands) * direction).sum(axis=0)
-    return Passage(start, end, way_before, way_after, np.isfinite(least))
+    return Passage(before=start, after=end, way_before=way_before, way_after=way_after, possible=np.isfinite(least))
 
 
 def _ends_of_short_block(

@@ -176,6 +176,8 @@ def _number_of_code(word: Word, meaning: Meaning) -> None:
     letter = word.letter
     if letter == "H" and meaning.length_code == codes.TAKE_LENGTH and word.value >= 0 and word.value % 1 == 0:
         meaning.length_of = int(word.value)
+    elif letter == "D" and codes.SURFACE_SPEED in meaning.codes:  # the largest speed of the spindle
+        return
     elif letter in _OFFSETS and word.value != 0.0:
         meaning.complain(
             f"{letter}{word.value:g} calls a tool offset, a shift that is not in the program", codes.MACHINE_REMEDY

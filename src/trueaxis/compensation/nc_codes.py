@@ -12,6 +12,7 @@ PLANES = {170: ("X", "Y", "Z"), 180: ("Z", "X", "Y"), 190: ("Y", "Z", "X")}
 EXACT_STOP = 90  # G9, once: belongs to the end of its block
 DWELL = 40
 CANCEL_CYCLE = 800
+SURFACE_SPEED = 960  # G96
 MACHINE_COORDINATES = 530  # G53, for its block
 
 # no influence on where the axes go: cancels of what is a fault to start, path and feed modes
@@ -56,6 +57,7 @@ CANCELS_ALONE = frozenset({131, 150, 500, 690, 922})
 # path modes and corners (G60 G601-G603 G641-G645 G450 G451) of SINUMERIK
 HARMLESS_ON = {
     "fanuc": frozenset({150}),
+    "linuxcnc": frozenset({SURFACE_SPEED}),
     "siemens": frozenset({600, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450, 4500, 4510, 1530}),
 }
 INCH_ON = {"siemens": {700: True, 710: False, 7000: True, 7100: False}, "heidenhain": {700: True, 710: False}}
@@ -130,7 +132,8 @@ FAULTY: dict[int, Refused] = {
     **{10 * code: _CYCLE for code in (74, 75, 76, 77, 78, 79, 84, 87, 88)},
     841: _CYCLE, 842: _CYCLE, 843: _CYCLE, 882: _CYCLE,
     901: Refused("makes I J K absolute, which is not handled", "have them written from the start of the arc"),
-    960: Refused("couples the spindle to an axis position", "write G97 with a speed"),
+    SURFACE_SPEED: Refused("couples the spindle to an axis position, and may count F by revolutions (Siemens)",
+                 "write G97 with a speed"),
     1070: Refused("interpolates on a cylinder", _MOTIONS),
     1121: Refused("interpolates in polar coordinates", _MOTIONS),
 }  # fmt: skip

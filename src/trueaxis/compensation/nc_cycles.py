@@ -75,10 +75,10 @@ class CycleReader:
     def _cycle(self, body: str, block: Block, meaning: Meaning) -> Cycle:
         """The cycle in force with the words of a block taken in."""
         state = self._state
-        before = state.cycle or Cycle(0, None, None, initial=self._level(), frame=self._frame())
+        before = state.cycle or Cycle(code=0, z=None, r=None, initial=self._level(), frame=self._frame())
         cycle = before
         if meaning.cycle is not None and meaning.cycle != before.code:
-            cycle = Cycle(meaning.cycle, before.z, before.r, initial=before.initial, frame=before.frame)
+            cycle = Cycle(code=meaning.cycle, z=before.z, r=before.r, initial=before.initial, frame=before.frame)
         if (cycle.absolute, cycle.inch) != (state.absolute, state.inch):  # what the words of before mean now differs
             cycle = replace(cycle, z=None, r=None, peck=0.0, absolute=state.absolute, inch=state.inch)
         texts = {word.letter: body[word.start + 1 : word.end].strip() for word in block.words}

@@ -13,7 +13,7 @@ FeedMode = Literal[
 ]  # F counts mm/min (deg/min), by turns of the spindle, or 1/min of the block
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class Meaning:
     """A block taken apart; complaints are (problem, remedy) and none may be passed over.
 

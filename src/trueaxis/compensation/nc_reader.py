@@ -47,7 +47,7 @@ class NcReader:
         self._settings = settings
         self._faults = faults
         self._notes = notes
-        self._state = NcState(axes, [settings.start.get(axis) for axis in axes], offsets=settings.offsets)
+        self._state = NcState(axes=axes, position=[settings.start.get(axis) for axis in axes], offsets=settings.offsets)
         self._state.frames.machine_has_length = settings.dialect == "siemens"
         self._modes = ModeReader(self._state, settings, faults, notes)
         self._tools = ToolReader(self._state, settings, faults, notes)

@@ -18,7 +18,7 @@ MODE_NOTES = {
 }
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class NcState:
     """What the blocks read so far have set.
 
@@ -63,7 +63,7 @@ class NcState:
 
     def __post_init__(self) -> None:
         self.commanded = CommandedAxes(self.axes, [value is not None for value in self.position])
-        self.frames = Frames(self.axes, self.offsets)
+        self.frames = Frames(axes=self.axes, offsets=self.offsets)
         self.enter_frame()
         self.numbers = [None] * len(self.axes)
         self.row = {axis: number for number, axis in enumerate(self.axes)}

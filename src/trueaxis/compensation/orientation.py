@@ -22,7 +22,7 @@ from trueaxis.compensation.machine import ErrorModel, FloatArray, rotary_rows
 SINGULAR = 0.01  # sine of the angle, 0.57 deg, between tool axis and rotary axis: an error of 50 urad turns it 0.3 deg
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Turning:
     """How turns of the rotary axes from programmed positions move the error-free tool axis.
 
@@ -45,7 +45,11 @@ class Turning:
     def at(self, index: NDArray[np.int64]) -> "Turning":
         """The same for some of the points."""
         return Turning(
-            self.programmed[:, index], self.rows, self.jacobian[:, :, index], self.square[index], self.basis[index]
+            programmed=self.programmed[:, index],
+            rows=self.rows,
+            jacobian=self.jacobian[:, :, index],
+            square=self.square[index],
+            basis=self.basis[index],
         )
 
     def step(self, positions: FloatArray, error: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -108,7 +112,7 @@ class ToolAxis:
         """Turns from programmed positions (n_axes, n); the corrections are small enough for one Jacobian to do."""
         jacobian = self.jacobian(programmed)
         square, basis = np.linalg.eigh(np.nan_to_num(np.einsum("iaq,ibq->qab", jacobian, jacobian)))
-        return Turning(programmed, self._rows, jacobian, square, basis)
+        return Turning(programmed=programmed, rows=self._rows, jacobian=jacobian, square=square, basis=basis)
 
 
 def unit(vectors: FloatArray) -> FloatArray:

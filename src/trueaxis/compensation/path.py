@@ -10,7 +10,7 @@ from trueaxis.compensation.machine import LINEAR, FloatArray
 from trueaxis.compensation.move_table import MoveTable
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Path:
     """Points to be reached one after another, each by a straight motion of the axes from `origins`.
 
@@ -43,7 +43,7 @@ def path_of(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], chord_to
     arcs = np.array(list(of_index), dtype=np.int64)
     if arcs.size == 0:
         starts[:, stated] = np.nan
-        return Path(ends, starts, np.arange(len(moves)), rapid, np.zeros_like(rapid))
+        return Path(points=ends, origins=starts, owner=np.arange(len(moves)), rapid=rapid, halts=np.zeros_like(rapid))
 
     def xyz(positions: FloatArray) -> FloatArray:
         out = np.zeros((3, positions.shape[1]))
@@ -72,4 +72,4 @@ def path_of(moves: MoveTable, start: FloatArray, axes: tuple[str, ...], chord_to
     owner = owner[order]
     origins = np.concatenate([start[:, None], points[:, :-1]], axis=1)
     origins[:, stated[owner]] = np.nan  # such a move is no arc in G90: it has one point
-    return Path(points, origins, owner, rapid[owner], np.zeros(owner.size, dtype=bool))
+    return Path(points=points, origins=origins, owner=owner, rapid=rapid[owner], halts=np.zeros(owner.size, dtype=bool))

@@ -24,7 +24,7 @@ _NUMBER_WITH_DOT = r"[-+]?+(?:\d++\.\d*+|\.\d++)"
 _SPACES = bytes.maketrans(b"XYZ", b"   ")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class PlainRun:
     """Blocks of axis words, each an item like `Move`, whose fields it shares but for these.
 
@@ -149,8 +149,9 @@ class RunReader:
                 ends = np.take_along_axis(ends, np.concatenate([np.zeros_like(last[:, :1]), last], axis=1), axis=1)
             ends = np.ascontiguousarray(ends[:, 1:])
         return PlainRun(
-            number, Kind.LINE if state.motion else Kind.RAPID, ends, written, state.absolute, state.inch, state.gap,
-            eol, text, state.feed_in_minutes, state.commanded.held[state.absolute], state.shift,
+            line=number, kind=Kind.LINE if state.motion else Kind.RAPID, ends=ends, written=written,
+            absolute=state.absolute, inch=state.inch, gap=state.gap, eol=eol, text=text, feed=state.feed_in_minutes,
+            held=state.commanded.held[state.absolute], shift=state.shift,
         )  # fmt: skip
 
     def _take(self, run: PlainRun) -> None:

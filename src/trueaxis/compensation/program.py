@@ -97,7 +97,11 @@ class Compensator:
         if self._turned is None:
             return PointAlong(self._model.axes, self._tool_point, settings.tolerance)
         return PoseAlong(
-            self._model, self._tool_point, self._turned, settings.tolerance, 1e-6 * settings.orientation_tolerance_urad
+            model=self._model,
+            tool_point=self._tool_point,
+            tool_axis=self._turned,
+            tolerance=settings.tolerance,
+            orientation_tolerance=1e-6 * settings.orientation_tolerance_urad,
         )
 
     def texts(self, items: Iterable[Item | PlainRun]) -> Iterator[str]:

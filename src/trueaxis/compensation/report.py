@@ -33,7 +33,7 @@ class PassedCode:
     lines: Lines
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class CompensationReport:
     """Counts, and lengths of error vectors (actual minus wanted tool point, workpiece frame) in mm.
 

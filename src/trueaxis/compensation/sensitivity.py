@@ -19,7 +19,7 @@ _MOST_POSITIONS = 2000  # of the program, spread evenly over the cells that it v
 _STEP = 1.0  # mm, deg: either side, for the slope
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class OffsetUse:
     """One work offset in a program. value, half_range: by axis, mm and deg, as taken. slopes: largest change of the
     words per mm (deg) of each axis' offset, mm, over the places of the program. change: largest over the range; None
@@ -80,7 +80,14 @@ def offset_use(
             leaves |= bool((np.abs(there - inside) > 1e-9).any())
             change = max(change, float(_apart(model, inside, few, tool_point).max(initial=0.0)))
     half_range = dict(zip(model.axes, spread.tolist(), strict=True))
-    return OffsetUse(system, dict(value), half_range, slopes, change if spread.any() else None, leaves)
+    return OffsetUse(
+        system=system,
+        value=dict(value),
+        half_range=half_range,
+        slopes=slopes,
+        change=change if spread.any() else None,
+        leaves_travel=leaves,
+    )
 
 
 def _within(spread: FloatArray) -> Iterator[FloatArray]:

@@ -22,7 +22,7 @@ LEAST_MM, LEAST_INCH, LEAST_DEG = 0.001, 0.0001, 0.001  # least increments, ISO 
 WHOLE_MILLIMETRES = frozenset({"linuxcnc", "siemens", "heidenhain"})  # controls on which X100 can only be 100 mm
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Settings:
     """Lengths mm, angles deg.
 

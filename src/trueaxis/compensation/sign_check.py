@@ -13,7 +13,7 @@ from trueaxis.compensation.path import Path
 _SHOWN = 0.00005  # mm, half of the last decimal that is shown
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SignCheck:
     """One point at which a gauge shows whether the sign of the error values is right.
 
@@ -127,16 +127,16 @@ class SignChecker:
         row = linear_rows(axes)[int(np.argmax(np.abs(moves)))]
         moved = self._model.ideal(written, self._tool_point) - self._model.ideal(at, self._tool_point)
         self.found = SignCheck(
-            int(lines[point]),
-            dict(zip(axes, at[:, 0].tolist(), strict=True)),
-            dict(zip(axes, self._home.tolist(), strict=True)),
-            LINEAR[direction],
-            float(deviation[direction, point]),
-            float(self._at_home[direction, 0]),
-            float(since[direction, point]),
-            axes[row],
-            float(written[row, 0]),
-            float(moved[direction, 0]),
+            line=int(lines[point]),
+            position=dict(zip(axes, at[:, 0].tolist(), strict=True)),
+            home=dict(zip(axes, self._home.tolist(), strict=True)),
+            direction=LINEAR[direction],
+            deviation=float(deviation[direction, point]),
+            at_home=float(self._at_home[direction, 0]),
+            since_home=float(since[direction, point]),
+            axis=axes[row],
+            command=float(written[row, 0]),
+            correction=float(moved[direction, 0]),
         )
 
 

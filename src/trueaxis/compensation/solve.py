@@ -13,7 +13,7 @@ MOST_STEPS = 20
 SOLVER_SHARE = 0.01  # of the tolerance: the rounding of the words takes the rest
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Solution:
     """Commands before they become words.
 
@@ -71,7 +71,7 @@ def solve(
         steps[kept] += 1
         active[index] = better & (length > goal)
     converged = np.isfinite(best) & ((best <= goal) | (method == "ordinary"))
-    return Solution(commands, target, steps, best, before, converged)
+    return Solution(commands=commands, target=target, steps=steps, residual=best, before=before, converged=converged)
 
 
 def _actual(positions: FloatArray, model: ErrorModel, tool_point: FloatArray) -> FloatArray:

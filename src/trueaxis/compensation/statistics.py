@@ -10,7 +10,7 @@ from trueaxis.compensation.machine import FloatArray
 LINES_KEPT = 50
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Summary:
     """Mean, standard deviation (of the population), largest value and the line it stands in.
 
@@ -56,7 +56,7 @@ class Running:
         if not self._count:
             return None
         sd = float(np.sqrt(self._square / self._count))
-        return Summary(self._count, self._mean, sd, self._largest, self._line)
+        return Summary(count=self._count, mean=self._mean, sd=sd, largest=self._largest, line=self._line)
 
 
 @dataclass(frozen=True, slots=True)

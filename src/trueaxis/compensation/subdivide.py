@@ -100,6 +100,6 @@ def _cut(path: Path, placing: Placing, owner: NDArray[np.int64], share: FloatArr
     motion, high = motion[order], high[order]
     low = np.where(np.diff(motion, prepend=-1) > 0, 0.0, np.roll(high, 1))
     origins = np.concatenate([path.origins[:, :1], points[:, :-1]], axis=1)
-    return Path(points, origins, path.owner[motion], path.rapid[motion], path.halts[motion]), placing.cut(
-        motion, low, high
-    )
+    return Path(
+        points=points, origins=origins, owner=path.owner[motion], rapid=path.rapid[motion], halts=path.halts[motion]
+    ), placing.cut(motion, low, high)

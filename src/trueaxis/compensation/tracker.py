@@ -73,7 +73,9 @@ class Tracker:
         velocity, duration, at_ends = self._velocities(path, moves, follows, following)
         since, gone = since_reversal(path, direction, standing, duration, linear_rows(self._axes))
         at_starts = np.concatenate([standing.velocity[:, None], at_ends[:, :-1]], axis=1)
-        course = Course(direction, since, gone, (at_starts, velocity, at_ends), ramps(duration))
+        course = Course(
+            direction=direction, since=since, gone=gone, velocity=(at_starts, velocity, at_ends), ramp=ramps(duration)
+        )
         jumps = self._jumps(path, course, steps, moves)
         self._standing = Standing(extreme, direction[:, -1], since[..., -1] + gone[..., -1], at_ends[:, -1])
         return self._with_jumps(path, course, jumps)
@@ -137,8 +139,8 @@ class Tracker:
             motion = np.sort(np.concatenate([np.arange(path.size), jumps]), kind="stable")
             leaping = np.append(motion[1:] == motion[:-1], False)
             path = Path(
-                np.where(leaping, path.origins[:, motion], path.points[:, motion]),
-                path.origins[:, motion], path.owner[motion], path.rapid[motion], leaping,
+                points=np.where(leaping, path.origins[:, motion], path.points[:, motion]),
+                origins=path.origins[:, motion], owner=path.owner[motion], rapid=path.rapid[motion], halts=leaping,
             )  # fmt: skip
             course = course.with_halts(motion, leaping)
         return path, OnCourse(self._acting.model, course, self._acting.time, self._acting.temperature)
@@ -147,5 +149,13 @@ class Tracker:
         acting, count = self._acting, directions.shape[1]
         times, temperatures = np.full(count, acting.time), np.full(count, acting.temperature)
         way, passed, along = since
-        here = Context(directions, velocity, way, passed, along, times, temperatures)
+        here = Context(
+            directions=directions,
+            velocity=velocity,
+            since_reversal=way,
+            time_since=passed,
+            path_since=along,
+            time=times,
+            temperature=temperatures,
+        )
         return Placed.of_context(acting.model, here)

@@ -159,5 +159,15 @@ def _motions(rounds: Sequence[str], name: str) -> list[Motion]:
         same = tuple(a if abs(a - b) < SAME else None for a, b in zip(end, other[5], strict=True))
         ways = zip(end, before[5], other[5], before_other[5], strict=True)
         way = tuple(a - c if abs((a - c) - (b - d)) < SAME else math.nan for a, c, b, d in ways)
-        motions.append(Motion(str(kind), int(line), int(plane), int(turns), tuple(centre), same, way))
+        motions.append(
+            Motion(
+                kind=str(kind),
+                line=int(line),
+                plane=int(plane),
+                turns=int(turns),
+                centre=tuple(centre),
+                end=same,
+                way=way,
+            )
+        )
     return motions

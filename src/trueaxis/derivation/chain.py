@@ -47,7 +47,7 @@ class Error:
 Step = Shift | Turn | Error
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Joint:
     """The four factors of Eq. (1) between a body and its lower body."""
 
@@ -69,11 +69,11 @@ def joint(body: Body) -> Joint:
     location = dict(body.position_errors)
     components = {name.direction: name for name in body.motion_errors}
     return Joint(
-        body,
-        Shift((x, y, z)),
-        _error([location.get(direction) for direction in DIRECTIONS]),
-        _motion(body),
-        _error([components.get(direction) for direction in DIRECTIONS]),
+        body=body,
+        position=Shift((x, y, z)),
+        position_error=_error([location.get(direction) for direction in DIRECTIONS]),
+        motion=_motion(body),
+        motion_error=_error([components.get(direction) for direction in DIRECTIONS]),
     )
 
 

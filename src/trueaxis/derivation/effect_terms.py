@@ -110,24 +110,29 @@ def effect_routine(kind: Kind) -> Routine:
     legend = " (u: unit of the component, axis: of its axis)" if kind.place == "component" else ""
     inputs = (
         Argument(
-            "context",
-            context,
-            (len(context),),
-            True,
-            ", ".join(VARIABLES[name].unit for name in context),
-            "; ".join(f"{name}: {VARIABLES[name].meaning}" for name in context) + legend,
+            name="context",
+            rows=context,
+            shape=(len(context),),
+            per_point=True,
+            unit=", ".join(VARIABLES[name].unit for name in context),
+            description="; ".join(f"{name}: {VARIABLES[name].meaning}" for name in context) + legend,
         ),
         Argument(
-            "parameters",
-            parameters,
-            (len(parameters),),
-            False,
-            ", ".join(parameter.unit for parameter in kind.parameters),
-            "; ".join(f"{parameter.name}: {parameter.meaning}" for parameter in kind.parameters) + legend,
+            name="parameters",
+            rows=parameters,
+            shape=(len(parameters),),
+            per_point=False,
+            unit=", ".join(parameter.unit for parameter in kind.parameters),
+            description="; ".join(f"{parameter.name}: {parameter.meaning}" for parameter in kind.parameters) + legend,
         ),
     )
     output = Argument(
-        "term", rows, (len(rows),), True, unit, f"the term in {unit}, then its derivative by {', '.join(parameters)}"
+        name="term",
+        rows=rows,
+        shape=(len(rows),),
+        per_point=True,
+        unit=unit,
+        description=f"the term in {unit}, then its derivative by {', '.join(parameters)}",
     )
     return build(
         effect_name(kind),

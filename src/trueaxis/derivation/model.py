@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trueaxis.derivation import library, symbols
+from trueaxis.derivation import arguments, library, symbols
 from trueaxis.derivation.effect_terms import effect_routines
 from trueaxis.derivation.motion import MotionEquation, standard_motions
 from trueaxis.derivation.routine import Argument, Routine, build
@@ -14,7 +14,7 @@ from trueaxis.derivation.systems import Identification, IdentificationSystem, Ru
 from trueaxis.machine.machine import Machine
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class DerivedModel:
     """What a spec says, worked out; `identification` is None for a machine without runs."""
 
@@ -34,7 +34,14 @@ def derive_model(machine: Machine, runs: Sequence[RunPattern] = ()) -> DerivedMo
     routines += tuple(_motion_routine(machine, equation) for equation in motions)
     routines += tuple(_system_routines(machine, systems)) if systems else ()
     routines += effect_routines(machine)
-    return DerivedModel(machine, routines, motions, squarenesses(machine), tuple(runs), systems)
+    return DerivedModel(
+        machine=machine,
+        routines=routines,
+        motions=motions,
+        squareness=squarenesses(machine),
+        runs=tuple(runs),
+        identification=systems,
+    )
 
 
 def motion_name(moves: Sequence[str]) -> str:
@@ -49,11 +56,11 @@ def system_name(index: int) -> str:
 
 def _motion_routine(machine: Machine, equation: MotionEquation) -> Routine:
     points = [
-        library.point_argument(seen, name=f"{seen}_point", prefix=f"r{seen[0].upper()}")
+        arguments.point_argument(seen, name=f"{seen}_point", prefix=f"r{seen[0].upper()}")
         for _, seen, _ in equation.terms
     ]
     what = " minus ".join(f"{seen} point" for _, seen, _ in equation.terms)
-    output = library.vector_argument(
+    output = arguments.vector_argument(
         "displacement", ("dx", "dy", "dz"), f"{what}, displacement since home, in the bed frame"
     )
     ideal, deviation = equation.motion.ideal, equation.motion.deviation()
@@ -63,9 +70,9 @@ def _motion_routine(machine: Machine, equation: MotionEquation) -> Routine:
         f"Motion equation of {axes}: displacement of the {what} since home, to first order.",
         "Eqs. (7)-(11)",
         (
-            library.positions_argument(machine),
-            library.errors_argument(machine),
-            library.parameters_argument(machine),
+            arguments.positions_argument(machine),
+            arguments.errors_argument(machine),
+            arguments.parameters_argument(machine),
             *points,
         ),
         (output,),
@@ -94,12 +101,25 @@ def _system_routine(machine: Machine, index: int, system: IdentificationSystem, 
         summary,
         "Sects. 3.2-3.5, closed form",
         (
-            Argument("readings", readings, (len(readings),), True, "mm", measured),
-            library.positions_argument(machine),
-            library.errors_argument(machine),
-            library.parameters_argument(machine),
-            Argument("points", points, (len(system.points), 3), False, "mm", what),
+            Argument(
+                name="readings", rows=readings, shape=(len(readings),), per_point=True, unit="mm", description=measured
+            ),
+            arguments.positions_argument(machine),
+            arguments.errors_argument(machine),
+            arguments.parameters_argument(machine),
+            Argument(
+                name="points", rows=points, shape=(len(system.points), 3), per_point=False, unit="mm", description=what
+            ),
         ),
-        (Argument("unknowns", rows, (len(rows),), True, "mm, rad", ", ".join(system.unknowns)),),
+        (
+            Argument(
+                name="unknowns",
+                rows=rows,
+                shape=(len(rows),),
+                per_point=True,
+                unit="mm, rad",
+                description=", ".join(system.unknowns),
+            ),
+        ),
         dict(zip(rows, inverse * left, strict=True)),
     )

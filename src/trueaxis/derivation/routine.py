@@ -19,7 +19,7 @@ Assignment = tuple[sp.Symbol, sp.Expr]
 _RADIAN_PER_DEGREE = sp.Float(math.radians(1.0), 17)  # the very double that both emitters print
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Argument:
     """An array of a routine: `shape` without the point index; `rows` names its entries in C order.
 
@@ -34,7 +34,7 @@ class Argument:
     description: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Routine:
     """See the module. `operations` counts additions, multiplications, divisions and roots per point."""
 
@@ -93,16 +93,16 @@ def build(
     stages = _staged(ordered, inputs)
     batch, preparation, body = (_renamed(stage, ordered, needed) for stage in stages)
     return Routine(
-        name,
-        summary,
-        source,
-        tuple(inputs),
-        tuple(outputs),
-        batch,
-        preparation,
-        body,
-        count_operations(value for _, value in preparation + body),
-        count_operations(value for _, value in batch),
+        name=name,
+        summary=summary,
+        source=source,
+        inputs=tuple(inputs),
+        outputs=tuple(outputs),
+        batch=batch,
+        preparation=preparation,
+        body=body,
+        operations=count_operations(value for _, value in preparation + body),
+        batch_operations=count_operations(value for _, value in batch),
     )
 
 

@@ -25,7 +25,7 @@ _LARGEST_CLOSED_FORM = 4  # unknowns; the entries of an inverse grow beyond read
 _HALF_TANGENTS = (sp.Rational(1, 2), sp.Rational(1, 3), sp.Rational(3, 4))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class RunPattern:
     """What a laser or probe run senses: the axes that move, and the two points, each (body, coordinates in mm)."""
 
@@ -37,7 +37,7 @@ class RunPattern:
     reference: tuple[Carrier, Point]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class IdentificationSystem:
     """matrix * unknowns = reading - known, solved: unknowns = inverse * (reading - known).
 
@@ -199,13 +199,13 @@ def _system(
     moves = tuple(dict.fromkeys(run.moves for run in runs))
     at_points = matrix.subs(point_values(points) | {symbols.named(name): sp.S.Zero for name in machine.dimensions})
     return IdentificationSystem(
-        tuple(run.name for run in runs),
-        moves,
-        tuple(unknowns),
-        matrix,
-        known,
-        inverse,
-        determinant,
-        points,
-        int(at_points.rank()),
+        runs=tuple(run.name for run in runs),
+        moves=moves,
+        unknowns=tuple(unknowns),
+        matrix=matrix,
+        known=known,
+        inverse=inverse,
+        determinant=determinant,
+        points=points,
+        rank=int(at_points.rank()),
     )

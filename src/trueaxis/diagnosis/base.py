@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.linalg import block_diag
 
-from trueaxis.diagnosis.by_run import ByRun, by_run, few_of
+from trueaxis.diagnosis.by_run import ByRun, by_run
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.rows import Rows
 from trueaxis.error_name import ErrorName
@@ -91,15 +91,13 @@ def _renumbered(run: MeasuredRun, place: IntArray) -> MeasuredRun:
 
 
 def _few_of_run(parts: Sequence[Derivative]) -> tuple[FloatArray, FloatArray]:
-    """What is read at one place twice is the same twice."""
-    few, weights = zip(*(few_of(one.others) for one in parts), strict=True)
-    return block_diag(*(each[one.place] for each, one in zip(few, parts, strict=True))), np.vstack(weights)
+    return block_diag(*(one.by_few for one in parts)), np.vstack([one.others for one in parts])
 
 
 def base_of(model: MachineModel, rows: Rows, degree: int = DEGREE) -> Base:
     """The base of some rows; dimensions keep the values that the model has."""
     dimensions = {name: model.errors.parameters.get(name, 0.0) for name in model.dimensions}
-    known = ErrorValues(model.name, dimensions)
+    known = ErrorValues(machine=model.name, parameters=dimensions)
     bare = model.with_values(known)
     observed = Observations(
         "", rows.runs, rows.run, rows.positions, rows.reading, rows.seq, rows.directions.astype(np.int8), rows.context

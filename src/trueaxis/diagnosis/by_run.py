@@ -1,21 +1,15 @@
-"""Columns of all readings, in each run combinations of a few.
-
-The hundreds of columns of a smooth base hold, along one line or circle, but some twelve to fifty directions; beyond
-these is rounding. So time and memory of all that is done with them grow with the few, not with the hundreds.
-"""
+"""Columns of all readings, in each run combinations of a few (`estimation.few`)."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from scipy.linalg import block_diag, qr
+from scipy.linalg import block_diag
 
 from trueaxis.diagnosis.result import BoolArray, FloatArray, IntArray
 from trueaxis.diagnosis.rows import runs_among
 from trueaxis.diagnosis.whiten import RANK, Whitening
-
-ROUNDING = 1e-15  # of the largest column of a run, as it enters a factor: what is less is not told from rounding
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -124,17 +118,3 @@ def of_basis(basis: FloatArray) -> ByRun:
 def _joined(parts: Sequence[tuple[FloatArray, FloatArray]]) -> ByRun:
     starts = np.cumsum([0, *(few.shape[0] for few, _ in parts)])
     return ByRun(starts, tuple(few for few, _ in parts), np.vstack([weights for _, weights in parts]))
-
-
-def few_of(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """(m, r) and (r, p), whose product are columns (m, p), by QR with pivoting."""
-    told = columns.any(axis=0)
-    weights = np.zeros((0, columns.shape[1]))
-    if not told.any():
-        return np.zeros((columns.shape[0], 0)), weights
-    q, r, order = qr(columns[:, told], mode="economic", pivoting=True, check_finite=False)
-    size = np.abs(np.diag(r))
-    rank = int(np.count_nonzero(size > ROUNDING * size[0]))
-    weights = np.zeros((rank, columns.shape[1]))
-    weights[:, np.flatnonzero(told)[order]] = r[:rank]
-    return np.asarray(q[:, :rank]), weights

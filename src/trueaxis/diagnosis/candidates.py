@@ -28,7 +28,7 @@ def _of_kind(kind: Kind, machine: Machine, rows: Rows) -> Iterator[Effect]:
         yield from _missing_locations(kind, machine)
     elif not kind.by_run:
         if any(reads(kind, rows.runs[index].instrument) for index in rows.present):
-            yield Effect(kind.name)
+            yield Effect(kind=kind.name)
     else:
         yield from _of_runs(kind, rows)
 
@@ -39,11 +39,11 @@ def _of_components(kind: Kind, machine: Machine, rows: Rows) -> Iterator[Effect]
         if not allows(kind, component) or component.axis not in moving:
             continue
         if not kind.other_axis:
-            yield Effect(kind.name, component)
+            yield Effect(kind=kind.name, component=component)
             continue
         for axis in machine.axes:
             if axis != component.axis and axis in moving:
-                yield Effect(kind.name, component, axis)
+                yield Effect(kind=kind.name, component=component, axis=axis)
 
 
 def _missing_locations(kind: Kind, machine: Machine) -> Iterator[Effect]:
@@ -53,7 +53,7 @@ def _missing_locations(kind: Kind, machine: Machine) -> Iterator[Effect]:
         there = {direction for direction, _ in machine.mover(axis).position_errors}
         for turn in ROTATIONS:
             if turn not in there and turn.line != axis:
-                yield Effect(kind.name, turn.location_error(axis))
+                yield Effect(kind=kind.name, component=turn.location_error(axis))
 
 
 def _of_runs(kind: Kind, rows: Rows) -> Iterator[Effect]:
@@ -70,4 +70,4 @@ def _of_runs(kind: Kind, rows: Rows) -> Iterator[Effect]:
             for end in ends:
                 run = rows.runs[of_setup[0]]
                 if end is None or getattr(run, end).on in ("tool", "workpiece"):
-                    yield Effect(kind.name, runs=ids, end=end)
+                    yield Effect(kind=kind.name, runs=ids, end=end)

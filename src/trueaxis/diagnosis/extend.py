@@ -103,7 +103,7 @@ def reidentified(
     stand still.
     """
     dimensions = {name: given.parameters[name] for name in model.dimensions if name in given.parameters}
-    bare = ErrorValues(model.name, dimensions)
+    bare = ErrorValues(machine=model.name, parameters=dimensions)
     before = _expected(model, replace(given, effects=()), observed) - _expected(model, bare, observed)
     options = IdentifyOptions(known=bare, estimation=EstimationOptions(start=tuple(start), changes=True))
     found = identify_estimated(model, replace(observed, reading=observed.reading - before), options)
@@ -158,7 +158,7 @@ def changed(given: ErrorValues, change: ErrorValues, locations: Sequence[str]) -
     for name, curve in change.motion_errors.items():
         curves[name] = _sum(curves[name], curve) if name in curves else curve
     return ErrorValues(
-        given.machine,
+        machine=given.machine,
         parameters={**given.parameters, **moved},
         motion_errors=curves,
         u=change.u,
@@ -190,7 +190,9 @@ def _sum(given: Curve, change: Curve) -> Curve:
     if change.u is not None:
         of_change = dict(zip(change.powers, change.u, strict=True))
         u = tuple(of_change.get(power, np.nan) for power in sorted(total))
-    return PolynomialCurve(tuple(sorted(total)), tuple(total[power] for power in sorted(total)), u)
+    return PolynomialCurve(
+        powers=tuple(sorted(total)), coefficients=tuple(total[power] for power in sorted(total)), u=u
+    )
 
 
 def _legendre_sum(curve: LegendreCurve, other: PolynomialCurve | LegendreCurve) -> LegendreCurve:
@@ -202,7 +204,7 @@ def _legendre_sum(curve: LegendreCurve, other: PolynomialCurve | LegendreCurve) 
     coefficients = np.linalg.lstsq(basis(nodes).T, curve(nodes) + other(nodes), rcond=None)[0]
     added = basis.degree - curve.basis.degree
     u = None if curve.u is None else (*curve.u, *([np.nan] * added))
-    return LegendreCurve(basis, tuple(coefficients.tolist()), u)
+    return LegendreCurve(basis=basis, coefficients=tuple(coefficients.tolist()), u=u)
 
 
 def _open(left: Undetermined) -> Undetermined:

@@ -255,4 +255,4 @@ def _off(null: Null, point: Sequence[_Unknown], p_value: float) -> Off:
     runs = () if kind in OF_ALL_RUNS else tuple(null.base.runs[place].rows.run.id for place in point[0].runs)
     values, u = np.array([(one.value, one.u) for one in point]).T
     signal = np.sum([one.value * one.column for one in point], axis=0)
-    return Off(Effect(kind, runs=runs), values, u, p_value, signal)
+    return Off(Effect(kind=kind, runs=runs), values, u, p_value, signal)

@@ -11,7 +11,7 @@ Grid = Literal["pitch", "time", "reversal", "reversal_time", "reversal_path", "m
 DIVISORS = ("pitch", "time", "reversal", "reversal_time", "reversal_path")  # grids of what terms divide by
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter:
     """A parameter of a kind.
 
@@ -34,7 +34,7 @@ class Parameter:
         return self.grid in DIVISORS
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Kind:
     """A kind of effect.
 
@@ -65,7 +65,7 @@ class Kind:
     nuisance: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Effect:
     """A term of a machine: a kind at its place.
 

@@ -26,6 +26,7 @@ from trueaxis.estimation.state import (
     State,
     linearised,
     moved,
+    of_runs,
     started,
     with_noise,
     without_outliers,
@@ -37,6 +38,7 @@ from trueaxis.model.model import MachineModel
 
 LEAST_ROUNDS, MOST_ROUNDS = 5, 30  # in which noise, outliers and sizes are estimated
 SEARCH_ROUNDS = 3  # before the start of an effect is searched: the noise then still holds it, and its start is rough
+CONTINUED_ROUNDS = 2  # at least, of an estimate that goes on without some runs: noise and sizes are nearly there
 SETTLED = 0.03  # relative change of the noise: far below what readings tell of it
 MOST_STEPS = 20
 STILL = 1e-3  # of the standard uncertainty of an unknown: a last step below it changes nothing that is said of it
@@ -98,7 +100,9 @@ def estimate(
     given: values that are taken as they are, dimensions too. Raises NothingHeldError where no reading holds an error of
     the machine, InputError where the readings lack a column that an effect depends on.
     """
-    given = with_locations(model, replace(given or ErrorValues(model.name), u={}, undetermined=(), covariance=None))
+    given = with_locations(
+        model, replace(given or ErrorValues(machine=model.name), u={}, undetermined=(), covariance=None)
+    )
     model = model.with_values(given)
     sought = sought_effects(model, observed, given, options.start)
     setting = _Setting(
@@ -129,10 +133,15 @@ def _searched(setting: _Setting, effects: EffectUnknowns, effect: Effect, kind: 
     return with_searched(state.layout.effects, effect, kind, beside(state, sizes, x, posterior))
 
 
-def _rounds(state: State, sizes: Sizes, most: int) -> tuple[FloatArray, State, int]:
-    """Noise, outliers, sizes and unknowns in turn, `most` times or until the noise stands still."""
+def _rounds(
+    state: State, sizes: Sizes, most: int, x: FloatArray | None = None, least: int = LEAST_ROUNDS
+) -> tuple[FloatArray, State, int]:
+    """Noise, outliers, sizes and unknowns in turn, `most` times or until the noise stands still.
+
+    x: sizes at first, if they are known.
+    """
     draw = np.random.default_rng(SEED)
-    x = np.zeros(sizes.spread.size)
+    x = np.zeros(sizes.spread.size) if x is None else x
     for rounds in range(1, most + 1):
         found = linearised(state)
         if not found.holds(state.layout.of_machine):
@@ -143,7 +152,7 @@ def _rounds(state: State, sizes: Sizes, most: int) -> tuple[FloatArray, State, i
         state = without_outliers(with_noise(before, posterior, draw))
         change = max(abs(np.log(one.sigma / before.noise[name].sigma)) for name, one in state.noise.items())
         same = all((one.good == now.good).all() for one, now in zip(before.runs, state.runs, strict=True))
-        if change < SETTLED and same and rounds >= LEAST_ROUNDS:
+        if change < SETTLED and same and rounds >= least:
             break
     return x, state, rounds
 
@@ -217,6 +226,12 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         x, found, _ = _rounds(begun, sizes, MOST_ROUNDS)
         return Fitted(state=found, sizes=sizes, x=x)
 
+    def continued(runs: Sequence[MeasuredRun]) -> Fitted:
+        begun = of_runs(fitted.state, [one.rows.index for one in runs])
+        sizes = Sizes(state.layout, begun.own_kinds, flat=not options.prior, ideal=options.ideal)
+        x, found, _ = _rounds(begun, sizes, MOST_ROUNDS, sizes.taken(fitted.sizes, fitted.x), CONTINUED_ROUNDS)
+        return Fitted(state=found, sizes=sizes, x=x)
+
     if noise and not LEAST_SQUARE < mean_square(state) <= 1.0:
         noise = {}
         fitted = refit(setting.runs)
@@ -226,7 +241,7 @@ def _wrong(setting: _Setting, fitted: Fitted, posterior: Posterior) -> tuple[dic
         return misread, []
     sure = {index: one for index, one in misread.items() if one.sure}
     if not sure:
-        return misread, contradictions(fitted, posterior, refit, SURE)
+        return misread, contradictions(fitted, posterior, continued, refit, SURE)
     others = unexplained(fitted, sure, refit)
     elsewise = {index for one in others for index in one.runs}
     return {index: one for index, one in misread.items() if index not in elsewise}, others

@@ -1,11 +1,12 @@
 """The derivative of readings by the unknowns, run by run and piece by piece."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trueaxis.estimation.effects.signature import RunRows as EffectRows
+from trueaxis.estimation.few import few_of
 from trueaxis.estimation.first_order import sensed, sensed_at_home
 from trueaxis.estimation.instruments import own_columns, shared_column
 from trueaxis.estimation.layout import Layout
@@ -34,30 +35,35 @@ class RunRows:
     steps: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Derivative:
-    """Of m readings of a run. own: (m, k), by the run's own unknowns, per mm or rad; others: (u, n), by the others, per
-    scaled unit, at the u places where they were taken; place: (m,), that of each reading.
+    """Of m readings of a run. own: (m, k), by the run's own unknowns, per mm or rad; few: (u, r), orthonormal, in which
+    the readings at the u places where they were taken change; place: (m,), that of each reading; others: (r, n), by the
+    other unknowns, per scaled unit.
     """
 
     own: FloatArray
-    others: FloatArray
+    few: FloatArray
     place: IntArray
+    others: FloatArray
+
+    @property
+    def by_few(self) -> FloatArray:
+        """(m, r)."""
+        return self.few[self.place]
 
     @property
     def by_others(self) -> FloatArray:
         """(m, n)."""
-        if self.place.size == self.others.shape[0]:
-            return self.others
-        return self.others.T.take(self.place, axis=1).T
+        return np.asarray(self.by_few @ self.others)
 
     def change(self, own: FloatArray, others: FloatArray) -> FloatArray:
         """(m, ...): of the readings, by own unknowns (k, ...), mm or rad, and the others, scaled, (n, ...)."""
-        return np.asarray((self.others @ others)[self.place] + self.own @ own)
+        return np.asarray((self.few @ (self.others @ others))[self.place] + self.own @ own)
 
     def of(self, rows: BoolArray) -> "Derivative":
         """Of some readings."""
-        return self if rows.all() else Derivative(self.own[rows], self.others, self.place[rows])
+        return self if rows.all() else replace(self, own=self.own[rows], place=self.place[rows])
 
 
 def derivatives(layout: Layout, rows: RunRows) -> Iterator[Derivative]:
@@ -91,7 +97,8 @@ def derivatives(layout: Layout, rows: RunRows) -> Iterator[Derivative]:
                 found[:, column] = layout.sizes[column] * shared_column(layout.model, rows.run, unknown, positions)
         if layout.effects.count:
             found[:, layout.of_effects] = layout.effects.columns(EffectRows(rows.index, rows.at[part], here, home))
-        yield Derivative(own, found, place)
+        few, others = few_of(found)
+        yield Derivative(own=own, few=few, place=place, others=others)
 
 
 def pieces(layout: Layout, rows: RunRows) -> Iterator[tuple[slice, FloatArray, FloatArray]]:

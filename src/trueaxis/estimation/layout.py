@@ -73,16 +73,16 @@ class Layout:
         """Error values from unknowns (n,), mm or rad, and what is given."""
         offsets = self.offsets
         curves: dict[str, Curve] = {
-            name: LegendreCurve(basis, tuple(unknowns[first:last].tolist()))
+            name: LegendreCurve(basis=basis, coefficients=tuple(unknowns[first:last].tolist()))
             for name, basis, first, last in zip(
                 self.components, self.bases, offsets[:-1].tolist(), offsets[1:].tolist(), strict=True
             )
         }
         located = unknowns[offsets[-1] : self.of_machine].tolist()
         return ErrorValues(
-            given.machine,
-            {**given.parameters, **dict(zip(self.locations, located, strict=True))},
-            {**curves, **given.motion_errors},
+            machine=given.machine,
+            parameters={**given.parameters, **dict(zip(self.locations, located, strict=True))},
+            motion_errors={**curves, **given.motion_errors},
             effects=in_order(
                 (*given.effects, *self.effects.values(unknowns[self.of_effects])), self.model.machine.effects
             ),

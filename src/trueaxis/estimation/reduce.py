@@ -108,22 +108,18 @@ def run_triangle(
         start += one.place.size
         if known is not None:
             whole = whole + one.change(*known)
-        if one.others.shape[0] <= n and one.place.size == readings.size:
-            triangle = _by_places(one, whole, whiten)
-        else:
-            triangle = with_rows(triangle, whiten(np.hstack([one.own, one.by_others, whole[:, np.newaxis]])))
+        if one.place.size == readings.size:
+            return _by_few(one, whole, whiten)
+        # noise carries over from piece to piece, and each has its own few
+        triangle = with_rows(triangle, whiten(np.hstack([one.own, one.by_others, whole[:, np.newaxis]])))
     return triangle
 
 
-def _by_places(one: Derivative, readings: FloatArray, whiten: Whitening) -> FloatArray:
-    """(r, k + n + 1): what the readings (m,) of a run say, by its own unknowns, the others, and whitened readings.
+def _by_few(one: Derivative, readings: FloatArray, whiten: Whitening) -> FloatArray:
+    """(r, k + n + 1): what readings (m,) of a run say, by its own unknowns, the others, and whitened readings.
 
-    What is read at each of a few places takes the place of the n others: QR of columns that are not so many.
+    The ways in which the others change them take the place of the others: QR of columns that are not so many.
     """
-    m, k = one.own.shape
-    chosen = np.zeros((k + one.others.shape[0] + 1, m)).T
-    chosen[:, :k] = one.own
-    chosen[np.arange(m), k + one.place] = 1.0
-    chosen[:, -1] = readings
-    triangle = triangle_of([whiten(chosen)])
+    k = one.own.shape[1]
+    triangle = triangle_of([whiten(np.hstack([one.own, one.by_few, readings[:, np.newaxis]]))])
     return np.hstack([triangle[:, :k], triangle[:, k:-1] @ one.others, triangle[:, -1:]])

@@ -78,6 +78,11 @@ class Sizes:
         """Estimated over expected size, by class, by component (`of EXX`) and of the shape of curves."""
         return dict(zip(self.names, np.exp(x * self.spread).tolist(), strict=True))
 
+    def taken(self, others: "Sizes", x: FloatArray) -> FloatArray:
+        """(n_sizes,): those that others, x, have as well, the rest as expected."""
+        known = dict(zip(others.names, x.tolist(), strict=True))
+        return np.array([known.get(name, 0.0) for name in self.names])
+
     def own_scale(self, kinds: Sequence[str], x: FloatArray) -> FloatArray:
         """(k,): prior standard deviations of a run's own unknowns, mm or rad; as expected where no run has such."""
         whole = IDEAL if self._ideal else 1.0

@@ -1,6 +1,6 @@
 """Where an estimation stands: linearised, whitened, moved to the posterior mean, its noise and outliers renewed."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -98,6 +98,23 @@ def started(
         own=own,
         residual=tuple(residual),
         kept=kept or (tuple(tuple(derivatives(layout, one.rows)) for one in runs) if stays else ()),
+    )
+
+
+def of_runs(state: State, indices: Collection[int]) -> State:
+    """What it is of some runs."""
+    places = [place for place, one in enumerate(state.runs) if one.rows.index in indices]
+    runs = tuple(state.runs[place] for place in places)
+    instruments = {one.instrument for one in runs}
+    return replace(
+        state,
+        runs=runs,
+        stated=state.stated & instruments,
+        noise={name: one for name, one in state.noise.items() if name in instruments},
+        scales=state.scales[places],
+        own=tuple(state.own[place] for place in places),
+        residual=tuple(state.residual[place] for place in places),
+        kept=tuple(state.kept[place] for place in places) if state.kept else (),
     )
 
 

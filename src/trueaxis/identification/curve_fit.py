@@ -59,7 +59,7 @@ def polynomial_curves(
                 notes.append(f"{name} stays a table: too few positions for a polynomial")
         elif (after := fits[name].after).powers:
             coefficients, u = tuple(after.coefficients.tolist()), tuple(after.u.tolist())
-            found[name] = PolynomialCurve(after.powers, coefficients, u, curve.measured)
+            found[name] = PolynomialCurve(powers=after.powers, coefficients=coefficients, u=u, measured=curve.measured)
         else:
             notes.append(f"{name} is left at zero: no polynomial term is significant")
     return found, tuple(notes)

@@ -21,7 +21,9 @@ def ordered_curves(
         notes = tuple(note for note in notes if "stays a table" in note)
         for name, one in checked.items():
             coefficients, u = tuple(one.fit.coefficients.tolist()), tuple(one.fit.u.tolist())
-            found[name] = PolynomialCurve(one.fit.powers, coefficients, u, curves[name].measured)
+            found[name] = PolynomialCurve(
+                powers=one.fit.powers, coefficients=coefficients, u=u, measured=curves[name].measured
+            )
     orders = tuple(
         CurveOrderReport(name, fits[name].after.powers, one.fit.powers, one.rms_optimal, one.rms, ErrorName(name).unit)
         for name, one in checked.items()

@@ -60,7 +60,7 @@ def identify_estimated(model: MachineModel, observed: Observations, options: Ide
     NotConvergedError where the estimate does not stand still.
     """
     prior = options.estimation.prior
-    given = _as_known(options.known or ErrorValues(model.name))
+    given = _as_known(options.known or ErrorValues(machine=model.name))
     if options.squareness == "known":
         zeros = dict.fromkeys(model.location_errors, 0.0)
         given = replace(given, parameters={**zeros, **given.parameters})

@@ -245,7 +245,7 @@ def _polynomial(
     if terms.home:
         both = np.vstack([-(terms.home ** np.array(powers, dtype=np.float64)) @ both, both])
         powers = (0, *powers)
-    found = PolynomialCurve(powers, tuple(both[:, 0].tolist()), measured=measured)
+    found = PolynomialCurve(powers=powers, coefficients=tuple(both[:, 0].tolist()), measured=measured)
     if root is None:
         return found
     u = np.linalg.norm(both[:, 1:], axis=1)

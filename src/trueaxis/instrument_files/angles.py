@@ -27,7 +27,9 @@ def in_angles(source: InstrumentRun, own: RunKeys) -> InstrumentRun | None:
     largest = float(np.abs(angle).max(initial=0.0))
     if own.sources["unit.reading"] == "default" and largest > BELIEVED:
         meaning = f"in which unit its angles are (rad, mrad, urad, arcsec); in rad they would reach {largest:.3g} rad"
-        own.keys.questions.append(Question(source.file, source.id, "unit.reading", meaning, "mrad"))
+        own.keys.questions.append(
+            Question(file=source.file, run=source.id, key="unit.reading", meaning=meaning, right="mrad")
+        )
         return None
     return replace(source, reading=angle * ARM)
 

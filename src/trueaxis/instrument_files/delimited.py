@@ -16,7 +16,7 @@ SEPARATORS = (";", "\t", ",", "|")  # in the order in which they are tried: a co
 MOST_PREAMBLE = 200  # lines before the header: a page of text
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class DelimitedText:
     """The cells of such a file.
 
@@ -77,7 +77,7 @@ def _table(lines: list[tuple[int, str]], separator: str | None, faults: Faults) 
         if len(faults.found) >= MOST_COLUMNS or len(rows) > MOST_ROWS:
             faults.add(f"line {line}", "reading stopped here", f"{MOST_ROWS} rows at most")
             break
-    return DelimitedText(header, units, tuple(rows), tuple(at), number)
+    return DelimitedText(header=header, units=units, rows=tuple(rows), lines=tuple(at), header_line=number)
 
 
 def _first_numbers(lines: list[tuple[int, str]], separator: str | None) -> int | None:

@@ -39,7 +39,7 @@ _REPORT = {"machine": "machine", "serial no": "serial", "date": "date", "by": "o
 ORDER = "rows were read in the order of the file; each run approaches all its targets from the side it comes from"
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class _Content:
     """What was read: counts as stated, targets in mm, rows of run, target, deviation and line, texts by their key."""
 

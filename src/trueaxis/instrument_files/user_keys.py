@@ -20,7 +20,7 @@ Source = Literal["user", "default"]
 LONGEST_SHOWN = 60  # characters of a value in a message
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Question:
     """What neither file nor user has said yet: the key, what it means and what a value looks like."""
 
@@ -51,7 +51,7 @@ class UserKeys:
 
     def of_run(self, file: str, run: str) -> "RunKeys":
         """The keys of one run of a file."""
-        return RunKeys(self, file, run)
+        return RunKeys(keys=self, file=file, run=run)
 
     def unknown(self) -> list[Fault]:
         """A fault for every key that no file ever asks for."""
@@ -74,7 +74,7 @@ class UserKeys:
         ]
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class RunKeys:
     """The keys of one run. A reader returns None for what is missing or wrong, which is noted.
 
@@ -155,4 +155,4 @@ class RunKeys:
             self.sources[key] = "default"
             self.values[key] = default
         else:
-            self.keys.questions.append(Question(self.file, self.run, key, meaning, right))
+            self.keys.questions.append(Question(file=self.file, run=self.run, key=key, meaning=meaning, right=right))

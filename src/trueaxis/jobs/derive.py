@@ -93,7 +93,7 @@ def _tool_ranges(machine: Machine, kernels: bytes, path: Path) -> dict[str, tupl
     """Coordinate of the workpiece, mm, from the lowest to the highest position of each linear axis that has a travel:
     of the origin of the tool frame, all other axes where they are nearest to 0, named dimensions 0.
     """
-    model = MachineModel(machine, numpy_kernels(kernels, path), ErrorValues(machine.name))
+    model = MachineModel(machine, numpy_kernels(kernels, path), ErrorValues(machine=machine.name))
     rest = np.array([float(np.clip(0.0, *machine.travel[axis])) for axis in machine.axes])
     found = {}
     for row, axis in enumerate(machine.axes):
@@ -132,7 +132,16 @@ def run_patterns(machine: Machine, data: MeasuredData) -> "tuple[RunPattern, ...
         rows = data.readings.of_run(index)
         positions = data.readings.positions[:, rows]
         moves = tuple(axis for axis, row in zip(machine.axes, positions, strict=True) if (row != each.home[axis]).any())
-        patterns.append(RunPattern(each.id, moves, each.direction, each.frame, _end(each.target), _end(each.reference)))
+        patterns.append(
+            RunPattern(
+                name=each.id,
+                moves=moves,
+                direction=each.direction,
+                frame=each.frame,
+                target=_end(each.target),
+                reference=_end(each.reference),
+            )
+        )
     return tuple(patterns)
 
 

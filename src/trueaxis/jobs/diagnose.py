@@ -129,7 +129,7 @@ def diagnose(
     if found := found + faults_of_data(data.data, data.folder, found):
         raise InputError(found)
     warn_of_misfit(errors)
-    model = model.with_values(ErrorValues(machine.name)) if errors is None else with_errors(model, errors)
+    model = model.with_values(ErrorValues(machine=machine.name)) if errors is None else with_errors(model, errors)
     given = Given(
         model=model, covariance=None if errors is None else errors.covariance,
         data=believed(model, data, model.errors), folder=data.folder, spec=text, runs=runs,

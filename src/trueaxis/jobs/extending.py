@@ -28,7 +28,7 @@ SECOND = "trueaxis.jobs.drawn_and_derived"
 DIAGNOSIS, REPORT, ERRORS, KERNELS = "diagnosis.json", "report.html", "errors.json", "generated"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Given:
     """What was read. covariance: of the error values; spec: its text as it must read in the folder to be written; runs:
     whose systems are derived; folder: of the data, for notes.
@@ -65,7 +65,7 @@ class Extending:
         # kernels serve any machine with the same parameters: effects have theirs apart, location errors have not
         if machine.parameters != model.machine.parameters:
             kernels = numpy_kernels(self.second()[1]["kernels.py"], self.out / self.extended.spec)
-        return MachineModel(machine, kernels, ErrorValues(machine.name))
+        return MachineModel(machine, kernels, ErrorValues(machine=machine.name))
 
 
 def contents_of(out: Path, given: Given, diagnosis: "Diagnosis", extending: Extending) -> dict[Path, bytes | str]:

@@ -99,19 +99,10 @@ def identify(
     warn_of_misfit(known)
     measured = believed(model, data, values)
     observed = observations(str(data.folder), measured.setup.runs, measured.readings)
-    options = IdentifyOptions(
-        "known" if squareness == "known" else "convention",
-        values,
-        choice.noise,
-        EstimationOptions(
-            prior=prior, ideal=ideal_instruments, degree=degree or (DEGREE if prior else DEGREE_WITHOUT_PRIOR)
-        ),
-    )
-    found = (
-        identify_estimated(model, observed, options)
-        if method == "global"
-        else identify_paper(model, observed, PaperOptions(squareness, values, options.noise.um, curves or "table"))
-    )
+    if method == "global":
+        found = identify_estimated(model, observed, _options(choice, values))
+    else:
+        found = identify_paper(model, observed, PaperOptions(squareness, values, choice.noise.um, curves or "table"))
     faults = Faults(str(data.folder))
     check_believable(model.machine, found.values, faults)
     if faults.found:
@@ -124,6 +115,17 @@ def identify(
     )
     covariance = _with_known(found.covariance, known)
     return Identified(Errors(found.values, covariance, machine=model.machine), report)
+
+
+def _options(choice: "MethodChoice", values: ErrorValues | None) -> IdentifyOptions:
+    """What the estimate is told. values: that are known."""
+    degree = choice.degree or (DEGREE if choice.prior else DEGREE_WITHOUT_PRIOR)
+    return IdentifyOptions(
+        "known" if choice.squareness == "known" else "convention",
+        values,
+        choice.noise,
+        EstimationOptions(prior=choice.prior, ideal=choice.ideal_instruments, degree=degree),
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -172,7 +174,7 @@ def believed(model: MachineModel, data: DataFolder, known: ErrorValues | None) -
 
     Raises InputError where set-up or readings contradict the machine, whose dimensions are those known.
     """
-    placed = model.with_values(known or ErrorValues(model.name))
+    placed = model.with_values(known or ErrorValues(machine=model.name))
     if faults := setup_faults(placed, data.data, data.folder):
         raise InputError(faults)
     return data.data if data.active is None else uncompensated(model, data.data, data.active)

@@ -87,7 +87,7 @@ def new_machine(
     text = new_spec(spec.stem, structure, order, dict(travels), dict(senses))
     machine = parse_machine(text, Faults(str(spec)))
     values = dump_errors(
-        ErrorValues(machine.name), components=machine.components, parameters=machine.parameters, effects=()
+        ErrorValues(machine=machine.name), components=machine.components, parameters=machine.parameters, effects=()
     )
     contents = {spec: text, errors: values}
     if found := [fault for path, content in contents.items() for fault in _faults_of_place(path, content)]:

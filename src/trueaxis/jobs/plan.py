@@ -192,10 +192,10 @@ def _options(
     request: PlanRequest,
     spelled: Spelled,
 ) -> PlanOptions:
-    given = known or ErrorValues(model.name)
+    given = known or ErrorValues(machine=model.name)
     given = replace(given, u={}, undetermined=(), covariance=None, fit=None)
     if request.location_errors_only:
-        zeros: dict[str, Curve] = dict.fromkeys(model.components, PolynomialCurve((), ()))
+        zeros: dict[str, Curve] = dict.fromkeys(model.components, PolynomialCurve(powers=(), coefficients=()))
         given = replace(given, motion_errors={**zeros, **given.motion_errors})
     unknown: list[str] = [name for name in model.components if name not in given.motion_errors]
     unknown += [name for name in model.location_errors if name not in given.parameters]

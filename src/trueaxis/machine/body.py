@@ -44,7 +44,17 @@ def read_joint(
     fields.refuse_others()
     if sense not in (1, -1):
         fields.fault("sense", f"{sense} is no sense", "1, or -1 where a positive command moves the body the other way")
-    return Body(number, said or name, lower, moves, sense or 1, travel, position, motion_errors, location)
+    return Body(
+        number=number,
+        name=said or name,
+        lower=lower,
+        moves=moves,
+        sense=sense or 1,
+        travel=travel,
+        position=position,
+        motion_errors=motion_errors,
+        position_errors=location,
+    )
 
 
 def _travel(fields: Fields, moves: str | None) -> tuple[float, float] | None:

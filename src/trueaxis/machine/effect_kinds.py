@@ -66,11 +66,11 @@ def _read_kind(fields: Fields, bodies: Sequence[Body] | None) -> Kind:
     parameters = _read_parameters(fields)
     fields.refuse_others()
     kind = Kind(
-        name or "",
-        "component",
-        text,
-        tuple(parameters.values()),
-        (sentence or "").rstrip("."),
+        name=name or "",
+        place="component",
+        expression=text,
+        parameters=tuple(parameters.values()),
+        sentence=(sentence or "").rstrip("."),
         directions=tuple(part for part in acts if part in ALL_DIRECTIONS),
         components=tuple(part for part in acts if part not in ALL_DIRECTIONS),
         other_axis=other_axis,
@@ -114,12 +114,14 @@ def _read_parameter(fields: Fields, name: str) -> Parameter:
     grid = fields.raw.get("grid")
     fields.refuse_others("unit, meaning, grid")
     if "grid" not in fields.raw:
-        return Parameter(name, unit or "1", meaning or name)
+        return Parameter(name=name, unit=unit or "1", meaning=meaning or name)
     values = [fields.finite(part) for part in grid] if isinstance(grid, list) else []
     numbers = tuple(value for value in values if value is not None)
     if not 1 <= len(values) <= LARGEST_GRID or len(set(numbers)) < len(values):
         fields.fault("grid", f"is {shown(grid)}", f"a list of 1 to {LARGEST_GRID} different finite numbers")
-    return Parameter(name, unit or "1", meaning or name, "grid", "given", numbers or (1.0,))
+    return Parameter(
+        name=name, unit=unit or "1", meaning=meaning or name, role="grid", grid="given", values=numbers or (1.0,)
+    )
 
 
 def _check_components(fields: Fields, kind: Kind, bodies: Sequence[Body] | None) -> None:

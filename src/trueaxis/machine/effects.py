@@ -79,7 +79,7 @@ def _read_effect(fields: Fields, kind: Kind, bodies: Sequence[Body] | None) -> E
             _check_component(fields, kind, component, bodies)
     if "axis" in allowed:
         _check_axis(fields, component, bodies)
-    return Effect(kind.name, component, axis, runs, end)
+    return Effect(kind=kind.name, component=component, axis=axis, runs=runs, end=end)
 
 
 def _keys(kind: Kind) -> Iterator[str]:

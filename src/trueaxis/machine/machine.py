@@ -18,7 +18,7 @@ LINEAR, ROTARY = AXES[:3], AXES[3:]
 BED = 1
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Body:
     """One rigid body and its joint to its lower body (the four factors of Eq. 1 of the paper).
 
@@ -38,7 +38,7 @@ class Body:
     position_errors: tuple[tuple[Direction, str], ...] = ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Machine:
     """A machine as its spec tells it; every property has the one order that all generated code uses.
 

@@ -10,7 +10,7 @@ SIZES = {"translation_um": 20.0, "rotation_urad": 50.0, "location_urad": 100.0, 
 LARGEST_SIZE = 1e6  # um, urad: a metre, a radian
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Prior:
     """Sizes to expect, one standard deviation each.
 
@@ -51,11 +51,11 @@ def read_prior(top: Fields, components: Sequence[ErrorName], locations: Mapping[
         table.refuse_others(key)
     fields.refuse_others(f"{', '.join(SIZES)}, or a table of a component or location error: {', '.join(units)}")
     return Prior(
-        sizes["translation_um"] / 1e3,
-        sizes["rotation_urad"] / 1e6,
-        sizes["location_urad"] / 1e6,
-        sizes["location_um"] / 1e3,
-        tuple(named),
+        translation=sizes["translation_um"] / 1e3,
+        rotation=sizes["rotation_urad"] / 1e6,
+        location_angle=sizes["location_urad"] / 1e6,
+        location_length=sizes["location_um"] / 1e3,
+        named=tuple(named),
     )
 
 

@@ -17,10 +17,10 @@ from trueaxis.machine.prior import read_prior
 from trueaxis.machine.structure import check_structure
 from trueaxis.machine.structure_code import AxisOrder, StructureCodeError, default_location_errors, parse_structure
 
-_NAME = r"[A-Za-z][A-Za-z0-9_-]{0,99}"  # of a folder, too
+NAME = r"[A-Za-z][A-Za-z0-9_-]{0,99}"  # of a folder, too
 ROTATIONS = ("small-angle", "true")  # of errors: the paper's matrix 1 + [epsilon x], or a true rotation
 MOST_BODIES = 40  # six axes, two ends, and what is fixed between them
-_LABEL = r"motion_[XYZABC]+|system_[1-9][0-9]*|squareness"
+LABEL = r"motion_[XYZABC]+|system_[1-9][0-9]*|squareness"
 
 
 def read_machine(path: Path) -> Machine:
@@ -43,7 +43,7 @@ def parse_machine(text: str, faults: Faults) -> Machine:
 def _machine(top: Fields, complain: Complain, faults: Faults) -> Machine:
     if (schema := top.integer("schema")) not in (1, None):
         complain(("schema",), f"{schema} is not a schema that this version reads", "schema = 1")
-    name = top.text("name", pattern=_NAME, meaning="a letter, then letters, digits, _ and -, 100 at most") or "unnamed"
+    name = top.text("name", pattern=NAME, meaning="a letter, then letters, digits, _ and -, 100 at most") or "unnamed"
     title = top.text("title", default=name, pattern=PROSE, meaning=PROSE_MEANING) or name
     before = len(faults.found)
     outline = _from_code(top, complain) if "structure" in top.raw else _from_bodies(top, complain)
@@ -59,24 +59,22 @@ def _machine(top: Fields, complain: Complain, faults: Faults) -> Machine:
     runs = top.text("runs", default="")
     references = top.table("references")
     said = tuple(
-        (key, text)
-        for key in references.raw
-        if re.fullmatch(_LABEL, key) and (text := references.text(key)) is not None
+        (key, text) for key in references.raw if re.fullmatch(LABEL, key) and (text := references.text(key)) is not None
     )
     references.refuse_others("motion_X, motion_XY, ..., system_1, ..., squareness")
     rotations = top.choice("rotations", ROTATIONS) or ROTATIONS[0]
     machine = Machine(
-        name,
-        title,
-        with_squareness(outline.bodies, effects),
-        outline.workpiece,
-        outline.tool,
-        degree or 7,
-        rotations == "true",
-        runs or None,
-        said,
-        effects,
-        kinds,
+        name=name,
+        title=title,
+        bodies=with_squareness(outline.bodies, effects),
+        workpiece=outline.workpiece,
+        tool=outline.tool,
+        curve_degree=degree or 7,
+        true_rotation=rotations == "true",
+        runs=runs or None,
+        references=said,
+        effects=effects,
+        effect_kinds=kinds,
     )
     units = {parameter: machine.parameter_unit(parameter) for parameter in machine.location_errors}
     prior = read_prior(top, machine.components, units)

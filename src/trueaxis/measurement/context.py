@@ -101,7 +101,16 @@ def context_of(runs: Sequence[Run], rows: Rows) -> Context:
         if not standing:
             velocity[:, mine] = path_velocity(rows.axes, path, feed[mine], time[mine])
     home = Context.at_rest(shape[0], count, home_time, home_temperature)
-    return Context(directions, velocity, since, time_since, path_since, time, temperature, home)
+    return Context(
+        directions=directions,
+        velocity=velocity,
+        since_reversal=since,
+        time_since=time_since,
+        path_since=path_since,
+        time=time,
+        temperature=temperature,
+        home=home,
+    )
 
 
 def path_velocity(axes: Sequence[str], path: FloatArray, feed: FloatArray, time: FloatArray) -> FloatArray:

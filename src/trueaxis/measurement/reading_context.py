@@ -45,7 +45,7 @@ def reading_context(
 ) -> ReadingContext:
     """The same. run: (n,), index into runs; positions: (n_axes, n), mm or deg; time (s), temperature (degC): (n,)."""
     unknown = np.full(run.size, np.nan)
-    found = ReadingContext(unknown, unknown.copy(), unknown.copy(), time, temperature)
+    found = ReadingContext(along=unknown, theta=unknown.copy(), way=unknown.copy(), time=time, temperature=temperature)
     order = np.argsort(run, kind="stable")
     starts = np.flatnonzero(np.diff(run[order], prepend=-1))
     for mine in np.split(order, starts[1:]):
@@ -61,8 +61,16 @@ def run_reading_context(
     """The reading context of rows of one run. positions: (n_axes, n), mm or deg; time (s), temperature (degC): (n,)."""
     nothing = np.full(positions.shape[1], np.nan)
     if run.instrument == "ballbar":
-        return ReadingContext(nothing, theta(machine, run, positions), nothing, time, temperature)
-    return ReadingContext(along(machine, run, positions), nothing, way(machine, run, positions), time, temperature)
+        return ReadingContext(
+            along=nothing, theta=theta(machine, run, positions), way=nothing, time=time, temperature=temperature
+        )
+    return ReadingContext(
+        along=along(machine, run, positions),
+        theta=nothing,
+        way=way(machine, run, positions),
+        time=time,
+        temperature=temperature,
+    )
 
 
 def along(machine: MeasuredMachine, run: Run, positions: FloatArray) -> FloatArray:

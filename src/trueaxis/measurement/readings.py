@@ -20,7 +20,7 @@ PARQUET_NAME = "readings.parquet"
 SHORT = 15  # digits that every number keeps on its way through binary
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Readings:
     """One row per reading, in the order of the file.
 

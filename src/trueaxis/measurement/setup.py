@@ -38,7 +38,7 @@ class Device:
     line_u: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Run:
     """One run: an instrument set up once and read at many axis positions.
 

@@ -11,7 +11,7 @@ FloatArray = npt.NDArray[np.float64]
 Rows = npt.NDArray[np.int64] | npt.NDArray[np.bool_] | slice
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Context:
     """The context of n commanded positions; NaN where something is not known.
 
@@ -59,31 +59,31 @@ class Context:
     def of(self, rows: Rows) -> "Context":
         """The context of some of the positions: indices, a mask or a slice."""
         return Context(
-            np.ascontiguousarray(self.directions[:, rows]),
-            np.ascontiguousarray(self.velocity[:, rows]),
-            np.ascontiguousarray(self.since_reversal[:, rows]),
-            np.ascontiguousarray(self.time_since[:, rows]),
-            np.ascontiguousarray(self.path_since[:, rows]),
-            self.time[rows],
-            self.temperature[rows],
-            None if self.home is None else self.home.of(rows),
+            directions=np.ascontiguousarray(self.directions[:, rows]),
+            velocity=np.ascontiguousarray(self.velocity[:, rows]),
+            since_reversal=np.ascontiguousarray(self.since_reversal[:, rows]),
+            time_since=np.ascontiguousarray(self.time_since[:, rows]),
+            path_since=np.ascontiguousarray(self.path_since[:, rows]),
+            time=self.time[rows],
+            temperature=self.temperature[rows],
+            home=None if self.home is None else self.home.of(rows),
         )
 
     def filled(self) -> "Context":
         """With nothing unknown or infinite: where no effect is felt, what effects depend on may be lacking."""
         return Context(
-            self.directions,
-            np.nan_to_num(self.velocity, nan=0.0),
-            np.minimum(self.since_reversal, FARTHEST),
-            np.nan_to_num(np.minimum(self.time_since, FARTHEST), nan=FARTHEST),
-            np.minimum(self.path_since, FARTHEST),
-            np.nan_to_num(self.time, nan=0.0),
-            np.nan_to_num(self.temperature, nan=REFERENCE_TEMPERATURE),
-            None if self.home is None else self.home.filled(),
+            directions=self.directions,
+            velocity=np.nan_to_num(self.velocity, nan=0.0),
+            since_reversal=np.minimum(self.since_reversal, FARTHEST),
+            time_since=np.nan_to_num(np.minimum(self.time_since, FARTHEST), nan=FARTHEST),
+            path_since=np.minimum(self.path_since, FARTHEST),
+            time=np.nan_to_num(self.time, nan=0.0),
+            temperature=np.nan_to_num(self.temperature, nan=REFERENCE_TEMPERATURE),
+            home=None if self.home is None else self.home.filled(),
         )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class ReadingContext:
     """What effects on the readings of an instrument depend on, (n,) each; NaN where something is not known.
 
@@ -101,5 +101,9 @@ class ReadingContext:
     def of(self, rows: Rows) -> "ReadingContext":
         """The context of some of the readings: indices, a mask or a slice."""
         return ReadingContext(
-            self.along[rows], self.theta[rows], self.way[rows], self.time[rows], self.temperature[rows]
+            along=self.along[rows],
+            theta=self.theta[rows],
+            way=self.way[rows],
+            time=self.time[rows],
+            temperature=self.temperature[rows],
         )

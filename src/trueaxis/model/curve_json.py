@@ -111,7 +111,9 @@ def _polynomial(value: dict[str, Any], path: JsonPath, faults: Faults) -> Polyno
     u, u_readings, u_prior = (_uncertainties(value, key, path, faults) for key in _U)
     measured = _range(value, path, faults)
     if _same_length(value, ("powers", "coefficients", *_U), path, faults):
-        return PolynomialCurve(powers, coefficients, u, measured, u_readings, u_prior)
+        return PolynomialCurve(
+            powers=powers, coefficients=coefficients, u=u, measured=measured, u_readings=u_readings, u_prior=u_prior
+        )
     return None
 
 
@@ -128,7 +130,14 @@ def _legendre(value: dict[str, Any], path: JsonPath, faults: Faults) -> Legendre
         return None
     if not same:
         return None
-    return LegendreCurve(travel_basis(ends, len(coefficients)), coefficients, u, measured, u_readings, u_prior)
+    return LegendreCurve(
+        basis=travel_basis(ends, len(coefficients)),
+        coefficients=coefficients,
+        u=u,
+        measured=measured,
+        u_readings=u_readings,
+        u_prior=u_prior,
+    )
 
 
 def _range(value: dict[str, Any], path: JsonPath, faults: Faults) -> tuple[float, float] | None:

@@ -12,7 +12,7 @@ from trueaxis.model.bases import HatBasis, LegendreBasis, PowerBasis
 FloatArray = npt.NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PolynomialCurve:
     """sum(coefficients[i] * s**powers[i]) of the commanded axis position s (mm, deg); value in mm or rad.
 
@@ -62,7 +62,7 @@ class TableCurve:
         return self.positions[0], self.positions[-1]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LegendreCurve:
     """Sum of Legendre polynomials over the travel of an axis, zero at its home; beyond the travel the end values hold.
 
@@ -101,7 +101,9 @@ def polynomial_of(curve: LegendreCurve) -> PolynomialCurve:
     """The same within the travel in plain powers; beyond it, the polynomial goes on."""
     at_home = float((np.array(curve.coefficients) @ curve.basis(np.zeros(1)))[0])
     powers = np.array(curve.coefficients) @ curve.basis.powers
-    return PolynomialCurve(tuple(range(powers.size + 1)), (at_home, *powers.tolist()), None, curve.measured)
+    return PolynomialCurve(
+        powers=tuple(range(powers.size + 1)), coefficients=(at_home, *powers.tolist()), u=None, measured=curve.measured
+    )
 
 
 def evaluate_components(

@@ -82,7 +82,13 @@ def _effect(entry: Any, path: JsonPath, faults: Faults) -> Effect | None:
         faults.add(key_path((*path, "runs")), f"{shown(runs)} is not a list of run ids")
     if len(faults.found) > before:
         return None
-    return Effect(entry["kind"], entry.get("component"), entry.get("axis"), tuple(runs), entry.get("end"))
+    return Effect(
+        kind=entry["kind"],
+        component=entry.get("component"),
+        axis=entry.get("axis"),
+        runs=tuple(runs),
+        end=entry.get("end"),
+    )
 
 
 def _parameters(entry: dict[str, Any], kind: Kind, path: JsonPath, faults: Faults) -> dict[str, float]:

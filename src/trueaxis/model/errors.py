@@ -61,7 +61,7 @@ class CovarianceLink:
     sha256_of_values: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorValues:
     """Error values of a machine; what is not named is zero.
 

@@ -25,7 +25,7 @@ ABI = 3  # of the kernels that this runtime calls
 BACKENDS = ("auto", "c", "numpy")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Kernels:
     """The kernels of one machine: `kernels["tool_in_workpiece_deviation"](positions, errors, parameters, point)`.
 
@@ -84,7 +84,7 @@ def numpy_kernels(code: bytes, path: Path, remedy: str = "") -> Kernels:
         routines = {name: getattr(module, name) for name in module.META["routines"]}
     except (AttributeError, KeyError, TypeError) as error:
         raise InputError([Fault(str(path), "META", f"does not tell its routines: {error}", remedy)]) from None
-    return Kernels(module.META, module, routines, "numpy", "")
+    return Kernels(meta=module.META, module=module, routines=routines, backend="numpy", note="")
 
 
 def _asked_backend() -> str:

@@ -231,7 +231,7 @@ def load_model(
     Raises InputError for whatever is wrong with them: the spec's and the errors' faults are told together.
     """
     machine = read_machine(machine_path)
-    errors = ErrorValues(machine.name) if errors_path is None else load_errors(errors_path, machine)
+    errors = ErrorValues(machine=machine.name) if errors_path is None else load_errors(errors_path, machine)
     return MachineModel(machine, load_kernels(machine, machine_path, kernels_dir, backend=backend), errors)
 
 

@@ -140,7 +140,15 @@ def _sphere_turns(machine: IdentifiedMachine, kit: Kit) -> Iterator[Candidate]:
             sphere = PointOn("workpiece", _vector(centre[:, 0]))
             home = dict(zip(machine.axes, positions[:, 0].tolist(), strict=True))
             for unit, name in zip(np.eye(3), "xyz", strict=True):
-                run = Run("", "probe", PointOn("tool", tool), sphere, "bed", home, _vector(unit))
+                run = Run(
+                    id="",
+                    instrument="probe",
+                    target=PointOn("tool", tool),
+                    reference=sphere,
+                    frame="bed",
+                    home=home,
+                    direction=_vector(unit),
+                )
                 what = f"probe in {name}, {_turn_text(machine, axis, at)} about a sphere at {_told(sphere)}"
                 yield Candidate(run, there_and_back(positions), what)
 
@@ -219,15 +227,33 @@ def _seen(
     """The tool point against the workpiece, zeroed at the first position."""
     start = machine.view_ideal("tool_in_workpiece", np.ascontiguousarray(positions[:, :1]), column(tool))
     home = dict(zip(machine.axes, positions[:, 0].tolist(), strict=True))
-    ends = PointOn("tool", tool), PointOn("workpiece", _vector(start[:, 0]))
-    return Candidate(Run("", instrument, *ends, "workpiece", home, direction), positions, what)
+    target, reference = PointOn("tool", tool), PointOn("workpiece", _vector(start[:, 0]))
+    run = Run(
+        id="",
+        instrument=instrument,
+        target=target,
+        reference=reference,
+        frame="workpiece",
+        home=home,
+        direction=direction,
+    )
+    return Candidate(run, positions, what)
 
 
 def _bar(
     machine: IdentifiedMachine, tool: Vector, centre: FloatArray, length: float, positions: FloatArray, what: str
 ) -> Candidate:
     ball = PointOn("workpiece", _vector(centre[:, 0]))
-    run = Run("", "ballbar", PointOn("tool", tool), ball, "bed", home_position(machine), None, length)
+    run = Run(
+        id="",
+        instrument="ballbar",
+        target=PointOn("tool", tool),
+        reference=ball,
+        frame="bed",
+        home=home_position(machine),
+        direction=None,
+        length=length,
+    )
     text = f"ball bar of {length:g} mm, {what}, about {_told(ball)}"
     return Candidate(run, there_and_back(positions), text)
 

@@ -34,7 +34,7 @@ def location_sets(machine: IdentifiedMachine, known: ErrorValues) -> tuple[Locat
         return ()
     dimensions = [name for name in machine.parameters if name not in machine.location_errors]
     values = {name: 60.0 + 37.0 * index % 83.0 for index, name in enumerate(dimensions)}
-    generic = machine.with_values(ErrorValues(machine.name, {**values, **known.parameters}))
+    generic = machine.with_values(ErrorValues(machine=machine.name, parameters={**values, **known.parameters}))
     positions = _volume(generic)
     point = np.array(TOOL_POINT)[:, np.newaxis]
     sensitivity = _stacked(generic.view_sensitivity("tool_in_workpiece", positions, point)) * scales(generic)

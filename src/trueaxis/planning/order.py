@@ -19,7 +19,7 @@ from trueaxis.planning.report import BlockReport
 SAME = 1e-9  # mm, relative to the size of the points
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Order:
     """Blocks in order; solved: each with its equations, where every position that a block needs is measured; fault: why
     not, else empty; left_out: ball-bar runs, which sense all components at once.
@@ -36,12 +36,22 @@ class Order:
         """As a report."""
         if self.solved is None:
             return tuple(
-                BlockReport(self.names(step), self.components(step), 0, 0, 0, (), float("nan")) for step in self.steps
+                BlockReport(
+                    runs=self.names(step),
+                    components=self.components(step),
+                    equations=0,
+                    unknowns=0,
+                    rank=0,
+                    ranks=(),
+                    condition=float("nan"),
+                )
+                for step in self.steps
             )
         return tuple(
             BlockReport(
-                self.names(one.step), self.components(one.step), one.cells.size, one.nodes.size, one.inverse.rank,
-                one.inverse.ranks, one.inverse.condition, self.because(one),
+                runs=self.names(one.step), components=self.components(one.step), equations=one.cells.size,
+                unknowns=one.nodes.size, rank=one.inverse.rank, ranks=one.inverse.ranks,
+                condition=one.inverse.condition, because=self.because(one),
             )
             for one in self.solved.steps
         )  # fmt: skip
@@ -79,7 +89,7 @@ def order(machine: IdentifiedMachine, observed: Observations, given: ErrorValues
         solved = solve_steps(steps, held, grid, cells, usable)
     except InputError as error:
         fault = str(error.faults[0])
-    return Order(grid, usable.runs, steps, solved, fault, left_out)
+    return Order(grid=grid, runs=usable.runs, steps=steps, solved=solved, fault=fault, left_out=left_out)
 
 
 def same_coordinates(runs: list[Run]) -> str:

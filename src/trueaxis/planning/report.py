@@ -12,7 +12,7 @@ from trueaxis.model.errors import Determined
 State = Determined | Literal["given"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class BlockReport:
     """Components that are solved together from runs, in the order in which that can be done.
 
@@ -96,7 +96,7 @@ class Redundant:
     stands_for: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LocationSet:
     """The smallest set of location errors under one assumption on the placements.
 

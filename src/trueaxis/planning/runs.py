@@ -68,7 +68,15 @@ class PlannedRuns:
 def no_runs(source: str, axes: Sequence[str]) -> PlannedRuns:
     """A plan to which runs are added."""
     nothing, rows = np.zeros(0, dtype=np.int64), np.zeros((len(axes), 0))
-    readings = Readings(tuple(axes), (), nothing, nothing, rows, rows.astype(np.int8), np.zeros(0))
+    readings = Readings(
+        axes=tuple(axes),
+        run_ids=(),
+        run=nothing,
+        seq=nothing,
+        positions=rows,
+        directions=rows.astype(np.int8),
+        reading=np.zeros(0),
+    )
     return PlannedRuns(source, (), readings)
 
 

@@ -12,7 +12,7 @@ from trueaxis.model.planes import middle_planes
 STEPS = 25  # along either side of a slice
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Slice:
     """Two axes that move to (n,) and (m,), mm; u: (m, n), mm, of the tool point; at: where the other axes stand."""
 
@@ -26,6 +26,12 @@ class Slice:
 def slices(found: Estimate, tools: Sequence[Vector]) -> tuple[Slice, ...]:
     """One for each pair of linear axes, other linear axes in the middle, rotary axes at home."""
     return tuple(
-        Slice(one.axes, one.first, one.second, tool_point(found, one.positions, tools).u.reshape(STEPS, STEPS), one.at)
+        Slice(
+            axes=one.axes,
+            first=one.first,
+            second=one.second,
+            u=tool_point(found, one.positions, tools).u.reshape(STEPS, STEPS),
+            at=one.at,
+        )
         for one in middle_planes(found.layout.model, STEPS)
     )

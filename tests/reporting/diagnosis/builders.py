@@ -35,12 +35,12 @@ from trueaxis.effects.kind import Effect
 from trueaxis.effects.library import BY_NAME
 
 FloatArray = npt.NDArray[np.float64]
-BACKLASH = Effect("backlash", "EXX")
-LAG = Effect("servo_lag", "EXX")
-CYCLIC = Effect("cyclic", "EYY")
-COSINE = Effect("laser_cosine", runs=("X-2", "X-3"))
-CROSS = Effect("cross_axis", "EXX", axis="Y")
-OFFSET = Effect("point_offset", runs=("Y-1",), end="target")
+BACKLASH = Effect(kind="backlash", component="EXX")
+LAG = Effect(kind="servo_lag", component="EXX")
+CYCLIC = Effect(kind="cyclic", component="EYY")
+COSINE = Effect(kind="laser_cosine", runs=("X-2", "X-3"))
+CROSS = Effect(kind="cross_axis", component="EXX", axis="Y")
+OFFSET = Effect(kind="point_offset", runs=("Y-1",), end="target")
 CIRCLES_AGAIN = "circles in XY at another feed, both directions"
 APART = Told(BACKLASH, "mm", 0.4e-3, 9e-3)
 SEPARATING = Separating(run=CIRCLES_AGAIN, apart=(LAG,), told=APART)

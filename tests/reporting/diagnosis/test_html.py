@@ -337,7 +337,7 @@ def test_numbers_have_minus_signs_and_kinds_are_words() -> None:
         cause,
         effect=builders.LAG,
         parameters=(replace(cause.parameters[0], value=-builders.WIDTH),),
-        separating=replace(builders.SEPARATING, apart=(Effect("thermal_offset", "EXX"),)),
+        separating=replace(builders.SEPARATING, apart=(Effect(kind="thermal_offset", component="EXX"),)),
         held_out_gain=-0.04,
     )
     outlier = replace(diagnosis.outliers[0], deviation=-0.0042, z=-9.3)
@@ -379,7 +379,7 @@ def test_what_is_left_stands_beside_the_noise_floor_held_out_and_not() -> None:
 def test_many_candidates_are_named_by_kind() -> None:
     diagnosis = builders.diagnosis("explained")
     kinds = {"cyclic": 60, "laser_scale": 1, "cross_axis": 40, "drift": 1, "thermal_offset": 8}
-    many = tuple(Effect(kind, runs=(f"{k}",)) for kind, count in kinds.items() for k in range(count))
+    many = tuple(Effect(kind=kind, runs=(f"{k}",)) for kind, count in kinds.items() for k in range(count))
     told = read(report_html(replace(diagnosis, isolability=many, correlation=builders.correlation(110))))
     figure = next(one for one in told.all("svg") if one.all("title")[0].attributes["id"] == "isolability-title")
     names = [one.text for one in figure.all("text")]

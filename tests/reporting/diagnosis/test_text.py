@@ -39,7 +39,7 @@ def test_a_cause_on_the_console() -> None:
 
 def test_an_own_kind_is_told_by_its_formula() -> None:
     diagnosis = builders.diagnosis("explained")
-    own = replace(diagnosis.causes[0], effect=Effect("table_sag", "EZY"), remainder=True)
+    own = replace(diagnosis.causes[0], effect=Effect(kind="table_sag", component="EZY"), remainder=True)
     text = summary_text(replace(diagnosis, causes=(own,)))
     assert f"term: {own.formula}\n" in text
     assert "a remainder is left that this cause does not explain" in text

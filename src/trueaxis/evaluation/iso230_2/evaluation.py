@@ -24,7 +24,7 @@ SINGLE = "clause 6.2: one approach, with B, E and M alone"
 EVEN = 1e-6  # of a step: rounding of evenly spaced targets
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Unidirectional:
     """One direction of approach; mm or deg throughout, arrays (m,) over the targets; NaN where one approach tells
     nothing.
@@ -41,7 +41,7 @@ class Unidirectional:
     A: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Evaluation:
     """The parameters of the standard; mm or deg (`unit`) throughout, arrays (m,) over the targets. R, r, s, A: NaN of a
     test with one cycle.
@@ -135,7 +135,7 @@ def _unidirectional(deviations: FloatArray) -> Unidirectional:
     mean = deviations.mean(axis=1)
     s = deviations.std(axis=1, ddof=1) if deviations.shape[1] > 1 else np.full(mean.size, np.nan)
     r = 2 * COVERAGE_FACTOR * s
-    return Unidirectional(mean, s, r, R=float(r.max()), E=float(np.ptp(mean)), A=_accuracy(mean, s))
+    return Unidirectional(mean=mean, s=s, r=r, R=float(r.max()), E=float(np.ptp(mean)), A=_accuracy(mean, s))
 
 
 def _accuracy(mean: FloatArray, s: FloatArray) -> float:

@@ -55,7 +55,7 @@ class Contributions:
     explained: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class _Term:
     """columns: (n, k), radial deviation in mm by the value over `scale`; k is 2 for a cyclic error, else 1; bent: (n,),
     derivative of the column by what was sought of its form.
@@ -91,10 +91,16 @@ def _geometry(test: CircularTest, angle: FloatArray) -> Iterator[_Term]:
     """Squareness, scale and straightness: what the sense of rotation does not change."""
     u, v = test.plane
     r, cos, sin = test.radius, np.cos(angle), np.sin(angle)
-    yield _Term("squareness", u + v, "urad", 1e6, -r * (sin * cos)[:, np.newaxis])
-    yield _Term("scale_mismatch", f"{u}-{v}", "um/m", 1e6, 0.5 * r * np.cos(2 * angle)[:, np.newaxis])
-    yield _Term("straightness", f"{u} in {v}", "um", 1e3, (cos**2 * sin)[:, np.newaxis])
-    yield _Term("straightness", f"{v} in {u}", "um", 1e3, (sin**2 * cos)[:, np.newaxis])
+    yield _Term(error="squareness", of=u + v, unit="urad", scale=1e6, columns=-r * (sin * cos)[:, np.newaxis])
+    yield _Term(
+        error="scale_mismatch",
+        of=f"{u}-{v}",
+        unit="um/m",
+        scale=1e6,
+        columns=0.5 * r * np.cos(2 * angle)[:, np.newaxis],
+    )
+    yield _Term(error="straightness", of=f"{u} in {v}", unit="um", scale=1e3, columns=(cos**2 * sin)[:, np.newaxis])
+    yield _Term(error="straightness", of=f"{v} in {u}", unit="um", scale=1e3, columns=(sin**2 * cos)[:, np.newaxis])
 
 
 def _drives(test: CircularTest, angle: FloatArray, sense: FloatArray) -> Iterator[_Term]:
@@ -102,12 +108,18 @@ def _drives(test: CircularTest, angle: FloatArray, sense: FloatArray) -> Iterato
     feed = test.feed
     unit, scale = ("ms", 6e4 / feed) if feed else ("um", 1e3)  # mm of following error at the feed, or time
     column = 0.5 * sense * np.sin(2 * angle)
-    yield _Term("servo_mismatch", "-".join(test.plane), unit, scale, column[:, np.newaxis])
+    yield _Term(error="servo_mismatch", of="-".join(test.plane), unit=unit, scale=scale, columns=column[:, np.newaxis])
     for axis, along, across, way in _axes(test, angle, sense):
         half = 0.5 * way * along
         for end, at in (("+", along > 0.0), ("-", along < 0.0)):
-            yield _Term("reversal_error", f"{axis}, {end} end", "um", 1e3, (half * at)[:, np.newaxis])
-        yield _Term("lateral_play", axis, "um", 1e3, (0.5 * way * across)[:, np.newaxis])
+            yield _Term(
+                error="reversal_error",
+                of=f"{axis}, {end} end",
+                unit="um",
+                scale=1e3,
+                columns=(half * at)[:, np.newaxis],
+            )
+        yield _Term(error="lateral_play", of=axis, unit="um", scale=1e3, columns=(0.5 * way * across)[:, np.newaxis])
 
 
 def _axes(
@@ -143,7 +155,14 @@ def _spikes(test: CircularTest, angle: FloatArray, sense: FloatArray, length: fl
     for number, axis in enumerate(test.plane):
         since = np.mod(sense * (angle - 0.5 * np.pi * number), np.pi)  # angle since the axis turned round
         column = np.exp(-since / length)
-        yield _Term("reversal_spike", axis, "um", 1e3, column[:, np.newaxis], bent=column * since / length)
+        yield _Term(
+            error="reversal_spike",
+            of=axis,
+            unit="um",
+            scale=1e3,
+            columns=column[:, np.newaxis],
+            bent=column * since / length,
+        )
 
 
 def _cyclic(test: CircularTest, angle: FloatArray, deviation: FloatArray, others: Sequence[FloatArray]) -> list[_Term]:
@@ -168,7 +187,7 @@ def _cyclic(test: CircularTest, angle: FloatArray, deviation: FloatArray, others
         rate, gain = float(finer.x), -float(finer.fun)
         if rates.size * _chance(gain / float(rest @ rest), _independent(rest)) < CHANCE:
             columns = _waves(rate, *known[:2])
-            found.append(_Term("cyclic_error", axis, "um", 2e3, columns, 1.0 / rate))
+            found.append(_Term(error="cyclic_error", of=axis, unit="um", scale=2e3, columns=columns, pitch=1.0 / rate))
             space = _orthonormal(np.hstack([space, columns]))
     return found
 

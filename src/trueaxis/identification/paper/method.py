@@ -44,7 +44,7 @@ def identify_paper(
     axis at which what it needs was not measured before; NotConvergedError where the solution does not stand still.
     """
     options = options or PaperOptions()
-    given = options.known or ErrorValues(machine.name)
+    given = options.known or ErrorValues(machine=machine.name)
     given = replace(given, u={}, undetermined=())
     observed = without_effects(machine.with_values(given), observed, given)
     bare = replace(given, effects=())

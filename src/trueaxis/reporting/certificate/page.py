@@ -80,7 +80,9 @@ def _volume(content: Content) -> Table:
     rows = [_of_volume("deviation", content.volume)]
     if content.changed is not None:
         rows.append(_of_volume("change", content.changed))
-    return Table("Length of the deviation over the volume", head, tuple(rows), frozenset({1, 2, 3, 5}))
+    return Table(
+        caption="Length of the deviation over the volume", head=head, rows=tuple(rows), numbers=frozenset({1, 2, 3, 5})
+    )
 
 
 def _of_volume(name: str, one: OverVolume) -> tuple[str, ...]:
@@ -112,7 +114,7 @@ def _errors(caption: str, lines: Sequence[ErrorLine], compared: bool) -> Table:
                 _where(one),
             ]
         rows.append(tuple(row))
-    return Table(caption, tuple(head), tuple(rows), numbers)
+    return Table(caption=caption, head=tuple(head), rows=tuple(rows), numbers=numbers)
 
 
 def _where(one: ErrorLine) -> str:
@@ -135,7 +137,9 @@ def _effects(effects: Sequence[EffectValues], kinds: dict[str, Kind]) -> Table:
         if parameter.name in one.parameters
     ]
     caption = "Effects, which depend on more than positions"
-    return Table(caption, ("effect", "parameter", "value", "u"), tuple(rows), frozenset({2, 3}))
+    return Table(
+        caption=caption, head=("effect", "parameter", "value", "u"), rows=tuple(rows), numbers=frozenset({2, 3})
+    )
 
 
 def _u(one: EffectValues, parameter: Parameter) -> str:

@@ -25,7 +25,7 @@ from trueaxis.template_folders import template_folders
 TEMPLATE = "report.html.j2"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class CauseText:
     """A cause as its card shows it. parameters: name and value with U; formula: MathML, may be empty."""
 
@@ -41,15 +41,15 @@ class CauseText:
     pictures: tuple[Picture, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Section:
     """A part of the page; left out where there is nothing in it."""
 
     name: str
     title: str
-    intro: str
-    pictures: tuple[Picture, ...]
-    tables: tuple[Table, ...]
+    intro: str = ""
+    pictures: tuple[Picture, ...] = ()
+    tables: tuple[Table, ...] = ()
 
 
 def report_html(diagnosis: Diagnosis, pictures: Pictures) -> str:
@@ -157,44 +157,54 @@ def _sections(
 ) -> list[Section]:
     return [
         Section(
-            "stale",
-            "Values that are no longer true",
-            "The readings ask for other values than those given. Change: what they ask for less what was given, where "
-            "it exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; p: of all of it.",
-            (),
-            (tables.stale(diagnosis),),
-        ),
-        Section("next", "What to measure next", "", (), (tables.next_runs(diagnosis, kinds),)),
-        Section(
-            "gain",
-            "Before and after",
-            _sentence(predicted_scatter(diagnosis.gain)),
-            pictures["gain"],
-            (tables.circularity(diagnosis),),
+            name="stale",
+            title="Values that are no longer true",
+            intro="The readings ask for other values than those given. Change: what they ask for less what was given, "
+            "where it exceeds twice its standard uncertainty u by most; from, to: where it exceeds that; "
+            "p: of all of it.",
+            tables=(tables.stale(diagnosis),),
         ),
         Section(
-            "residuals",
-            "Residuals",
-            f"Measured less model, {UM}: with the values given, refitted, and with the extended model.",
-            pictures["residuals"],
-            (),
+            name="next",
+            title="What to measure next",
+            tables=(tables.next_runs(diagnosis, kinds),),
         ),
         Section(
-            "circles",
-            "Circles",
-            "Radial deviations measured, and what the extended model says of them.",
-            pictures["circles"],
-            (),
+            name="gain",
+            title="Before and after",
+            intro=_sentence(predicted_scatter(diagnosis.gain)),
+            pictures=pictures["gain"],
+            tables=(tables.circularity(diagnosis),),
         ),
-        Section("periods", "Periods", "", pictures["periods"], ()),
-        Section("structure", "Is noise all that is left?", "", pictures["structure"], (tables.checks(diagnosis),)),
-        Section("evidence", "Evidence", "", pictures["evidence"], (tables.scan(diagnosis),)),
         Section(
-            "limits",
-            "What these runs can and cannot see",
-            "",
-            pictures["limits"],
-            (tables.limits(diagnosis),),
+            name="residuals",
+            title="Residuals",
+            intro=f"Measured less model, {UM}: with the values given, refitted, and with the extended model.",
+            pictures=pictures["residuals"],
         ),
-        Section("noise", "Noise and outliers", "", (), (tables.noise(diagnosis), tables.outliers(diagnosis))),
+        Section(
+            name="circles",
+            title="Circles",
+            intro="Radial deviations measured, and what the extended model says of them.",
+            pictures=pictures["circles"],
+        ),
+        Section(name="periods", title="Periods", pictures=pictures["periods"], tables=()),
+        Section(
+            name="structure",
+            title="Is noise all that is left?",
+            pictures=pictures["structure"],
+            tables=(tables.checks(diagnosis),),
+        ),
+        Section(name="evidence", title="Evidence", pictures=pictures["evidence"], tables=(tables.scan(diagnosis),)),
+        Section(
+            name="limits",
+            title="What these runs can and cannot see",
+            pictures=pictures["limits"],
+            tables=(tables.limits(diagnosis),),
+        ),
+        Section(
+            name="noise",
+            title="Noise and outliers",
+            tables=(tables.noise(diagnosis), tables.outliers(diagnosis)),
+        ),
     ]

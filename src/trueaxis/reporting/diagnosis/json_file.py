@@ -7,7 +7,18 @@ from typing import Any
 
 import numpy as np
 
-from trueaxis.diagnosis.result import Cause, Diagnosis, Evidence, GainOfAngles, Limit, NoiseOf, Stage, Stale
+from trueaxis.diagnosis.result import (
+    Cause,
+    Check,
+    Circle,
+    Diagnosis,
+    Evidence,
+    GainOfAngles,
+    Limit,
+    NoiseOf,
+    Stage,
+    Stale,
+)
 from trueaxis.effects.kind import Effect
 from trueaxis.measurement.instrument_kinds import small_unit
 from trueaxis.reporting.diagnosis.further import absences, proposals, separating_run, warnings
@@ -51,26 +62,8 @@ def diagnosis_json(diagnosis: Diagnosis, extended_machine: str | None, extended_
         "absences": list(absences(diagnosis)),
         "next_runs": [asdict(one) for one in proposals(diagnosis)],
         "noise": [_noise(one) for one in diagnosis.noise],
-        "circularity": [
-            {
-                "run": one.run,
-                "measured_um": _um(one.measured),
-                "left_um": {"given": _um(one.given), "refitted": _um(one.refitted), "extended": _um(one.extended)},
-            }
-            for one in diagnosis.circles
-        ],
-        "checks": [
-            {
-                "id": one.structure.value,
-                "place": one.place,
-                "check": check_name(one),
-                "meaning": check_meaning(one),
-                "p_value": one.p_value,
-                "fired": one.fired,
-                "rms_um": _um(one.rms),
-            }
-            for one in diagnosis.checks
-        ],
+        "circularity": [_circularity(one) for one in diagnosis.circles],
+        "checks": [_check(one) for one in diagnosis.checks],
         "outliers": [
             {"run": one.run, "seq": one.seq, f"deviation_{units[one.run]}": _um(one.deviation), "z": one.z}
             for one in diagnosis.outliers
@@ -109,6 +102,26 @@ def _stale(one: Stale) -> dict[str, Any]:
         "p_value": one.p_value,
         "from_straight_line": one.bent,
         "cannot_be_told_from": [*({"component": other} for other in one.alike), *map(_effect, one.effects)],
+    }
+
+
+def _circularity(one: Circle) -> dict[str, Any]:
+    return {
+        "run": one.run,
+        "measured_um": _um(one.measured),
+        "left_um": {"given": _um(one.given), "refitted": _um(one.refitted), "extended": _um(one.extended)},
+    }
+
+
+def _check(one: Check) -> dict[str, Any]:
+    return {
+        "id": one.structure.value,
+        "place": one.place,
+        "check": check_name(one),
+        "meaning": check_meaning(one),
+        "p_value": one.p_value,
+        "fired": one.fired,
+        "rms_um": _um(one.rms),
     }
 
 

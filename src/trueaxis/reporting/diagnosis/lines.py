@@ -22,7 +22,7 @@ class Line:
     rows: IntArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Round:
     """A run with a ball bar. turn: +1 counter-clockwise, -1 clockwise; feed in mm/min, NaN where unknown."""
 
@@ -46,11 +46,11 @@ def rounds_of(residuals: Residuals) -> tuple[Round, ...]:
     """All runs of ball bars."""
     return tuple(
         Round(
-            residuals.runs[run],
-            _plane(residuals, rows),
-            1 if np.sum(np.angle(np.exp(1j * np.diff(residuals.theta[rows])))) >= 0.0 else -1,
-            _feed(residuals, rows),
-            rows,
+            run=residuals.runs[run],
+            plane=_plane(residuals, rows),
+            turn=1 if np.sum(np.angle(np.exp(1j * np.diff(residuals.theta[rows])))) >= 0.0 else -1,
+            feed=_feed(residuals, rows),
+            rows=rows,
         )
         for run, rows in _by_run(residuals)
         if residuals.instruments[run] == BALLBAR and np.isfinite(residuals.theta[rows]).all()

@@ -14,7 +14,7 @@ AT_ONCE = 200  # frequencies: the memory of their waves stays small
 HIGHEST_HARMONIC = 4
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Spectrum:
     """Share of the variance (0 to 1) that a sine of each frequency takes, refitted and extended; the line that noise
     crosses anywhere with probability FALSE_ALARM; extent: of the readings, in the unit of a period.
@@ -56,7 +56,9 @@ def spectrum_of(residuals: Residuals, rows: IntArray, at: FloatArray, frequencie
     freedom = max(rows.size - 3, 1)
     # P(power > z) = (1 - z)^((n - 3)/2) at one frequency, with the variance estimated from the same readings
     line = 1.0 - (1.0 - (1.0 - FALSE_ALARM) ** (1.0 / independent)) ** (2.0 / freedom)
-    return Spectrum(frequencies, power[0], power[1], float(line), float(np.ptp(at)))
+    return Spectrum(
+        frequencies=frequencies, refitted=power[0], extended=power[1], line=float(line), extent=float(np.ptp(at))
+    )
 
 
 def powers(at: FloatArray, values: FloatArray, frequencies: FloatArray) -> FloatArray:

@@ -67,7 +67,7 @@ def picture(name: str, title: str, alt: str, caption: str, draw: Callable[[], Fi
         buffer = StringIO()
         # not savefig: it draws every figure twice, for a layout that ours does not need
         FigureCanvasSVG(draw()).print_svg(buffer, metadata={"Date": None})  # type: ignore[no-untyped-call]
-    return Picture(name, title, alt, caption, _inline(buffer.getvalue(), name, title, alt))
+    return Picture(name=name, title=title, alt=alt, caption=caption, svg=_inline(buffer.getvalue(), name, title, alt))
 
 
 def _inline(text: str, name: str, title: str, alt: str) -> str:

@@ -17,7 +17,7 @@ MOST_PRINTED = 16  # of a table that has the most telling rows first: six pages 
 DASH = "\N{EN DASH}"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Table:
     """A table of the page. rows: cells as text, the first of each naming its row; numbers: columns set to the right;
     printed: how many of the rows come on paper, None: all.
@@ -59,10 +59,10 @@ def measured(diagnosis: Diagnosis) -> Table:
     kept = [place for place in range(len(head)) if any(row[place] for row in rows)]
     numbers = frozenset(kept.index(place) for place in (3, 4, 6) if place in kept)
     return Table(
-        "Readings that count: no outliers, none of a bar beside a reversal, none before an axis has moved",
-        tuple(head[place] for place in kept),
-        tuple(tuple(row[place] for place in kept) for row in rows),
-        numbers,
+        caption="Readings that count: no outliers, none of a bar beside a reversal, none before an axis has moved",
+        head=tuple(head[place] for place in kept),
+        rows=tuple(tuple(row[place] for place in kept) for row in rows),
+        numbers=numbers,
     )
 
 
@@ -84,7 +84,12 @@ def errors(diagnosis: Diagnosis) -> Table:
         for one in diagnosis.errors
     )
     head = ("error", "given", "now", "change", "u", "change told by")
-    return Table("Largest over the travel; u: standard uncertainty of the change", head, rows, frozenset(range(1, 5)))
+    return Table(
+        caption="Largest over the travel; u: standard uncertainty of the change",
+        head=head,
+        rows=rows,
+        numbers=frozenset(range(1, 5)),
+    )
 
 
 def rivals(cause: Cause) -> Table:
@@ -94,7 +99,9 @@ def rivals(cause: Cause) -> Table:
         for one in sorted(cause.rivals, key=lambda one: -one.evidence)
     )
     own = (effect_title(cause.effect), _short(cause.evidence), probability(cause.p_value))
-    return Table("Cannot be told from", ("candidate", "evidence", "p"), (own, *rows), frozenset({1, 2}))
+    return Table(
+        caption="Cannot be told from", head=("candidate", "evidence", "p"), rows=(own, *rows), numbers=frozenset({1, 2})
+    )
 
 
 def circularity(diagnosis: Diagnosis) -> Table:
@@ -104,7 +111,13 @@ def circularity(diagnosis: Diagnosis) -> Table:
         for one in sorted(diagnosis.circles, key=lambda one: -one.extended)
     )
     head = ("run", "measured", "left, as given", "left, refitted", "left, extended")
-    return Table(f"Circular deviation (ISO 230-4), {UM}", head, rows, frozenset(range(1, 5)), MOST_PRINTED)
+    return Table(
+        caption=f"Circular deviation (ISO 230-4), {UM}",
+        head=head,
+        rows=rows,
+        numbers=frozenset(range(1, 5)),
+        printed=MOST_PRINTED,
+    )
 
 
 def limits(diagnosis: Diagnosis) -> Table:
@@ -126,7 +139,12 @@ def limits(diagnosis: Diagnosis) -> Table:
             )
         )
     head = ("candidate", "no.", "size", "detected from", "told apart from", "beyond the base", "nearest", "state")
-    return Table("Detection limits, said before any reading is looked at", head, tuple(rows), frozenset({1, 3, 4, 5}))
+    return Table(
+        caption="Detection limits, said before any reading is looked at",
+        head=head,
+        rows=tuple(rows),
+        numbers=frozenset({1, 3, 4, 5}),
+    )
 
 
 def checks(diagnosis: Diagnosis) -> Table:
@@ -142,7 +160,13 @@ def checks(diagnosis: Diagnosis) -> Table:
         for one in sorted(diagnosis.checks, key=lambda one: (not one.fired, _last(one.p_value)))
     )
     head = ("check", "what it looks for", "p", f"RMS ({UM})", "result")
-    return Table("Structure left by the final model", head, rows, frozenset({2, 3}), MOST_PRINTED)
+    return Table(
+        caption="Structure left by the final model",
+        head=head,
+        rows=rows,
+        numbers=frozenset({2, 3}),
+        printed=MOST_PRINTED,
+    )
 
 
 def units_of_runs(diagnosis: Diagnosis) -> dict[str, SmallUnit]:
@@ -164,7 +188,9 @@ def outliers(diagnosis: Diagnosis) -> Table:
         for one in sorted(diagnosis.outliers, key=lambda one: -abs(one.z))
     )
     head = ("run, seq", f"deviation ({UM})", "standard deviations")
-    return Table("Readings left out as outliers", head, rows, frozenset({1, 2}), MOST_PRINTED)
+    return Table(
+        caption="Readings left out as outliers", head=head, rows=rows, numbers=frozenset({1, 2}), printed=MOST_PRINTED
+    )
 
 
 def next_runs(diagnosis: Diagnosis, kinds: Collection[str]) -> Table:
@@ -173,7 +199,7 @@ def next_runs(diagnosis: Diagnosis, kinds: Collection[str]) -> Table:
         (in_words(one.run, kinds), in_words(one.purpose, kinds), in_words(one.gain, kinds))
         for one in proposals(diagnosis)
     )
-    return Table("Runs that would help", ("run", "purpose", "what it would tell"), rows)
+    return Table(caption="Runs that would help", head=("run", "purpose", "what it would tell"), rows=rows)
 
 
 def stale(diagnosis: Diagnosis) -> Table:
@@ -189,7 +215,7 @@ def stale(diagnosis: Diagnosis) -> Table:
         for one in diagnosis.stale
     )
     head = ("error", "from", "to", "change", "u", "p")
-    return Table("Values that have changed", head, rows, frozenset(range(1, 6)))
+    return Table(caption="Values that have changed", head=head, rows=rows, numbers=frozenset(range(1, 6)))
 
 
 def noise(diagnosis: Diagnosis) -> Table:
@@ -219,7 +245,7 @@ def noise(diagnosis: Diagnosis) -> Table:
         "d.o.f.",
         "known from",
     )
-    return Table(f"Noise of a reading, {UM}", head, rows, frozenset(range(1, 8)))
+    return Table(caption=f"Noise of a reading, {UM}", head=head, rows=rows, numbers=frozenset(range(1, 8)))
 
 
 def scan(diagnosis: Diagnosis) -> Table:
@@ -236,7 +262,10 @@ def scan(diagnosis: Diagnosis) -> Table:
     )
     head = ("candidate", "evidence", "p", "effective tries", "d.o.f.")
     return Table(
-        f"Evidence of every candidate (threshold {diagnosis.threshold:.3g})", head, rows, frozenset({1, 2, 3, 4})
+        caption=f"Evidence of every candidate (threshold {diagnosis.threshold:.3g})",
+        head=head,
+        rows=rows,
+        numbers=frozenset({1, 2, 3, 4}),
     )
 
 
