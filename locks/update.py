@@ -11,6 +11,7 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 GROUPS = {"run.txt": ["build"], "dev.txt": ["build", "test", "lint", "docs"]}
+EXTRAS = {"run.txt": [], "dev.txt": ["cluster", "completion"]}  # what tests need beside
 # The lock names no index: whoever installs from it brings their own.
 OPTIONS = "--generate-hashes --no-header --no-annotate --strip-extras --allow-unsafe --no-emit-index-url"
 OPTIONS += " --no-emit-trusted-host --no-emit-find-links"
@@ -20,7 +21,9 @@ def main() -> None:
     """Compile each lock."""
     project = tomllib.loads((HERE.parent / "pyproject.toml").read_text())
     for name, groups in GROUPS.items():
-        wanted = project["project"]["dependencies"] + [r for g in groups for r in project["dependency-groups"][g]]
+        extras = [r for e in EXTRAS[name] for r in project["project"]["optional-dependencies"][e]]
+        grouped = [r for g in groups for r in project["dependency-groups"][g]]
+        wanted = project["project"]["dependencies"] + extras + grouped
         with tempfile.TemporaryDirectory() as folder:
             source = Path(folder) / "requirements.in"
             source.write_text("\n".join(wanted) + "\n")

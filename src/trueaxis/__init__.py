@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from trueaxis.jobs.evaluate import EvaluatedCircle, EvaluatedPositioning, evaluate
     from trueaxis.jobs.export import Exported, export
     from trueaxis.jobs.fit import Fitted, fit
+    from trueaxis.jobs.fleet import FleetResult, fleet
     from trueaxis.jobs.identify import Identified, UnbelievableError, identify
     from trueaxis.jobs.import_readings import Imported, ImportedRun, import_readings
     from trueaxis.jobs.init import NewMachine, init
@@ -52,6 +53,7 @@ if TYPE_CHECKING:
     from trueaxis.model.context import Context
     from trueaxis.model.errors import ErrorValues
     from trueaxis.model.model import MachineModel
+    from trueaxis.monte_carlo.settings import Draws
 
 __version__ = "0.1.0"
 __all__ = [
@@ -62,6 +64,7 @@ __all__ = [
     "Derivation",
     "Diagnosed",
     "Document",
+    "Draws",
     "ErrorValues",
     "Errors",
     "EvaluatedCircle",
@@ -69,6 +72,7 @@ __all__ = [
     "Exported",
     "Fault",
     "Fitted",
+    "FleetResult",
     "Identified",
     "Imported",
     "ImportedRun",
@@ -92,6 +96,7 @@ __all__ = [
     "evaluate",
     "export",
     "fit",
+    "fleet",
     "identify",
     "import_readings",
     "init",
@@ -119,6 +124,7 @@ _MODULES = {
     "jobs.evaluate": ("EvaluatedCircle", "EvaluatedPositioning", "evaluate",),
     "jobs.export": ("Exported", "export",),
     "jobs.fit": ("Fitted", "fit",),
+    "jobs.fleet": ("FleetResult", "fleet",),
     "jobs.identify": ("Identified", "UnbelievableError", "identify",),
     "jobs.import_readings": ("Imported", "ImportedRun", "import_readings",),
     "jobs.init": ("NewMachine", "init",),
@@ -135,6 +141,7 @@ _MODULES = {
     "model.context": ("Context",),
     "model.errors": ("ErrorValues",),
     "model.model": ("MachineModel",),
+    "monte_carlo.settings": ("Draws",),
 }  # fmt: skip
 _HOME = {name: module for module, names in _MODULES.items() for name in names}
 

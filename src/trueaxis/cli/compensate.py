@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import get_args
 
 from trueaxis.cli.arguments import file_to_write, option, positive, size
+from trueaxis.cli.draws import add_draws, draws_of
 from trueaxis.cli.misfit import misfit_option, uncertain_option
 from trueaxis.cli.progress import progress
 from trueaxis.compensation.files import compensate_file
@@ -16,10 +17,14 @@ from trueaxis.compensation.reliance import Limits, judge_of
 from trueaxis.compensation.settings import Arcs, Dialect, Integers, Settings
 from trueaxis.compensation.tool_files import read_tools
 from trueaxis.io.faults import Fault, InputError
+from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
-from trueaxis.jobs.compensate import as_faults, notes_of, of_machine
+from trueaxis.jobs.compensate import as_faults, notes_of, notes_of_draws, of_machine
+from trueaxis.jobs.drawn_program import Remembering, drawn_program
+from trueaxis.jobs.draws import faults_of_draws
 from trueaxis.jobs.given import check_fit
 from trueaxis.jobs.outputs import named, overwritten
+from trueaxis.measurement.table import table_bytes
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
 from trueaxis.reporting.reliance import refusal_sentences
@@ -176,6 +181,7 @@ def _add_limits(parser: argparse.ArgumentParser) -> None:
                         "errors of the sizes in [prior] of the spec make of the tool point)")  # fmt: skip
     misfit_option(parser)
     uncertain_option(parser, "the program")
+    add_draws(parser, of_program=True)
 
 
 def _point(text: str) -> tuple[float, float, float]:
@@ -228,7 +234,9 @@ def run(args: argparse.Namespace) -> int:
     inputs |= {
         option: path for option, path in {"--offsets": args.offsets, "--tools": args.tools}.items() if path is not None
     }
-    found = overwritten(inputs, {"--out": args.out, "--report": args.report}, args.kernels)
+    outputs = {"--out": args.out, "--report": args.report, "--draws-out": args.draws_out}
+    found = overwritten(inputs, outputs, args.kernels)
+    draws = draws_of(args, found)
     with gathering(found):
         args.offsets = with_options(Offsets() if args.offsets is None else read_offsets(args.offsets), args.offset)
     with gathering(found):
@@ -241,18 +249,23 @@ def run(args: argparse.Namespace) -> int:
         check_fit(model.errors, str(args.errors), args.accept_misfit, option)
         covariance = load_uncertainty(args.errors, model.errors, model.machine)
         read = {"the covariance of --errors": covariance_file(args.errors, model.errors)}
-        found += overwritten(read, {"--out": args.out, "--report": args.report})
+        found += overwritten(read, outputs)
+        found += [] if draws is None else faults_of_draws(covariance, 1, str(args.errors), option)
     if found or model is None or covariance is None:
         raise InputError(found)
     limits = Limits(max_u=args.max_u, max_correction=args.max_correction, accept_u=args.accept_u)
+    judge, chosen, left = Remembering(judge_of(model, covariance, limits)), of_machine(settings, model), None
     with as_faults(args.program), progress() as show:
         report = compensate_file(
-            args.program, args.out, model, of_machine(settings, model), language=args.format, report_file=args.report,
-            progress=lambda lines: show(f"{lines} blocks read"), judge=judge_of(model, covariance, limits),
-            via_linuxcnc=args.via_linuxcnc,
+            args.program, args.out, model, chosen, language=args.format, report_file=args.report,
+            progress=lambda lines: show(f"{lines} blocks read"), judge=judge, via_linuxcnc=args.via_linuxcnc,
         )  # fmt: skip
+        if draws is not None and not report.refused:
+            left = drawn_program(model, covariance, judge.visited, chosen, draws, show)
+            if left is not None:
+                write_files({args.draws_out: table_bytes(left.to_polars(), args.draws_out.suffix)})
     print(report)
-    for sentence in notes_of(report, model):
+    for sentence in (*notes_of(report, model), *notes_of_draws(left)):
         print(f"note: {sentence}")
     if report.reliance is not None:
         for sentence in refusal_sentences(report.reliance, args.max_u):

@@ -33,6 +33,7 @@ COMMANDS = (
     "import",
     "export",
     "report",
+    "fleet",
     "demo",
 )
 WRONG_INPUT = 2

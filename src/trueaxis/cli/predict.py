@@ -4,16 +4,20 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trueaxis.cli.arguments import file_to_write, size
+from trueaxis.cli.arguments import file_to_write, option, size
+from trueaxis.cli.draws import add_draws, draws_of
+from trueaxis.cli.progress import progress
 from trueaxis.io.faults import InputError
 from trueaxis.io.files import write_files
 from trueaxis.io.input_files import gathering
+from trueaxis.jobs.draws import faults_of_draws
 from trueaxis.jobs.outputs import named, overwritten
-from trueaxis.jobs.predict import predicted, refusal
+from trueaxis.jobs.predict import predicted, refusal, with_draws
 from trueaxis.machine import read_machine
 from trueaxis.measurement.points import dump_predicted, read_points
 from trueaxis.model.model import load_model
 from trueaxis.model.uncertainty import covariance_file, load_uncertainty
+from trueaxis.monte_carlo.table import drawn_columns
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -57,6 +61,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--kernels", type=Path, default=Path("generated"), metavar="DIR", help="folder of derived kernels (%(default)s)"
     )
+    add_draws(parser)
     parser.set_defaults(run=run)
 
 
@@ -73,6 +78,9 @@ def run(args: argparse.Namespace) -> int:
         )
     with gathering(found):
         points = read_points(args.at, machine)
+    if args.draws is not None and not found:
+        found += faults_of_draws(covariance, points.positions.shape[1], str(args.errors), option)
+    draws = draws_of(args, found)
     if found:
         raise InputError(found)
     predictions = predicted(
@@ -84,12 +92,17 @@ def run(args: argparse.Namespace) -> int:
         datum=args.datum,
         source=(str(args.at), str(args.errors)),
     )
+    refused = refusal(predictions, args.max_u)
+    if draws is not None and not refused:
+        with progress() as show:
+            predictions = with_draws(predictions, model, covariance, points.context, args.datum, draws, show)
     for sentence in predictions.notes:
         print(f"note: {sentence}")
-    if refused := refusal(predictions, args.max_u):
+    if refused:
         print(f"{named(args.out)}: not written: {refused}")
         return 1
-    table = dump_predicted(points, predictions.deviation, args.out.suffix, predictions.u, predictions.u_prior)
+    further = () if predictions.drawn is None else drawn_columns(predictions.drawn)
+    table = dump_predicted(points, predictions.deviation, args.out.suffix, predictions.u, predictions.u_prior, further)
     write_files({args.out: table})
     print(f"{named(args.out)}: {points.positions.shape[1]} points")
     return 0

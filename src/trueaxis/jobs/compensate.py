@@ -31,6 +31,8 @@ from trueaxis.jobs.compensation_arguments import (
     settings_of,
     tools_of,
 )
+from trueaxis.jobs.drawn_program import DrawnProgram, Remembering, drawn_program
+from trueaxis.jobs.draws import checked, faults_of_draws
 from trueaxis.jobs.given import check_fit, files_of, kernels_of, name_of, with_errors
 from trueaxis.jobs.load import AnyPath, Errors
 from trueaxis.jobs.outputs import overwritten
@@ -38,7 +40,9 @@ from trueaxis.jobs.refused import RefusedError
 from trueaxis.jobs.tables import Printed, Tabular
 from trueaxis.model.curves import FloatArray
 from trueaxis.model.model import MachineModel
+from trueaxis.monte_carlo.settings import Draws
 from trueaxis.reporting.reliance import (
+    draw_sentences,
     error_free_sentences,
     prior_sentences,
     program_sentences,
@@ -53,7 +57,8 @@ class Compensated(Printed, Tabular):
     positions; lines: (n,), of the given program; programmed, compensated: (n_axes, n), mm or deg, ends of motions with
     those of chords and cuts, as programmed (NaN where an axis has no known position) and as the words that were written
     name them; in machine coordinates, under tool centre point control those of the tip. file: where it was written,
-    None where it was not; notes: how far it may be relied on. Printed, it is the report of `trueaxis compensate`.
+    None where it was not; notes: how far it may be relied on; left: with draws, the error that is left. Printed, it is
+    the report of `trueaxis compensate`.
     """
 
     text: str = field(repr=False)
@@ -64,6 +69,7 @@ class Compensated(Printed, Tabular):
     compensated: FloatArray
     file: Path | None
     notes: tuple[str, ...]
+    left: DrawnProgram | None = None
 
     @property
     def correction(self) -> FloatArray:
@@ -95,6 +101,7 @@ def compensate(
     max_correction: float | None = None,
     accept_misfit: bool = False,
     accept_u: bool = False,
+    draws: Draws | int | None = None,
     **settings: Unpack[CompensationSettings],
 ) -> Compensated:
     """Rewrite an NC program (ISO 6983 / RS-274) or an APT cutter location file so that geometric errors no longer move
@@ -106,34 +113,41 @@ def compensate(
     file of the tools, or by number a length, mm, or a `Tool`. format: "nc" or "apt"; via_linuxcnc: the folder of
     LinuxCNC whose interpreter unrolls the program first. max_u: largest standard uncertainty of the tool point in the
     program, from home, mm; max_correction: largest correction, mm (three times what [prior] lets expect).
-    accept_misfit, accept_u: values that do not fit their readings, or are lost in their noise, are taken. settings: see
-    `CompensationSettings`.
+    accept_misfit, accept_u: values that do not fit their readings, or are lost in their noise, are taken. draws:
+    how many draws are to be made of what is left of the error of the tool at the places of the program, see `predict`.
+    settings: see `CompensationSettings`.
 
     Raises InputError with every fault of the program and of files; RefusedError where a limit is passed, and nothing is
     written; ValueError or TypeError for arguments of another form.
     """
     above_zero(max_correction=max_correction)
     at_least_zero(max_u=max_u)
+    asked = checked(draws)
     if format not in (None, *get_args(Language)):
         raise ValueError(f"format: expected nc or apt; given {format!r}")
     source, file = _file(program), None if out is None else Path(out)
     x, y, z = tool_points(tool, 1)[:, 0].tolist()
     given = settings_of(settings) | {"tool_point": (x, y, z)}
     model, given["offsets"], given["tools"] = _read(model, errors, source, file, offsets, tools, accept_misfit)
+    if asked is not None and (wrong := faults_of_draws(errors.covariance, 1, name_of(errors))):
+        raise InputError(wrong)
     limits = Limits(max_u=max_u, max_correction=max_correction, accept_u=accept_u)
     changes, buffer = Changes(len(model.axes)), BytesIO()
+    judge, chosen = Remembering(judge_of(model, errors.covariance, limits)), of_machine(Settings(**given), model)
     with as_faults(source):
         report = compensated(
-            source, lambda: buffer, model, of_machine(Settings(**given), model), language=format,
-            judge=judge_of(model, errors.covariance, limits), changes=changes,
+            source, lambda: buffer, model, chosen, language=format, judge=judge, changes=changes,
             via_linuxcnc=None if via_linuxcnc is None else Path(via_linuxcnc),
         )  # fmt: skip
         if file is not None and not report.refused:
             write_files({file: buffer.getvalue()})
+    left = None
+    if asked is not None and not report.refused:
+        left = drawn_program(model, errors.covariance, judge.visited, chosen, asked)
     done = Compensated(
         text="" if report.refused else buffer.getvalue().decode("latin-1"), report=report, axes=model.axes,
         lines=changes.lines, programmed=changes.programmed, compensated=changes.compensated,
-        file=None if report.refused else file, notes=notes_of(report, model),
+        file=None if report.refused else file, notes=(*notes_of(report, model), *notes_of_draws(left)), left=left,
     )  # fmt: skip
     if report.reliance is not None and report.refused:
         raise RefusedError(tuple(refusal_sentences(report.reliance, max_u)), done)
@@ -181,6 +195,11 @@ def notes_of(report: CompensationReport, model: MachineModel) -> tuple[str, ...]
         found += program_sentences(report.reliance)
         found += prior_sentences(model.errors, report.reliance.uncertainty.components)
     return tuple(found)
+
+
+def notes_of_draws(left: DrawnProgram | None) -> tuple[str, ...]:
+    """What draws say, in sentences."""
+    return () if left is None else tuple(draw_sentences(left.drawn, left.positions.shape[1]))
 
 
 @contextmanager

@@ -1,6 +1,6 @@
 """Where the tool point really is, and how well that is known."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -9,7 +9,8 @@ import polars as pl
 
 from trueaxis.io.faults import InputError
 from trueaxis.jobs.arrays import ORIGIN, Positions, at_least_zero, check_among, positions_of, tool_points
-from trueaxis.jobs.given import with_errors
+from trueaxis.jobs.draws import Show, checked, drawn, faults_of_draws
+from trueaxis.jobs.given import name_of, with_errors
 from trueaxis.jobs.load import Errors
 from trueaxis.jobs.refused import RefusedError
 from trueaxis.jobs.tables import Printed, Tabular
@@ -24,8 +25,13 @@ from trueaxis.model.extent import MOST_NAMED, open_names
 from trueaxis.model.measured_range import beyond_measured
 from trueaxis.model.model import MachineModel
 from trueaxis.model.uncertainty import home_of, prior_size, tool_uncertainty
+from trueaxis.monte_carlo.drawn import Drawn
+from trueaxis.monte_carlo.points import DrawnPoints
+from trueaxis.monte_carlo.settings import Draws
+from trueaxis.monte_carlo.table import drawn_columns
 from trueaxis.reporting.reliance import (
     above_sentence,
+    draw_sentences,
     misfit_sentence,
     open_sentence,
     placement_sentence,
@@ -42,7 +48,7 @@ class Prediction(Printed, Tabular):
     axes: letters, the rows of positions; positions: (n_axes, n), mm or deg; tool: (3, n), mm; deviation: (3, n), actual
     minus ideal, mm; u: (3, n), its standard uncertainty, u_prior the part of that which rests on [prior], mm, NaN where
     unknown; open: (3, n), by how much what no reading determines could move the point, mm; notes: how far they may be
-    relied on; placement: with datum "best-fit". Printed, it is the report of `trueaxis predict`.
+    relied on; placement: with datum "best-fit"; drawn: with draws. Printed, it is the report of `trueaxis predict`.
     """
 
     axes: tuple[str, ...]
@@ -54,6 +60,7 @@ class Prediction(Printed, Tabular):
     open: FloatArray
     notes: tuple[str, ...] = ()
     placement: Placement | None = None
+    drawn: Drawn | None = None
 
     def __str__(self) -> str:
         return "".join(f"note: {one}\n" for one in self.notes) + f"{self.positions.shape[1]} points\n"
@@ -67,6 +74,7 @@ class Prediction(Printed, Tabular):
             (UNCERTAINTY_COLUMNS, self.u),
             (PRIOR_COLUMNS, self.u_prior),
         ]
+        rows += [] if self.drawn is None else drawn_columns(self.drawn)
         columns = {name: row for names, values in rows for name, row in zip(names, values, strict=True)}
         return pl.DataFrame(columns).fill_nan(None)
 
@@ -80,6 +88,7 @@ def predict(
     datum: Datum = "machine",
     context: Context | None = None,
     max_u: float | None = None,
+    draws: Draws | int | None = None,
 ) -> Prediction:
     """The deviation of the tool point at axis positions, on the exact model (Eq. 4 of the paper), with uncertainty.
 
@@ -88,17 +97,23 @@ def predict(
     point at home; the rigid placement of the workpiece that fits the points best. context: approach directions, times
     and temperatures, for machines with effects. max_u: largest standard uncertainty allowed, mm. Raises ValueError
     where an array has another shape, InputError where the deviation is none that a machine has or an effect lacks what
-    it depends on, RefusedError where max_u is passed.
+    it depends on, RefusedError where max_u is passed. draws: how many draws are to be made of the error values, of what
+    does not repeat and of the context (GUM Supplement 1), beside u; workers of a `Draws` must be called from a module
+    that can be imported anew (`if __name__ == "__main__":`).
     """
+    asked = checked(draws)
     check_among(datum=(datum, Datum))
     at = positions_of(model, positions)
     there = tool_points(tool, at.shape[1])
     whole = Context.at_rest(len(model.axes), at.shape[1]) if context is None else context
     at_least_zero(max_u=max_u)
-    done = predicted(with_errors(model, errors), errors.covariance, at, there, whole, datum=datum)
+    model = with_errors(model, errors)
+    if asked is not None and (wrong := faults_of_draws(errors.covariance, at.shape[1], name_of(errors))):
+        raise InputError(wrong)
+    done = predicted(model, errors.covariance, at, there, whole, datum=datum)
     if refused := refusal(done, max_u):
         raise RefusedError((refused,), done)
-    return done
+    return done if asked is None else with_draws(done, model, errors.covariance, whole, datum, asked)
 
 
 def refusal(done: Prediction, max_u: float | None) -> str:
@@ -143,6 +158,27 @@ def predicted(
         notes=_notes(model, covariance, positions, tool, uncertainty.open, placement),
         placement=placement,
     )
+
+
+def with_draws(
+    done: Prediction,
+    model: MachineModel,
+    covariance: Covariance,
+    context: Context,
+    datum: Datum,
+    draws: Draws,
+    show: Show = lambda _: None,
+) -> Prediction:
+    """The prediction with the distribution of its deviations; model: with error values; show: told how far it is."""
+    count = done.positions.shape[1]
+    points = DrawnPoints(
+        positions=done.positions, tool=done.tool, context=context.filled(), covariance=covariance,
+        home=home_of(model) if datum == "home" else None,
+        placements=placements(model.ideal(done.positions, done.tool)) if datum == "best-fit" else None,
+        offset=np.zeros((3, count)), steps=np.zeros((3, 0, count)), draws=draws,
+    )  # fmt: skip
+    found = drawn(model, points, done.deviation, np.hypot(done.u, 1e-3 * draws.noise_um), show)
+    return replace(done, drawn=found, notes=(*done.notes, *draw_sentences(found, count)))
 
 
 def _notes(

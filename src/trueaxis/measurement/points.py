@@ -1,5 +1,6 @@
 """points.csv: axis positions, and the tool point at each, at which the deviation is asked for."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -77,14 +78,15 @@ def dump_predicted(
     suffix: str,
     u: FloatArray | None = None,
     u_prior: FloatArray | None = None,
+    further: Sequence[tuple[tuple[str, ...], FloatArray]] = (),
 ) -> bytes:
     """The columns of the points, dx, dy, dz (mm) and, where given, u_dx ... and u_prior_dx ..., as CSV or Parquet.
 
     deviation: (3, n), mm; suffix: `.parquet` for Parquet; u: (3, n), standard uncertainties, u_prior: (3, n), the parts
-    of them that rest on the prior, mm, NaN where unknown.
+    of them that rest on the prior, mm, NaN where unknown; further: names and rows of columns behind these.
     """
     added = [pl.Series(name, row) for name, row in zip(DEVIATION_COLUMNS, deviation, strict=True)]
-    for names, rows in ((UNCERTAINTY_COLUMNS, u), (PRIOR_COLUMNS, u_prior)):
+    for names, rows in ((UNCERTAINTY_COLUMNS, u), (PRIOR_COLUMNS, u_prior), *further):
         if rows is not None:
             added += [pl.Series(name, row).fill_nan(None) for name, row in zip(names, rows, strict=True)]
     return table_bytes(points.frame.with_columns(added), suffix)

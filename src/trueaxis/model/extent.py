@@ -70,7 +70,7 @@ def uncertainty_extent(
     model: MachineModel, covariance: Covariance, positions: FloatArray, tool: FloatArray
 ) -> UncertaintyExtent:
     """The largest uncertainty over positions (n_axes, n), mm or deg, of the point `tool` (3, 1), mm, datum home."""
-    context = _after_reversals(model, positions)
+    context = after_reversals(model, positions)
     uncertainty = tool_uncertainty(model, covariance, positions, tool, datum=home_of(model), context=context)
     at_home = tool_uncertainty(model, covariance, home_of(model), tool, datum=None)
     known = np.where(np.isnan(uncertainty.u), 0.0, uncertainty.u)
@@ -127,7 +127,7 @@ def table_positions(covariance: Covariance, axis: str) -> list[float]:
     )
 
 
-def _after_reversals(model: MachineModel, positions: FloatArray) -> Context:
+def after_reversals(model: MachineModel, positions: FloatArray) -> Context:
     """All axes have just turned back: where effects of direction and of reversals are largest."""
     still = Context.at_rest(len(model.axes), positions.shape[1])
     just = np.zeros_like(positions)
@@ -143,7 +143,7 @@ def open_names(model: MachineModel, covariance: Covariance, positions: FloatArra
         return ()
     steps = open_steps(model.machine, covariance)
     at_home = derivative(model, covariance, home_of(model), tool)
-    by_value = derivative(model, covariance, positions, tool, _after_reversals(model, positions)) - at_home
+    by_value = derivative(model, covariance, positions, tool, after_reversals(model, positions)) - at_home
     moves = np.abs(np.einsum("ikn,kd->ind", by_value, steps, optimize=True)).max(axis=(0, 1), initial=0.0)
     moving = covariance.open[:, moves > OPEN_MOVES]
     largest = np.abs(moving).max(axis=0, initial=0.0)

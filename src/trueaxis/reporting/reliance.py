@@ -9,6 +9,7 @@ from trueaxis.model.best_fit import Placement
 from trueaxis.model.errors import ErrorValues, Fit
 from trueaxis.model.extent import UncertaintyExtent
 from trueaxis.model.measured_range import BeyondMeasured
+from trueaxis.monte_carlo.drawn import Drawn
 
 _CONTINUED = "the curve is continued there, which nothing supports"
 NOTICEABLE = 0.001  # mm: a displacement at home that a work offset shows
@@ -68,6 +69,19 @@ def placement_sentence(placement: Placement) -> str:
         f"the best fit shifts the workpiece by {shift} um (x, y, z, at {at} of the workpiece frame) and turns it by "
         f"{turn} urad (about x, y, z)"
     )
+
+
+def draw_sentences(drawn: Drawn, count: int) -> list[str]:
+    """What draws say beside linear propagation, at so many points."""
+    points = int(drawn.differing.any(axis=0).sum())
+    if not points:
+        told = "its 95 % intervals agree with those of u to the digits that u has"
+    else:
+        told = (
+            f"at {points} of {count} points its 95 % interval is another than that of u, by up to "
+            f"{_um(drawn.farthest)}: take low and high there"
+        )
+    return [f"{drawn.count} draws (GUM Supplement 1): {told}"]
 
 
 def extent_sentences(extent: UncertaintyExtent, where: str) -> list[str]:

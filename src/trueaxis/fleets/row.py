@@ -1,0 +1,111 @@
+"""What has been done of one machine and one folder of its data: the row of the results, and its file."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+ROW_FILE = "row.json"
+SCHEMA = 1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CauseFound:
+    """A cause that a diagnosis names. kind, component: of the effect, component None of an instrument; label: as
+    reports name it; certain: whether no rival explains the readings as well; parameters: name -> value, u, unit.
+    """
+
+    kind: str
+    component: str | None
+    label: str
+    certain: bool
+    parameters: Mapping[str, tuple[float, float | None, str]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ValueFound:
+    """An error: of a component its largest value over the travel, at the position `at` (mm, deg; None of a location
+    error); u: there; unit: mm or rad; determined: by what; change: since the values before, root mean square over the
+    travel; change_in_u: the largest, in standard uncertainties of the difference. None: not known, or nothing before.
+    """
+
+    name: str
+    value: float
+    u: float | None
+    at: float | None
+    unit: str
+    determined: str | None
+    change: float | None = None
+    change_in_u: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ToolFound:
+    """Length of the deviation of the tool point over the volume, from home, mm: root mean square, largest, its u, and
+    the root mean square of its change since the values before. None: not known, or nothing before.
+    """
+
+    rms: float
+    largest: float
+    u: float | None
+    change: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Row:
+    """machine: id; data: the folder, as paths in the fleet file are written, empty where there is none; date: ISO,
+    None: its name holds none; inputs: digest of all that the row comes from, empty where the work was lost and is to be
+    done again; tasks: that were asked for; verdict, causes: of the diagnosis; fit, chi2: of the identification; values:
+    of the errors; tool: point over the volume; against: what the changes are since; faults, notes: a sentence each;
+    files: that were written, in the folder of the row; newest: the file of the newest values of the machine, this row's
+    or those before it, relative to the folder of the row, None: there are none.
+    """
+
+    machine: str
+    data: str
+    date: str | None
+    inputs: str
+    tasks: tuple[str, ...]
+    verdict: str | None = None
+    causes: tuple[CauseFound, ...] = ()
+    fit: str | None = None
+    chi2: float | None = None
+    values: tuple[ValueFound, ...] = ()
+    tool: ToolFound | None = None
+    against: str | None = None
+    faults: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    files: tuple[str, ...] = ()
+    newest: str | None = None
+
+    @property
+    def most_changed(self) -> ValueFound | None:
+        """The error that has changed by the most standard uncertainties; None where nothing is known of changes."""
+        known = [one for one in self.values if one.change_in_u is not None]
+        return max(known, key=lambda one: one.change_in_u or 0.0, default=None)
+
+
+def row_text(row: Row) -> str:
+    """The content of its file."""
+    return json.dumps({"schema": SCHEMA, **asdict(row)}, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def read_row(folder: Path) -> Row | None:
+    """The row of a folder of results; None where there is none, or another version or a damaged disk wrote it."""
+    try:
+        tree = json.loads((folder / ROW_FILE).read_text(encoding="utf-8"))
+        return _row(tree) if tree.pop("schema") == SCHEMA else None
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+def _row(tree: dict[str, Any]) -> Row:
+    texts: dict[str, Any] = {key: tuple(map(str, tree.pop(key))) for key in ("tasks", "faults", "notes", "files")}
+    causes = tuple(
+        CauseFound(**{**one, "parameters": {name: tuple(of) for name, of in one["parameters"].items()}})
+        for one in tree.pop("causes")
+    )
+    values = tuple(ValueFound(**one) for one in tree.pop("values"))
+    tool = tree.pop("tool")
+    return Row(**tree, **texts, causes=causes, values=values, tool=None if tool is None else ToolFound(**tool))

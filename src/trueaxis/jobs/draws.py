@@ -1,0 +1,139 @@
+"""Draws of tool point errors, in this process or on workers: the same result whoever makes them."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+
+from trueaxis.cluster.tasks import Task, run_tasks
+from trueaxis.cluster.workers import Workers, client_of
+from trueaxis.io.faults import Fault, InputError
+from trueaxis.jobs.given import Spelled, argument, kernels_of
+from trueaxis.jobs.workers import workers_of
+from trueaxis.machine.machine import Machine
+from trueaxis.model.covariance import Covariance
+from trueaxis.model.curves import FloatArray
+from trueaxis.model.errors import ErrorValues
+from trueaxis.model.kernels import Kernels, load_kernels
+from trueaxis.model.model import MachineModel
+from trueaxis.monte_carlo.drawn import Drawn, drawn_of
+from trueaxis.monte_carlo.points import Drawing, DrawnPoints, with_length
+from trueaxis.monte_carlo.settings import MOST_DRAWS, Draws, generators, parts
+from trueaxis.monte_carlo.tally import Bins, Tally
+
+MOST_POINTS = 20_000  # whose distributions are kept: 10 kB each
+FIRST_SAMPLE = 1000  # draws from which the ranges of the bins are taken, of few points
+FIRST_ENTRIES = 2_000_000  # of all points together; never less than a tenth of the above
+AHEAD = 1  # tasks that wait at each worker: they take a second or two
+Show = Callable[[str], None]
+
+
+def drawn(
+    model: MachineModel, points: DrawnPoints, value: FloatArray, u: FloatArray, show: Show = lambda _: None
+) -> Drawn:
+    """The distribution of the error vectors of points.
+
+    value, u: (3, n), mm, of linear propagation, to be compared with. show: told how far it is. Raises InputError where
+    the uncertainty of the values is not known, or there are no workers.
+    """
+    draws = points.draws
+    asked = workers_of(None if draws.scheduler else draws.workers, None, draws.scheduler)
+    count = points.positions.shape[1]
+    tasks = parts(draws.count)
+    drawing = Drawing(model, points)
+    first = min(draws.count, max(FIRST_SAMPLE // 10, min(FIRST_SAMPLE, FIRST_ENTRIES // count)))
+    sample = np.concatenate(list(drawing.errors(generators(draws.seed, len(tasks), 0), first)))
+    bins = Bins.of_sample(with_length(sample))
+    del sample
+    whole = Tally(bins)
+    made = _here(drawing, bins, tasks, draws.seed) if asked.count == 1 else _there(model, points, bins, tasks, asked)
+    for number, part in enumerate(made, 1):
+        whole.merge(part)
+        show(f"draws: {number} of {len(tasks)} parts")
+    return drawn_of(whole, value, u)
+
+
+def faults_of_draws(covariance: Covariance, count: int, file: str, spelled: Spelled = argument) -> list[Fault]:
+    """What is wrong with draws at so many points. file: of the error values."""
+    found = []
+    if covariance.root is None:
+        remedy = "values that identify wrote, with the file of their covariance"
+        found.append(Fault(file, "u", "the uncertainty of the values is not known: there is nothing to draw", remedy))
+    if count > MOST_POINTS:
+        found.append(Fault(spelled("draws"), "", f"is of {count} points", f"{MOST_POINTS} at most"))
+    if count == 0:
+        found.append(Fault(spelled("draws"), "", "is of no points", "one point or more"))
+    return found
+
+
+def checked(draws: Draws | int | None) -> Draws | None:
+    """The draws asked for. Raises ValueError where a number is out of its range."""
+    asked = Draws(count=draws) if isinstance(draws, int) else draws
+    if asked is None:
+        return None
+    for name, value, least, most in (("count", asked.count, 2, MOST_DRAWS), ("seed", asked.seed, 0, 2**63 - 1)):
+        if not (isinstance(value, int) and least <= value <= most):
+            raise ValueError(f"draws.{name}: expected a whole number from {least} to {most}; given {value}")
+    for name, size in (("noise_um", asked.noise_um), ("u_temperature", asked.u_temperature)):
+        if not 0.0 <= size < np.inf:
+            raise ValueError(f"draws.{name}: expected a finite number, at least 0; given {size}")
+    workers_of(None if asked.scheduler else asked.workers, None, asked.scheduler)
+    return asked
+
+
+def _here(drawing: Drawing, bins: Bins, tasks: list[int], seed: int) -> Iterator[Tally]:
+    for number, count in enumerate(tasks):
+        yield _part(drawing, bins, generators(seed, len(tasks), number), count)
+
+
+def _there(model: MachineModel, points: DrawnPoints, bins: Bins, tasks: list[int], asked: Workers) -> Iterator[Tally]:
+    """The parts in their order, from whatever order the workers give them in."""
+    folder = kernels_of(model)
+    assert folder is not None
+    with client_of(asked) as client:
+        given = client.scatter(
+            (model.machine, folder.resolve(), model.errors, points, bins), broadcast=True, hash=False
+        )
+        work = [
+            Task(key=str(number), function=draw_part, arguments=(given, tuple(tasks), number))
+            for number in range(len(tasks))
+        ]
+        early: dict[int, Tally] = {}
+        following = 0
+        for ended in run_tasks(client, work, AHEAD):
+            if ended.error is not None:
+                raise ended.error
+            if ended.lost:
+                problem = f"{ended.lost} workers were lost with one part, killed or out of memory"
+                raise InputError([Fault("--draws", "", problem, "fewer --workers, or fewer points")])
+            early[int(ended.key)] = ended.result
+            while following in early:
+                yield early.pop(following)
+                following += 1
+
+
+def draw_part(
+    given: tuple[Machine, Path, ErrorValues, DrawnPoints, Bins], tasks: tuple[int, ...], number: int
+) -> Tally:
+    """One part, by a worker. given: the machine, the folder of its kernels, its error values, points and bins."""
+    machine, folder, values, points, bins = given
+    model = MachineModel(machine, _kernels(machine, folder), values)
+    return _part(Drawing(model, points), bins, generators(points.draws.seed, len(tasks), number), tasks[number])
+
+
+def _part(drawing: Drawing, bins: Bins, sources: list[np.random.Generator], count: int) -> Tally:
+    tally = Tally(bins, np.uint16 if count < 2**16 else np.uint32)
+    for errors in drawing.errors(sources, count):
+        tally.add(with_length(errors))
+    return tally
+
+
+_LOADED: dict[tuple[str, Path], Kernels] = {}
+
+
+def _kernels(machine: Machine, folder: Path) -> Kernels:
+    """Loaded once in a worker."""
+    key = machine.digest, folder
+    if key not in _LOADED:
+        _LOADED[key] = load_kernels(machine, machine.source or Path(machine.name), folder)
+    return _LOADED[key]

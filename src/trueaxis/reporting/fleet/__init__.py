@@ -1,0 +1,1 @@
+"""A fleet for people: the page and the text of the command."""

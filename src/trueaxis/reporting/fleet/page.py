@@ -1,0 +1,177 @@
+"""The fleet as one HTML page that needs nothing else: no network, no script; links lead to the files beside it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+from urllib.parse import quote
+
+from trueaxis.fleets.plan import MACHINES
+from trueaxis.fleets.row import CauseFound, Row
+from trueaxis.fleets.summary import Summary
+from trueaxis.reporting.diagnosis.html import rendered
+from trueaxis.reporting.diagnosis.quantity import quantity
+from trueaxis.reporting.diagnosis.words import TITLES
+from trueaxis.reporting.fleet.words import cause_title, counts, when
+
+TEMPLATE = "fleet.html.j2"
+TEXT_OF: dict[str, str] = dict(TITLES.items())
+DASH = "\N{EN DASH}"
+MOST_ROWS = 2000  # of a table: more make a page that browsers are slow with, and nobody reads; results.parquet has all
+MOST_NAMED = 30  # machines in one cell
+MOST_FAULTS = 20  # of one row
+DOCUMENTS = (("document", "report.html"), ("diagnosis", "diagnosis/report.html"))
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """Text, or lines of it; links: text and address of each."""
+
+    lines: tuple[str, ...]
+    links: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FleetTable:
+    """A part of the page: its title, an introduction, the table; numbers: columns set to the right; empty: what is said
+    where it has no row; left: how many rows are not shown.
+    """
+
+    title: str
+    intro: str
+    head: tuple[str, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    numbers: frozenset[int] = frozenset()
+    empty: str
+    left: int = 0
+
+
+def fleet_page(name: str, rows: tuple[Row, ...], summary: Summary) -> str:
+    """The page, the same for the same rows to the byte. name: of the fleet file."""
+    parts = [_failed(summary), _changed(summary), _shared(summary), _machines(summary)]
+    return rendered(TEMPLATE, name=name, headline=counts(rows, summary), facts=_facts(rows, summary), parts=parts)
+
+
+def _facts(rows: Sequence[Row], summary: Summary) -> list[tuple[str, str]]:
+    dates = sorted(row.date for row in rows if row.date is not None)
+    verdicts = [row.verdict for row in summary.newest if row.verdict is not None]
+    found = [
+        ("machines", str(len(summary.newest))),
+        ("folders of data", str(sum(bool(row.data) for row in rows))),
+        ("with faults", str(len(summary.failed))),
+        ("changed", str(len(summary.changed))),
+    ]
+    if dates:
+        found.append(("dates", f"{dates[0]} to {dates[-1]}"))
+    found += [(title, str(verdicts.count(verdict))) for verdict, title in TITLES.items() if verdict in verdicts]
+    if summary.misfits:
+        found.append(("do not fit their readings", str(len(summary.misfits))))
+    return found
+
+
+def _failed(summary: Summary) -> FleetTable:
+    rows = [
+        (_of(row.machine), _of(when(row)), Cell(row.faults[:MOST_FAULTS])) for row in summary.failed
+    ]  # fmt: skip
+    return _table("Failed, and why", "", ("machine", "data", "faults"), rows, frozenset(), "No machine failed.")
+
+
+def _changed(summary: Summary) -> FleetTable:
+    intro = (
+        f"An error is called changed from {summary.limit:.1f} standard uncertainties of the difference on: of as many "
+        "errors as were compared here, less than one that stays as it is goes so far. Change: root mean square over "
+        "the travel. Tool point: root mean square of its change over the volume, from home."
+    )
+    rows = []
+    for one in summary.changed:
+        tool = one.row.tool
+        moved = DASH if tool is None or tool.change is None else quantity(tool.change, "mm")
+        size = DASH if one.error.change is None else quantity(abs(one.error.change), one.error.unit)
+        texts = (when(one.row), _since(one.row), one.error.name, size, f"{one.error.change_in_u or 0.0:.1f}", moved)
+        rows.append((_machine(one.row), *map(_of, texts)))
+    head = ("machine", "data", "since", "error", "change", "change / u", "tool point")
+    compared = any(row.against is not None for row in summary.newest)
+    empty = "No error of any machine has changed." if compared else "Nothing is there to compare with yet."
+    return _table("What has changed", intro if rows else "", head, rows, frozenset({4, 5, 6}), empty)
+
+
+def _shared(summary: Summary) -> FleetTable:
+    rows = []
+    for one in summary.shared:
+        names = [row.machine for row in one.rows]
+        more = [f"and {len(names) - MOST_NAMED} more"] if len(names) > MOST_NAMED else []
+        told = ", ".join([*names[:MOST_NAMED], *more])
+        rows.append((_of(cause_title(one.label)), _of(str(len(names))), Cell(_sizes(one.causes)), _of(told)))
+    asked = any(row.verdict is not None for row in summary.newest)
+    empty = "No cause is named for more than one machine." if asked else "No diagnosis was asked for."
+    return _table(
+        "Causes that machines share", "", ("cause", "machines", "size, from to", "which"), rows, frozenset({1}), empty
+    )
+
+
+def _sizes(causes: Sequence[CauseFound]) -> tuple[str, ...]:
+    """`width: 3.1 um to 4.0 um`, a line for each parameter."""
+    found = []
+    for name, (_, _, unit) in causes[0].parameters.items():
+        values = sorted(one.parameters[name][0] for one in causes if name in one.parameters)
+        found.append(f"{name}: {quantity(values[0], unit)} to {quantity(values[-1], unit)}")
+    return tuple(found)
+
+
+def _machines(summary: Summary) -> FleetTable:
+    rows = []
+    for row in summary.newest:
+        tool, most = row.tool, row.most_changed
+        sizes = [DASH if one is None else quantity(one, "mm") for one in
+                 ((tool.rms, tool.largest, tool.u) if tool is not None else (None, None, None))]  # fmt: skip
+        verdict = DASH if row.verdict is None else TEXT_OF.get(row.verdict, row.verdict)
+        causes = Cell(
+            (verdict, *(cause_title(one.label) + ("" if one.certain else " (not certain)") for one in row.causes))
+        )
+        moved = DASH if most is None else f"{most.name} {most.change_in_u or 0.0:.1f} u"
+        fit = row.fit or DASH
+        rows.append((_machine(row), _of(when(row)), _of(fit), *map(_of, sizes), _of(moved), causes))
+    head = (
+        "machine",
+        "newest data",
+        "fit",
+        "tool point, RMS",
+        "largest",
+        "u, RMS",
+        "most changed",
+        "verdict and causes",
+    )
+    intro = "Tool point: length of the deviation over the volume, from home, for a tool at the origin of its frame."
+    return _table("All machines", intro, head, rows, frozenset({3, 4, 5}), "There is no machine.")
+
+
+def _table(
+    title: str,
+    intro: str,
+    head: tuple[str, ...],
+    rows: Sequence[tuple[Cell, ...]],
+    numbers: frozenset[int],
+    empty: str,
+) -> FleetTable:
+    left = max(len(rows) - MOST_ROWS, 0)
+    return FleetTable(
+        title=title, intro=intro, head=head, rows=tuple(rows[:MOST_ROWS]), numbers=numbers, empty=empty, left=left
+    )
+
+
+def _of(text: str) -> Cell:
+    return Cell((text,))
+
+
+def _machine(row: Row) -> Cell:
+    """The machine with links to its documents."""
+    folder = PurePosixPath(MACHINES, row.machine, PurePosixPath(row.data).name or "given")
+    links = [(text, quote(str(folder / file))) for text, file in DOCUMENTS if file in row.files]
+    return Cell((row.machine,), tuple(links))
+
+
+def _since(row: Row) -> str:
+    """The folder of the values before, or the file that was given."""
+    if row.against is None:
+        return DASH
+    path = PurePosixPath(row.against)
+    return path.parent.name if row.against.startswith("../") and path.name == "errors.json" else path.name

@@ -1,0 +1,56 @@
+"""What rows come to: changes that are more than chance in a fleet of that size, causes that machines share."""
+
+import numpy as np
+import pytest
+from scipy.stats import norm
+
+from trueaxis.fleets.row import CauseFound, Row, ValueFound
+from trueaxis.fleets.summary import changed_from, summary_of
+
+
+def row(machine: str, day: int, *causes: CauseFound, in_u: float | None = None, faults: tuple[str, ...] = ()) -> Row:
+    value = ValueFound(
+        name="EXX", value=1e-3, u=1e-4, at=0.0, unit="mm", determined="data", change=1e-3, change_in_u=in_u
+    )
+    return Row(machine=machine, data=f"d/2026-11-{day:02d}", date=f"2026-11-{day:02d}", inputs="x", tasks=("identify",),
+               causes=causes, values=(value,), faults=faults)  # fmt: skip
+
+
+def cause(kind: str, component: str | None, label: str) -> CauseFound:
+    return CauseFound(
+        kind=kind, component=component, label=label, certain=True, parameters={"width": (0.01, None, "mm")}
+    )
+
+
+def test_the_limit_lets_less_than_one_machine_pass_that_stays_as_it_is() -> None:
+    assert changed_from(10) == pytest.approx(3.0, abs=0.2)
+    source = np.random.default_rng(1)
+    for count in (100, 4200):
+        largest = np.abs(source.standard_normal((40, count, 6))).max(axis=2)  # a curve is as good as six numbers
+        assert (largest > changed_from(count)).sum(axis=1).mean() < 1.3
+        assert changed_from(count) == pytest.approx(norm.isf(0.5 / (6.2 * count)))
+
+
+def test_the_newest_row_of_each_machine_counts() -> None:
+    rows = [row("A", 1, in_u=50.0), row("A", 2, in_u=1.0), row("B", 1), row("B", 2, in_u=9.0), row("C", 1, in_u=7.0)]
+    found = summary_of(rows)
+    assert [one.machine for one in found.newest] == ["A", "B", "C"]
+    assert [(one.row.machine, one.error.change_in_u) for one in found.changed] == [("B", 9.0), ("C", 7.0)]
+
+
+def test_causes_are_shared_by_what_they_are() -> None:
+    play, drift = cause("backlash", "EYY", "backlash EYY"), cause("laser_drift", None, "laser_drift of X1, X2")
+    rows = [
+        row("A", 1, play, drift), row("B", 1, cause("backlash", "EXX", "backlash EXX")),
+        row("C", 1, cause("laser_drift", None, "laser_drift of Z9"), play, play), row("D", 1, play),
+    ]  # fmt: skip
+    found = summary_of(rows).shared
+    assert [(one.label, [r.machine for r in one.rows]) for one in found] == [
+        ("backlash EYY", ["A", "C", "D"]),
+        ("laser_drift", ["A", "C"]),
+    ]
+
+
+def test_every_row_with_a_fault_failed() -> None:
+    found = summary_of([row("A", 1, faults=("it is broken",)), row("A", 2), row("B", 1)])
+    assert [one.data for one in found.failed] == ["d/2026-11-01"]
