@@ -11,6 +11,7 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 GROUPS = {"run.txt": ["build"], "dev.txt": ["build", "test", "lint"]}
+EXTRAS: dict[str, list[str]] = {"run.txt": [], "dev.txt": ["cluster"]}  # whose tests are no use without them
 # The lock names no index: whoever installs from it brings their own.
 OPTIONS = "--generate-hashes --no-header --no-annotate --strip-extras --allow-unsafe --no-emit-index-url"
 OPTIONS += " --no-emit-trusted-host --no-emit-find-links"
@@ -21,6 +22,7 @@ def main() -> None:
     project = tomllib.loads((HERE.parent / "pyproject.toml").read_text())
     for name, groups in GROUPS.items():
         wanted = project["project"]["dependencies"] + [r for g in groups for r in project["dependency-groups"][g]]
+        wanted += [r for extra in EXTRAS[name] for r in project["project"]["optional-dependencies"][extra]]
         with tempfile.TemporaryDirectory() as folder:
             source = Path(folder) / "requirements.in"
             source.write_text("\n".join(wanted) + "\n")
