@@ -15,6 +15,7 @@ import statistics
 import tempfile
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -60,8 +61,9 @@ def write_machines(folder: Path, count: int, broken: int) -> None:
     plan = ta.plan(model, instruments=["laser"], hours=HOURS, out=folder / "plan").data
     for number in range(count):
         source = np.random.default_rng(number)
-        curves = {name: PolynomialCurve((1,), (SLOPES * source.standard_normal(),)) for name in model.components}
-        values = ta.ErrorValues(model.name, motion_errors=curves)
+        curves = {name: PolynomialCurve(powers=(1,), coefficients=(SLOPES * source.standard_normal(),))
+                  for name in map(str, model.components)}  # fmt: skip
+        values = ta.ErrorValues(machine=model.name, motion_errors=curves)
         truth = ta.Errors(values, ta.load_errors(write_zero(folder, model), model).covariance)
         data = ta.simulate(model, truth, plan, noise_um=0.3, seed=number, replace_all=True)
         ta.save_data(folder / "data" / f"M{number:04d}" / "2026-11-01", data)
@@ -132,7 +134,7 @@ def run(file: Path, out: Path, way: str) -> None:
             do_unit(unit)
 
 
-def timed(work: Callable[[], None]) -> float:
+def timed(work: Callable[[], object]) -> float:
     begin = time.perf_counter()
     work()
     return time.perf_counter() - begin
@@ -161,7 +163,7 @@ def draws(rounds: int) -> None:
     for _ in range(rounds):
         for workers, found in seconds.items():
             asked = ta.Draws(count=DRAWS, workers=workers)
-            found.append(timed(lambda asked=asked: ta.predict(model, errors, at, draws=asked)))  # type: ignore[misc]
+            found.append(timed(partial(ta.predict, model, errors, at, draws=asked)))
     for workers, found in seconds.items():
         print(f"{DRAWS} draws at {POINTS} points, {workers} processes: {statistics.median(found):.1f} s, "
               f"{1e-6 * DRAWS * POINTS / statistics.median(found):.1f} million points a second")  # fmt: skip

@@ -1,6 +1,6 @@
 """An NC program in, the same with compensated positions out."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from io import BytesIO
@@ -128,9 +128,8 @@ def compensate(
     source, file = _file(program), None if out is None else Path(out)
     x, y, z = tool_points(tool, 1)[:, 0].tolist()
     given = settings_of(settings) | {"tool_point": (x, y, z)}
-    model, given["offsets"], given["tools"] = _read(model, errors, source, file, offsets, tools, accept_misfit)
-    if asked is not None and (wrong := faults_of_draws(errors.covariance, 1, name_of(errors))):
-        raise InputError(wrong)
+    wrong = () if asked is None else faults_of_draws(errors.covariance, 1, name_of(errors))
+    model, given["offsets"], given["tools"] = _read(model, errors, source, file, offsets, tools, accept_misfit, wrong)
     limits = Limits(max_u=max_u, max_correction=max_correction, accept_u=accept_u)
     changes, buffer = Changes(len(model.axes)), BytesIO()
     judge, chosen = Remembering(judge_of(model, errors.covariance, limits)), of_machine(Settings(**given), model)
@@ -144,14 +143,32 @@ def compensate(
     left = None
     if asked is not None and not report.refused:
         left = drawn_program(model, errors.covariance, judge.visited, chosen, asked)
-    done = Compensated(
-        text="" if report.refused else buffer.getvalue().decode("latin-1"), report=report, axes=model.axes,
-        lines=changes.lines, programmed=changes.programmed, compensated=changes.compensated,
-        file=None if report.refused else file, notes=(*notes_of(report, model), *notes_of_draws(left)), left=left,
-    )  # fmt: skip
+    text = "" if report.refused else buffer.getvalue().decode("latin-1")
+    done = _done(text, report, model, changes, None if report.refused else file, left)
     if report.reliance is not None and report.refused:
         raise RefusedError(tuple(refusal_sentences(report.reliance, max_u)), done)
     return done
+
+
+def _done(
+    text: str,
+    report: CompensationReport,
+    model: MachineModel,
+    changes: Changes,
+    file: Path | None,
+    left: DrawnProgram | None,
+) -> Compensated:
+    return Compensated(
+        text=text,
+        report=report,
+        axes=model.axes,
+        lines=changes.lines,
+        programmed=changes.programmed,
+        compensated=changes.compensated,
+        file=file,
+        notes=(*notes_of(report, model), *notes_of_draws(left)),
+        left=left,
+    )
 
 
 def _read(
@@ -162,9 +179,13 @@ def _read(
     offsets: WorkOffsets | None,
     tools: Tools | None,
     accept_misfit: bool,
+    further: Sequence[Fault],
 ) -> tuple[MachineModel, Offsets, ToolTable | None]:
-    """The model with the values, work offsets and tools. Raises InputError with the faults of all that is read."""
-    found: list[Fault] = []
+    """The model with the values, work offsets and tools.
+
+    Raises InputError with the faults of all that is read and the further ones.
+    """
+    found = [*further]
     table, systems = None, Offsets()
     with gathering(found):
         systems = offsets_of(offsets)
