@@ -10,6 +10,7 @@ import numpy as np
 
 from tests.controllers.kins_module import KinsModule, bodies_text, compiled, write_module
 from tests.exact_chain import DIGITS, ExactChain
+from tests.kept import derived
 from tests.machines import ROOT
 from trueaxis.machine import Machine
 from trueaxis.model.bases import travel_basis
@@ -17,7 +18,6 @@ from trueaxis.model.curves import Curve, LegendreCurve, PolynomialCurve, TableCu
 from trueaxis.model.errors import ErrorValues
 from trueaxis.model.model import MachineModel, load_model
 
-KERNELS = ROOT / "generated"
 LINEAR = "XYZ"
 EXACT = 1e-11  # mm
 OFFSET = (0.5, -0.75, 120.25)  # of G43, mm
@@ -25,11 +25,16 @@ OFFSET = (0.5, -0.75, 120.25)  # of G43, mm
 
 @cache
 def machine_model(name: str) -> MachineModel:
-    return load_model(ROOT / "machines" / f"{name}.toml", None, KERNELS, backend="numpy")
+    return load_model(_spec(name), None, kernels_folder(name).parent, backend="numpy")
 
 
 def kernels_folder(name: str) -> Path:
-    return KERNELS / name
+    """What is derived of one of the machines that are checked in."""
+    return derived(_spec(name)) / name
+
+
+def _spec(name: str) -> Path:
+    return ROOT / "machines" / f"{name}.toml"
 
 
 def with_random_errors(model: MachineModel, seed: int) -> MachineModel:

@@ -11,11 +11,11 @@ import pytest
 
 from tests.controllers.kins_machines import (
     EXACT,
-    KERNELS,
     OFFSET,
     ExactMachine,
     built,
     joints_of,
+    kernels_folder,
     length,
     machine_model,
     poses,
@@ -98,8 +98,8 @@ def test_a_call_takes_little_stack(tmp_path: Path) -> None:
 
 def test_the_control_kernels_of_a_machine_have_no_state() -> None:
 
-    for folder in KERNELS.iterdir():
-        source = (folder / "control.c").read_text()
+    for name in MACHINES:
+        source = (kernels_folder(name) / "control.c").read_text()
         assert not re.search(r"\b(malloc|static double \w+;|printf)\b", source)
         assert max(map(len, source.splitlines())) <= 120
 
