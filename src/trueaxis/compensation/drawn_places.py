@@ -19,7 +19,7 @@ from trueaxis.monte_carlo.points import DrawnPoints
 from trueaxis.monte_carlo.settings import Draws
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class DrawnPlaces:
     """points: commanded as the compensation has it; programmed: (n_axes, n), mm or deg; value, u: (3, n), mm, what is
     left of the error from home by the error values, and its standard uncertainty by linear propagation, words and noise
@@ -67,7 +67,7 @@ def drawn_places(
     words = (steps**2).sum(axis=1) / 12.0  # variance of what is alike from -1/2 to 1/2
     value = left + model.in_context(context).deviation(commanded, tool) - model.deviation(homes, tool)
     whole = np.sqrt(u**2 + words + (1e-3 * draws.noise_um) ** 2)
-    return DrawnPlaces(points, positions, value, whole, places)
+    return DrawnPlaces(points=points, programmed=positions, value=value, u=whole, of=places)
 
 
 def _compensated(

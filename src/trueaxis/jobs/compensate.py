@@ -144,14 +144,23 @@ def compensate(
     left = None
     if asked is not None and not report.refused:
         left = drawn_program(model, errors.covariance, judge.visited, chosen, asked)
-    done = Compensated(
-        text="" if report.refused else buffer.getvalue().decode("latin-1"), report=report, axes=model.axes,
-        lines=changes.lines, programmed=changes.programmed, compensated=changes.compensated,
-        file=None if report.refused else file, notes=(*notes_of(report, model), *notes_of_draws(left)), left=left,
-    )  # fmt: skip
+    notes = (*notes_of(report, model), *notes_of_draws(left))
+    done = _done(report, buffer.getvalue(), changes, file, model.axes, notes, left)
     if report.reliance is not None and report.refused:
         raise RefusedError(tuple(refusal_sentences(report.reliance, max_u)), done)
     return done
+
+
+def _done(
+    report: CompensationReport, written: bytes, changes: Changes, file: Path | None, axes: tuple[str, ...],
+    notes: tuple[str, ...], left: DrawnProgram | None,
+) -> Compensated:  # fmt: skip
+    """The result; nothing of a program that is refused."""
+    return Compensated(
+        text="" if report.refused else written.decode("latin-1"), report=report, axes=axes, lines=changes.lines,
+        programmed=changes.programmed, compensated=changes.compensated, file=None if report.refused else file,
+        notes=notes, left=left,
+    )  # fmt: skip
 
 
 def _read(
