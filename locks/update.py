@@ -11,7 +11,7 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 GROUPS = {"run.txt": ["build"], "dev.txt": ["build", "test", "lint", "docs"]}
-EXTRAS = {"run.txt": [], "dev.txt": ["cluster", "completion"]}  # what tests need beside
+EXTRAS: dict[str, list[str]] = {"run.txt": [], "dev.txt": ["cluster", "completion"]}  # what tests need beside
 # The lock names no index: whoever installs from it brings their own.
 OPTIONS = "--generate-hashes --no-header --no-annotate --strip-extras --allow-unsafe --no-emit-index-url"
 OPTIONS += " --no-emit-trusted-host --no-emit-find-links"

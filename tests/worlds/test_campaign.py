@@ -72,3 +72,15 @@ def test_a_campaign_goes_on_where_it_stopped(tmp_path: Path) -> None:
     design = draw_design(SMALL)
     assert f"| {SMALL} | {len(design.machine.axes)} | {design.plan.count} | {len(design.plan.runs)} | 2 |" in text
     assert json.loads(before.splitlines()[0])["sizes"].keys() >= {"translation", "rotation"}
+
+
+@pytest.mark.slow
+def test_workers_measure_the_same(tmp_path: Path) -> None:
+    options = ["--designs", "1", "--first", str(SMALL), "--machines", "2"]
+    assert main(["--out", str(tmp_path / "here"), *options]) == 0
+    assert main(["--out", str(tmp_path / "there"), *options, "--workers", "2"]) == 0
+    here, there = ([one | {"seconds": 0.0} for one in read_lines(tmp_path / name)] for name in ("here", "there"))
+    assert here == there
+    assert len(here) == 2
+    assert main(["--out", str(tmp_path / "there"), *options, "--workers", "2"]) == 0
+    assert len(read_lines(tmp_path / "there")) == 2

@@ -34,7 +34,7 @@ def data_folders(base: Path, given: tuple[str, ...]) -> tuple[DatedFolder, ...]:
     for text in given:
         matched = _matched(base, text)
         if not matched:
-            faults.append(Fault(text, "", "matches no folder", f"folders with setup.toml, below {base.name or base}"))
+            faults.append(Fault(text, "", "matches no folder", "folders with setup.toml, from the fleet file"))
         for name in matched:
             folder = DatedFolder(name, base / name, date_of(Path(name).name))
             other = found.setdefault(folder.path.name.casefold(), folder)

@@ -1,4 +1,4 @@
-"""Error values as compensation tables of a control."""
+"""Error values as compensation tables of a control, or as a kinematics module that it runs."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -46,10 +46,10 @@ from trueaxis.reporting.reliance import (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Exported(Printed):
-    """Tables of a control. texts: by the name of the file, the one name "" for a format of a single file; files: those
-    that were written; remaining: RMS of the tool point over the travel, from home, mm, before and with the tables;
-    uncertainty: of the tool point over the travel; notes: what must be known of the tables. Printed, it is the report
-    of `trueaxis export`.
+    """Tables of a control, or a module for it. texts: by the name of the file, the one name "" for a format of a single
+    file; files: those that were written; remaining: RMS of the tool point over the travel, from home, mm, before and
+    with them; uncertainty: of the tool point over the travel; notes: what must be known of them. Printed, it is the
+    report of `trueaxis export`.
     """
 
     texts: Mapping[str, str] = field(repr=False)
@@ -106,7 +106,8 @@ def export(
     format: "isg-csv", "siemens-enc", "siemens-cec", "heidenhain-com", "linuxcnc-comp" or "linuxcnc-kins" (sources of a
     kinematics module); out: the file to write, or the
     folder of a format of several; None: nothing is written. step: largest distance of positions in a table, mm or deg;
-    tool: (3,), the point in the tool frame that tables of single axes are made for, mm. max_u: largest standard
+    tool: (3,), the point in the tool frame that tables of single axes are made for, and from which the module measures
+    the lengths of tools, mm. max_u: largest standard
     uncertainty of the tool point over the travel, mm; max_correction: largest deviation, mm (three times what [prior]
     lets expect). accept_misfit, accept_u: values that do not fit their readings, or are lost in their noise, are taken;
     accept_worse: tables with which more is left than without them are.

@@ -10,10 +10,12 @@ A case is a line of JSON in DIR; what is there already is not done again. The wo
 import argparse
 import json
 import os
+import sys
 import time
 from collections.abc import Sequence
 from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 
 THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 os.environ.update(dict.fromkeys(THREADS, "1"))  # before NumPy is imported, here and in the processes that are spawned
@@ -23,6 +25,8 @@ from tests.worlds.diagnosis.answers import said_by_command, said_of  # noqa: E40
 from tests.worlds.diagnosis.cases import KINDS, MACHINES_APART, bench_of  # noqa: E402
 from tests.worlds.diagnosis.lines import line_of  # noqa: E402
 from tests.worlds.diagnosis.tables import failures, tables  # noqa: E402
+from trueaxis.cluster.tasks import Task, run_tasks  # noqa: E402
+from trueaxis.cluster.workers import Workers, client_of  # noqa: E402
 
 ENGINES = {"process": said_of, "command": said_by_command}
 A_TURN = 25  # cases of a world before the next one's
@@ -38,6 +42,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--only", default="", metavar="KIND,...", help=f"of {', '.join(KINDS)} (default: the mix)")
     parser.add_argument("--engine", choices=ENGINES, default="process", help="%(default)s")
     parser.add_argument("--processes", type=int, default=1, metavar="P", help="%(default)s")
+    parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, started in this folder")
     parser.add_argument("--minutes", type=float, default=float("inf"), metavar="T", help="stop after this time")
     parser.add_argument("--table", action="store_true")
     parser.add_argument("--failures", action="store_true")
@@ -48,17 +53,31 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if args.table or args.failures:
         print("\n".join((failures if args.failures else tables)(read_lines(args.out))))
         return 0
-    until = time.monotonic() + 60.0 * args.minutes
+    until = time.time() + 60.0 * args.minutes
     seeds = [seed for seed in range(args.first, args.first + args.worlds) if _readings(seed) <= args.most_readings]
     parts = [tuple(seeds[k :: args.processes]) for k in range(args.processes)]
     work = [(args.out, part, min(args.cases, MACHINES_APART), only, args.engine, until) for part in parts if part]
     args.out.mkdir(parents=True, exist_ok=True)
+    if args.scheduler is not None:
+        return int(not on_workers(args.scheduler, [(args.out.resolve(), (seed,), *work[0][2:]) for seed in seeds]))
     if len(work) == 1:
         measure_worlds(*work[0])
     else:
         with get_context("spawn").Pool(len(work)) as pool:
             pool.starmap(measure_worlds, work)
     return 0
+
+
+def on_workers(scheduler: str, work: Sequence[tuple[Any, ...]]) -> bool:
+    """A task for each world. Whether every task has ended well."""
+    tasks = [Task(key=str(one[1][0]), function=measure_worlds, arguments=one) for one in work]
+    good = True
+    with client_of(Workers(scheduler=scheduler)) as client:
+        for ended in run_tasks(client, tasks):
+            if ended.error is not None or ended.lost:
+                good = False
+                print(f"world {ended.key}: {ended.error or 'its workers were lost'}", file=sys.stderr)
+    return good
 
 
 def _readings(seed: int) -> int:
@@ -75,7 +94,7 @@ def read_lines(folder: Path) -> list[dict[str, object]]:
 def measure_worlds(
     folder: Path, seeds: Sequence[int], cases: int, only: tuple[str, ...], engine: str, until: float
 ) -> None:
-    """Append a line for every case that is not there yet; until: of time.monotonic()."""
+    """Append a line for every case that is not there yet; until: of time.time()."""
     done = {(line["world"], line["case"]) for line in read_lines(folder)}
     for start in range(0, cases, A_TURN):
         for seed in seeds:
@@ -85,7 +104,7 @@ def measure_worlds(
             bench = bench_of(seed)
             with (folder / f"cases-{seed}.jsonl").open("a") as file:
                 for number in left:
-                    if time.monotonic() > until:
+                    if time.time() > until:
                         return
                     line = line_of(bench, number, folder / "worlds" / str(seed), only, ENGINES[engine])
                     file.write(json.dumps(line) + "\n")

@@ -18,7 +18,7 @@ TEXT_OF: dict[str, str] = dict(TITLES.items())
 DASH = "\N{EN DASH}"
 MOST_ROWS = 2000  # of a table: more make a page that browsers are slow with, and nobody reads; results.parquet has all
 MOST_NAMED = 30  # machines in one cell
-MOST_FAULTS = 20  # of one row
+MOST_FAULTS = 5  # of one row: what comes behind is seldom another mistake
 DOCUMENTS = (("document", "report.html"), ("diagnosis", "diagnosis/report.html"))
 
 
@@ -70,9 +70,14 @@ def _facts(rows: Sequence[Row], summary: Summary) -> list[tuple[str, str]]:
 
 def _failed(summary: Summary) -> FleetTable:
     rows = [
-        (_of(row.machine), _of(when(row)), Cell(row.faults[:MOST_FAULTS])) for row in summary.failed
+        (_of(row.machine), _of(when(row)), Cell(_faults(row))) for row in summary.failed
     ]  # fmt: skip
     return _table("Failed, and why", "", ("machine", "data", "faults"), rows, frozenset(), "No machine failed.")
+
+
+def _faults(row: Row) -> tuple[str, ...]:
+    left = len(row.faults) - MOST_FAULTS
+    return (*row.faults[:MOST_FAULTS], f"and {left} more") if left > 0 else row.faults
 
 
 def _changed(summary: Summary) -> FleetTable:
@@ -128,7 +133,7 @@ def _machines(summary: Summary) -> FleetTable:
             (verdict, *(cause_title(one.label) + ("" if one.certain else " (not certain)") for one in row.causes))
         )
         moved = DASH if most is None else f"{most.name} {most.change_in_u or 0.0:.1f} u"
-        fit = row.fit or DASH
+        fit = "failed" if row.faults else row.fit or DASH
         rows.append((_machine(row), _of(when(row)), _of(fit), *map(_of, sizes), _of(moved), causes))
     head = (
         "machine",

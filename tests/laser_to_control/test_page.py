@@ -1,7 +1,6 @@
-"""The commands of docs/tutorials/laser-to-control.md, as they stand there, one after another."""
+"""The commands of docs/tutorials/laser_to_control.md, as they stand there, one after another."""
 
 import re
-import shlex
 import shutil
 from pathlib import Path
 
@@ -10,29 +9,26 @@ import pytest
 
 from tests import tutorials
 from tests.controllers.kins_module import KinsModule, compiled, compiler
+from tests.laser_to_control.inputs import FOLDER, all_files
+from tests.laser_to_control.left import left
 from tests.machines import ROOT
-from tests.tutorial.inputs import FOLDER, all_files
-from tests.tutorial.left import left
-from trueaxis.cli.main import main
 
-PAGE = ROOT / "docs" / "tutorials" / "laser-to-control.md"
+PAGE = ROOT / "docs" / "tutorials" / "laser_to_control.md"
 HOLE = {"X": 200.0, "Y": 130.0, "Z": -177.0}  # X20 Y20 Z-12 of the program, G54, a tool of 95 mm
 
 
 def test_every_command_does_what_the_page_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(FOLDER, tmp_path / "shop")
     monkeypatch.chdir(tmp_path)
-    text = PAGE.read_text()
-    assert tutorials.run(text, tmp_path) == text.count("$ trueaxis") == 8
+    text = PAGE.read_text(encoding="utf-8")
+    assert tutorials.run(text, tmp_path) == 9
+    assert not Path("no").exists()
     found = left(tmp_path)
     told = dict(re.findall(r"^(\w[\w ]+): ([\d.]+) um$", text, re.MULTILINE))
     assert found.keys() == told.keys()
     for name, value in found.items():
         assert value * 1e3 == pytest.approx(float(told[name]), abs=0.15)
     words_of_a_hole(tmp_path)
-    refused = shlex.split("export mill.toml --errors errors.json --format linuxcnc-kins --out no --max-u 0.005")
-    assert main(refused) == 1
-    assert not Path("no").exists()
     if compiler():
         the_module_sends_joints_where_the_words_are(tmp_path)
 

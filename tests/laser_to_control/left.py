@@ -1,4 +1,4 @@
-"""What is left of the error of the simulated mill of the tutorial: `python -m tests.tutorial.left`, in its folder.
+"""What is left of the error of the mill of the tutorial: `python -m tests.laser_to_control.left`, in its folder.
 
 The mill that was measured is known: the tip of tool 1 of the program is looked at on it, from the first point of the
 program, where the work offset is touched off.

@@ -1,4 +1,4 @@
-"""The files of docs/tutorials/laser-to-control.md, as a shop would have them: `python -m tests.tutorial.inputs`.
+"""The files of docs/tutorials/laser_to_control.md: `python -m tests.laser_to_control.inputs`.
 
 A mill that is known is measured by `trueaxis simulate`, and the readings are written as the instruments' own programs
 write them. What they write lies in examples/shop.
