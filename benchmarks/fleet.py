@@ -60,8 +60,9 @@ def write_machines(folder: Path, count: int, broken: int) -> None:
     plan = ta.plan(model, instruments=["laser"], hours=HOURS, out=folder / "plan").data
     for number in range(count):
         source = np.random.default_rng(number)
-        curves = {name: PolynomialCurve((1,), (SLOPES * source.standard_normal(),)) for name in model.components}
-        values = ta.ErrorValues(model.name, motion_errors=curves)
+        slopes = {str(name): SLOPES * source.standard_normal() for name in model.components}
+        curves = {name: PolynomialCurve(powers=(1,), coefficients=(slope,)) for name, slope in slopes.items()}
+        values = ta.ErrorValues(machine=model.name, motion_errors=curves)
         truth = ta.Errors(values, ta.load_errors(write_zero(folder, model), model).covariance)
         data = ta.simulate(model, truth, plan, noise_um=0.3, seed=number, replace_all=True)
         ta.save_data(folder / "data" / f"M{number:04d}" / "2026-11-01", data)
@@ -132,7 +133,7 @@ def run(file: Path, out: Path, way: str) -> None:
             do_unit(unit)
 
 
-def timed(work: Callable[[], None]) -> float:
+def timed(work: Callable[[], object]) -> float:
     begin = time.perf_counter()
     work()
     return time.perf_counter() - begin

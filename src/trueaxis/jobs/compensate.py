@@ -125,41 +125,43 @@ def compensate(
     asked = checked(draws)
     if format not in (None, *get_args(Language)):
         raise ValueError(f"format: expected nc or apt; given {format!r}")
-    source, file = _file(program), None if out is None else Path(out)
-    x, y, z = tool_points(tool, 1)[:, 0].tolist()
-    given = settings_of(settings) | {"tool_point": (x, y, z)}
+    source, file, unrolled = _file(program), *(None if one is None else Path(one) for one in (out, via_linuxcnc))
+    given = settings_of(settings) | {"tool_point": tuple(tool_points(tool, 1)[:, 0].tolist())}
     model, given["offsets"], given["tools"] = _read(model, errors, source, file, offsets, tools, accept_misfit)
-    if asked is not None and (wrong := faults_of_draws(errors.covariance, 1, name_of(errors))):
-        raise InputError(wrong)
+    if asked is not None:
+        _check_draws(errors)
     limits = Limits(max_u=max_u, max_correction=max_correction, accept_u=accept_u)
     changes, buffer = Changes(len(model.axes)), BytesIO()
     judge, chosen = Remembering(judge_of(model, errors.covariance, limits)), of_machine(Settings(**given), model)
     with as_faults(source):
         report = compensated(
-            source, lambda: buffer, model, chosen, language=format, judge=judge, changes=changes,
-            via_linuxcnc=None if via_linuxcnc is None else Path(via_linuxcnc),
-        )  # fmt: skip
+            source, lambda: buffer, model, chosen, language=format, judge=judge, changes=changes, via_linuxcnc=unrolled
+        )
         if file is not None and not report.refused:
             write_files({file: buffer.getvalue()})
     left = None
     if asked is not None and not report.refused:
         left = drawn_program(model, errors.covariance, judge.visited, chosen, asked)
-    notes = (*notes_of(report, model), *notes_of_draws(left))
-    done = _done(report, buffer.getvalue(), changes, file, model.axes, notes, left)
+    done = _done(report, buffer.getvalue(), changes, file, model, left)
     if report.reliance is not None and report.refused:
         raise RefusedError(tuple(refusal_sentences(report.reliance, max_u)), done)
     return done
 
 
+def _check_draws(errors: Errors) -> None:
+    if wrong := faults_of_draws(errors.covariance, 1, name_of(errors)):
+        raise InputError(wrong)
+
+
 def _done(
-    report: CompensationReport, written: bytes, changes: Changes, file: Path | None, axes: tuple[str, ...],
-    notes: tuple[str, ...], left: DrawnProgram | None,
+    report: CompensationReport, written: bytes, changes: Changes, file: Path | None, model: MachineModel,
+    left: DrawnProgram | None,
 ) -> Compensated:  # fmt: skip
     """The result; nothing of a program that is refused."""
     return Compensated(
-        text="" if report.refused else written.decode("latin-1"), report=report, axes=axes, lines=changes.lines,
+        text="" if report.refused else written.decode("latin-1"), report=report, axes=model.axes, lines=changes.lines,
         programmed=changes.programmed, compensated=changes.compensated, file=None if report.refused else file,
-        notes=notes, left=left,
+        notes=(*notes_of(report, model), *notes_of_draws(left)), left=left,
     )  # fmt: skip
 
 
