@@ -15,7 +15,6 @@ import statistics
 import tempfile
 import time
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -61,8 +60,8 @@ def write_machines(folder: Path, count: int, broken: int) -> None:
     plan = ta.plan(model, instruments=["laser"], hours=HOURS, out=folder / "plan").data
     for number in range(count):
         source = np.random.default_rng(number)
-        curves = {name: PolynomialCurve(powers=(1,), coefficients=(SLOPES * source.standard_normal(),))
-                  for name in map(str, model.components)}  # fmt: skip
+        slopes = {str(name): SLOPES * source.standard_normal() for name in model.components}
+        curves = {name: PolynomialCurve(powers=(1,), coefficients=(slope,)) for name, slope in slopes.items()}
         values = ta.ErrorValues(machine=model.name, motion_errors=curves)
         truth = ta.Errors(values, ta.load_errors(write_zero(folder, model), model).covariance)
         data = ta.simulate(model, truth, plan, noise_um=0.3, seed=number, replace_all=True)
@@ -163,7 +162,7 @@ def draws(rounds: int) -> None:
     for _ in range(rounds):
         for workers, found in seconds.items():
             asked = ta.Draws(count=DRAWS, workers=workers)
-            found.append(timed(partial(ta.predict, model, errors, at, draws=asked)))
+            found.append(timed(lambda asked=asked: ta.predict(model, errors, at, draws=asked)))  # type: ignore[misc]
     for workers, found in seconds.items():
         print(f"{DRAWS} draws at {POINTS} points, {workers} processes: {statistics.median(found):.1f} s, "
               f"{1e-6 * DRAWS * POINTS / statistics.median(found):.1f} million points a second")  # fmt: skip

@@ -1,6 +1,6 @@
 """An NC program in, the same with compensated positions out."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from io import BytesIO
@@ -125,50 +125,44 @@ def compensate(
     asked = checked(draws)
     if format not in (None, *get_args(Language)):
         raise ValueError(f"format: expected nc or apt; given {format!r}")
-    source, file = _file(program), None if out is None else Path(out)
-    x, y, z = tool_points(tool, 1)[:, 0].tolist()
-    given = settings_of(settings) | {"tool_point": (x, y, z)}
-    wrong = () if asked is None else faults_of_draws(errors.covariance, 1, name_of(errors))
-    model, given["offsets"], given["tools"] = _read(model, errors, source, file, offsets, tools, accept_misfit, wrong)
+    source, file, unrolled = _file(program), *(None if one is None else Path(one) for one in (out, via_linuxcnc))
+    given = settings_of(settings) | {"tool_point": tuple(tool_points(tool, 1)[:, 0].tolist())}
+    model, given["offsets"], given["tools"] = _read(model, errors, source, file, offsets, tools, accept_misfit)
+    if asked is not None:
+        _check_draws(errors)
     limits = Limits(max_u=max_u, max_correction=max_correction, accept_u=accept_u)
     changes, buffer = Changes(len(model.axes)), BytesIO()
     judge, chosen = Remembering(judge_of(model, errors.covariance, limits)), of_machine(Settings(**given), model)
     with as_faults(source):
         report = compensated(
-            source, lambda: buffer, model, chosen, language=format, judge=judge, changes=changes,
-            via_linuxcnc=None if via_linuxcnc is None else Path(via_linuxcnc),
-        )  # fmt: skip
+            source, lambda: buffer, model, chosen, language=format, judge=judge, changes=changes, via_linuxcnc=unrolled
+        )
         if file is not None and not report.refused:
             write_files({file: buffer.getvalue()})
     left = None
     if asked is not None and not report.refused:
         left = drawn_program(model, errors.covariance, judge.visited, chosen, asked)
-    text = "" if report.refused else buffer.getvalue().decode("latin-1")
-    done = _done(text, report, model, changes, None if report.refused else file, left)
+    done = _done(report, buffer.getvalue(), changes, file, model, left)
     if report.reliance is not None and report.refused:
         raise RefusedError(tuple(refusal_sentences(report.reliance, max_u)), done)
     return done
 
 
+def _check_draws(errors: Errors) -> None:
+    if wrong := faults_of_draws(errors.covariance, 1, name_of(errors)):
+        raise InputError(wrong)
+
+
 def _done(
-    text: str,
-    report: CompensationReport,
-    model: MachineModel,
-    changes: Changes,
-    file: Path | None,
+    report: CompensationReport, written: bytes, changes: Changes, file: Path | None, model: MachineModel,
     left: DrawnProgram | None,
-) -> Compensated:
+) -> Compensated:  # fmt: skip
+    """The result; nothing of a program that is refused."""
     return Compensated(
-        text=text,
-        report=report,
-        axes=model.axes,
-        lines=changes.lines,
-        programmed=changes.programmed,
-        compensated=changes.compensated,
-        file=file,
-        notes=(*notes_of(report, model), *notes_of_draws(left)),
-        left=left,
-    )
+        text="" if report.refused else written.decode("latin-1"), report=report, axes=model.axes, lines=changes.lines,
+        programmed=changes.programmed, compensated=changes.compensated, file=None if report.refused else file,
+        notes=(*notes_of(report, model), *notes_of_draws(left)), left=left,
+    )  # fmt: skip
 
 
 def _read(
@@ -179,13 +173,9 @@ def _read(
     offsets: WorkOffsets | None,
     tools: Tools | None,
     accept_misfit: bool,
-    further: Sequence[Fault],
 ) -> tuple[MachineModel, Offsets, ToolTable | None]:
-    """The model with the values, work offsets and tools.
-
-    Raises InputError with the faults of all that is read and the further ones.
-    """
-    found = [*further]
+    """The model with the values, work offsets and tools. Raises InputError with the faults of all that is read."""
+    found: list[Fault] = []
     table, systems = None, Offsets()
     with gathering(found):
         systems = offsets_of(offsets)
