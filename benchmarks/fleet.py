@@ -1,21 +1,26 @@
 """A fleet of simulated machines on worker processes: does every row come, how fast, what goes over the wire.
 
-Run from the repository: python -m benchmarks.fleet [--machines 200] [--broken 10] [--measured 24] [--rounds 3]
+Run from the repository:
+python -m benchmarks.fleet [--machines 200] [--broken 10] [--measured 24] [--rounds 3] [--only fleet some tasks draws]
 
 First the whole fleet on two workers, one of which is killed on the way. Then some of its machines on one and on two
 workers and in this process without any, in turn, round by round, so that what else the machine does meets all alike;
-then tasks that do nothing, and draws.
+then tasks that do nothing, and draws. Where other work keeps the cores busy the clock says little: seconds of the
+processor, of all processes together, stand beside it.
 """
 
 import argparse
 import pickle
+import resource
 import shutil
 import signal
 import statistics
 import tempfile
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import psutil
@@ -35,6 +40,14 @@ HOURS = 0.5  # of laser runs: 18 runs or so, a small plan
 SLOPES = 1e-8  # mm/mm and rad/mm
 DRAWS, POINTS = 20_000, 500
 TASKS = 2000
+PARTS = ("fleet", "some", "tasks", "draws")
+
+
+class Took(NamedTuple):
+    """Seconds by the clock, and of the processor, of this process and those that it started and that have ended."""
+
+    clock: float
+    processor: float
 
 
 def main() -> None:
@@ -43,14 +56,20 @@ def main() -> None:
     parser.add_argument("--broken", type=int, default=10, metavar="K", help="of them (%(default)s)")
     parser.add_argument("--measured", type=int, default=24, metavar="M", help="machines of a round (%(default)s)")
     parser.add_argument("--rounds", type=int, default=3, metavar="R", help="%(default)s")
+    parser.add_argument("--only", nargs="+", choices=PARTS, default=PARTS, help="default: all")
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as text:
         folder = Path(text)
-        write_machines(folder, args.machines, args.broken)
-        whole_fleet(folder, args.machines)
-        some_machines(folder, args.measured, args.rounds)
-    empty_tasks()
-    draws(args.rounds)
+        if {"fleet", "some"} & set(args.only):
+            write_machines(folder, args.machines, args.broken)
+        if "fleet" in args.only:
+            whole_fleet(folder, args.machines)
+        if "some" in args.only:
+            some_machines(folder, args.measured, args.rounds)
+    if "tasks" in args.only:
+        empty_tasks()
+    if "draws" in args.only:
+        draws(args.rounds)
 
 
 def write_machines(folder: Path, count: int, broken: int) -> None:
@@ -109,18 +128,21 @@ def whole_fleet(folder: Path, count: int) -> None:
 def some_machines(folder: Path, count: int, rounds: int) -> None:
     """Seconds of machines that have no faults, the start of the workers left out of none."""
     file = fleet_file(folder, range(1, count + 1))
-    seconds: dict[str, list[float]] = {"here": [], "1": [], "2": []}
+    took: dict[str, list[Took]] = {"here": [], "1": [], "2": []}
     for number in range(rounds):
-        for way, found in seconds.items():
-            out = folder / f"out-{number}-{way}"
-            found.append(timed(lambda out=out, way=way: run(file, out, way)))  # type: ignore[misc]
+        for way, found in took.items():
+            found.append(timed(partial(run, file, folder / f"out-{number}-{way}", way)))
     units = [unit for chain in chains_of(read_fleet(file), folder / "out-0-here") for unit in chain.units]
     row, _ = do_unit(units[0])
-    print(f"{count} machines, {rounds} rounds in turn; median seconds: "
-          + ", ".join(f"{way} {statistics.median(found):.1f}" for way, found in seconds.items()))  # fmt: skip
-    for way, workers in (("1", 1), ("2", 2)):
-        ratios = [here / (workers * found) for here, found in zip(seconds["here"], seconds[way], strict=True)]
-        print(f"efficiency on {way}: {statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})")
+    print(f"{count} machines, {rounds} rounds in turn; median seconds by the clock, of the processor:")
+    for way, found in took.items():
+        print(f"  {way}: {statistics.median(one.clock for one in found):.1f}, "
+              f"{statistics.median(one.processor for one in found):.1f}")  # fmt: skip
+    for workers in (1, 2):
+        pairs = list(zip(took["here"], took[str(workers)], strict=True))
+        clock = statistics.median(here.clock / (workers * there.clock) for here, there in pairs)
+        processor = statistics.median(here.processor / there.processor for here, there in pairs)
+        print(f"efficiency on {workers}: {clock:.2f} by the clock, {processor:.2f} of the processor")
     print(f"bytes: {len(pickle.dumps(units[0]))} to a worker, {len(pickle.dumps(row))} back, for each row")
 
 
@@ -133,10 +155,15 @@ def run(file: Path, out: Path, way: str) -> None:
             do_unit(unit)
 
 
-def timed(work: Callable[[], object]) -> float:
-    begin = time.perf_counter()
+def timed(work: Callable[[], object]) -> Took:
+    begin, used = time.perf_counter(), processor_seconds()
     work()
-    return time.perf_counter() - begin
+    return Took(time.perf_counter() - begin, processor_seconds() - used)
+
+
+def processor_seconds() -> float:
+    both = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(one.ru_utime + one.ru_stime for one in both)
 
 
 def empty_tasks() -> None:
@@ -158,14 +185,15 @@ def draws(rounds: int) -> None:
     errors = ta.identify(model, ta.simulate(model, truth, plan, noise_um=0.3, seed=1, replace_all=True)).errors
     source = np.random.default_rng(1)
     at = {axis: source.uniform(*model.travel[axis], POINTS) for axis in model.axes}
-    seconds: dict[int, list[float]] = {1: [], 2: []}
+    took: dict[int, list[Took]] = {1: [], 2: []}
     for _ in range(rounds):
-        for workers, found in seconds.items():
+        for workers, found in took.items():
             asked = ta.Draws(count=DRAWS, workers=workers)
-            found.append(timed(lambda asked=asked: ta.predict(model, errors, at, draws=asked)))  # type: ignore[misc]
-    for workers, found in seconds.items():
-        print(f"{DRAWS} draws at {POINTS} points, {workers} processes: {statistics.median(found):.1f} s, "
-              f"{1e-6 * DRAWS * POINTS / statistics.median(found):.1f} million points a second")  # fmt: skip
+            found.append(timed(partial(ta.predict, model, errors, at, draws=asked)))
+    for workers, found in took.items():
+        clock, processor = (statistics.median(one) for one in zip(*found, strict=True))
+        print(f"{DRAWS} draws at {POINTS} points, {workers} processes: {clock:.1f} s, of processors {processor:.1f} s, "
+              f"{1e-6 * DRAWS * POINTS / processor:.2f} million points a second of it")  # fmt: skip
 
 
 if __name__ == "__main__":

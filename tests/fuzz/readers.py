@@ -29,6 +29,8 @@ from trueaxis.effects.expression import parse
 from trueaxis.effects.placement import context_of
 from trueaxis.evaluation.iso230_2.evaluation import evaluate
 from trueaxis.evaluation.iso230_2.read import read_positioning_test
+from trueaxis.fleets.fleet_file import read_fleet
+from trueaxis.fleets.plan import chains_of
 from trueaxis.instrument_files.data_folder import readings_bytes, renamed, setup_text
 from trueaxis.instrument_files.data_run import data_run
 from trueaxis.instrument_files.read import read_instrument_file
@@ -130,6 +132,12 @@ def _tools(path: Path, _: Machine) -> object:
     return read_tools(path)
 
 
+def _fleet(path: Path, _: Machine) -> object:
+    """Its machines, and the folders that their patterns match."""
+    fleet = read_fleet(path)
+    return [chain.row or chain.units for chain in chains_of(fleet, path.parent / "out")]
+
+
 def _instrument(path: Path, machine: Machine) -> object:
     """What `import` makes of the file reads back as a data folder."""
     given = {f"at.{axis}": repr(sum(machine.travel[axis]) / 2) for axis in machine.axes}
@@ -191,6 +199,7 @@ READERS = (
     Reader("offsets-toml", "offsets.toml", _offsets, (*_COMPENSATE, "--offsets", "IN/offsets.toml", "IN/program.nc")),
     Reader("tools-tbl", "tool.tbl", _tools, (*_COMPENSATE, "--tools", "IN/tool.tbl", "IN/program.nc")),
     Reader("tools-toml", "tools.toml", _tools, (*_COMPENSATE, "--tools", "IN/tools.toml", "IN/program.nc")),
+    Reader("fleet", "fleet.toml", _fleet),
     Reader("iso230-table", "test.csv", _positioning_test, (*_EVALUATE, "IN/test.csv")),
     Reader("iso230-dat", "test.dat", _positioning_test, (*_EVALUATE, "IN/test.dat")),
     Reader("rtl", "laser.rtl", _instrument),

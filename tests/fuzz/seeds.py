@@ -87,6 +87,8 @@ def valid_files(spec: str, draw: Random) -> dict[str, bytes]:
         "offsets.toml": b'[offset.G54]\nX = 1.5\nY = [0.0, 2.0]\nZ = -3\n[offset."G54.1 P3"]\nX = 0.5\n',
         "tool.tbl": b"T1 P1 D6.0 Z+5.0 ;end mill\nT2 P2 X0.0 Z7.25\n",
         "tools.toml": b"[tool.1]\nlength = 5.0\n[tool.2]\nlength = 7.25\npoint = [0.0, 0.0, -7.25]\n",
+        "fleet.toml": b'[[machine]]\nid = "M1"\nspec = "machine.toml"\nerrors = "errors.json"\ndata = "da*"\n'
+        b'[[machine]]\nid = "M2"\nspec = "s/m.toml"\ndata = ["d/2026-*", "data"]\ntasks = ["report", "identify"]\n',
         "test.csv": _positioning(draw).encode(),
         "test.dat": _dat(draw).encode(),
         "laser.rtl": _rtl(machine, draw),

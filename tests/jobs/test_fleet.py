@@ -297,3 +297,35 @@ def test_a_damaged_row_is_made_anew(done: tuple[Path, ta.FleetResult], tmp_path:
         assert read_row(row.parent) is None
     assert ta.fleet(folder / "FLEET.toml", folder / "out", workers=1).made == 1
     assert read_row(row.parent) is not None
+
+
+@pytest.mark.slow
+def test_all_tasks_leave_the_files_of_the_single_commands(tmp_path: Path) -> None:
+    file = write_fleet(tmp_path, 2, dates=("2026-10-01", "2026-11-01"), changed=[1],
+                       tasks='tasks = ["identify", "diagnose", "report"]\n')  # fmt: skip
+    own = ta.fleet(file, tmp_path / "first", workers=1).folder / "machines" / "M0" / "2026-10-01"
+    shutil.copy(own / "errors.json", tmp_path / "now.json")
+    shutil.copy(own / "errors.npz", tmp_path / "errors.npz")  # which the values name
+    alone = '[[machine]]\nid = "shown"\nspec = "small.toml"\nerrors = "now.json"\ntasks = ["report"]\n'
+    text = file.read_text().replace('id = "M1"\n', 'id = "M1"\nerrors = "now.json"\n')
+    file.write_text(text + alone)
+    result = ta.fleet(file, tmp_path / "out", workers=2)
+    assert [row.faults for row in result.rows] == [()] * 5
+    rows = rows_of(tmp_path / "out")
+    assert all(row["verdict"] is not None for (name, _), row in rows.items() if name != "shown")
+    out = tmp_path / "out" / "machines"
+    for name in ("errors.json", "errors.npz", "report.html", "diagnosis/diagnosis.json", "diagnosis/report.html"):
+        assert (out / "M0" / "2026-11-01" / name).stat().st_size > 0
+    assert {path.name for path in (out / "shown" / "given").iterdir()} == {"report.html", "row.json"}
+    page = (tmp_path / "out" / "index.html").read_text()
+    for address in ("machines/M1/2026-11-01/report.html", "machines/M1/2026-11-01/diagnosis/report.html"):
+        assert f'href="{address}"' in page
+        assert (tmp_path / "out" / address).is_file()
+    kernels = next((tmp_path / "out" / "kernels").iterdir())
+    words = ["diagnose", "small.toml", "--data", "data/M1/2026-11-01", "--kernels", str(kernels)]
+    for name, errors in (("M1", tmp_path / "now.json"), ("M0", out / "M0" / "2026-11-01" / "errors.json")):
+        words[3] = f"data/{name}/2026-11-01"  # beside what the control has, else what was identified from the same data
+        command = [sys.executable, "-P", "-c", PROGRAM, *words, "--errors", str(errors), "--out", name]
+        subprocess.run(command, cwd=tmp_path, check=False, capture_output=True)
+        own = out / name / "2026-11-01" / "diagnosis" / "diagnosis.json"
+        assert json.loads(own.read_text()) == json.loads((tmp_path / name / "diagnosis.json").read_text())

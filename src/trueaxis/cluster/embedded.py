@@ -41,16 +41,16 @@ _CONFIGURATION = {
 @contextmanager
 def embedded_client(count: int, memory: int | None) -> Iterator[Any]:
     """A client of so many workers. memory: bytes of each, None: that of the computer in equal parts."""
-    import dask  # noqa: PLC0415  an extra, and half a second
-    from distributed import Client, Nanny, Scheduler, SpecCluster  # noqa: PLC0415
-    from distributed.system import MEMORY_LIMIT  # noqa: PLC0415
-
     environment = dict(ENVIRONMENT)
     if given := os.environ.get("PYTHONPATH"):
         environment["PYTHONPATH"] = os.pathsep.join(without_current_folder(given.split(os.pathsep)))
     with ExitStack() as stack:
         folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="trueaxis-", ignore_cleanup_errors=True))
         stack.enter_context(quiet())
+        import dask  # noqa: PLC0415  an extra, and half a second
+        from distributed import Client, Nanny, Scheduler, SpecCluster  # noqa: PLC0415
+        from distributed.system import MEMORY_LIMIT  # noqa: PLC0415
+
         own = {"distributed.nanny.pre-spawn-environ": environment, "temporary-directory": folder}
         stack.enter_context(dask.config.set({**_CONFIGURATION, **own}))
         http = {

@@ -1,6 +1,7 @@
 """Dask's own messages reach nobody: what a user must know of lost workers is told by who gave them work."""
 
 import logging
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -10,7 +11,14 @@ _SILENT = logging.CRITICAL + 1
 
 @contextmanager
 def quiet() -> Iterator[None]:
-    """Silence the loggers of Dask in this process, all below NAMES; they are as before afterwards."""
+    """Import Dask and silence its loggers in this process, all below NAMES.
+
+    Where the process had imported it for something else they are as before afterwards; else they stay silent, so that
+    nothing is heard of what Dask clears away at the end of an interrupted process.
+    """
+    foreign = "distributed" in sys.modules and logging.getLogger("distributed").level != _SILENT
+    import distributed  # noqa: F401, PLC0415  it sets its loggers when it is imported
+
     known = [name for name in logging.root.manager.loggerDict if name.split(".")[0] in NAMES]
     before = {name: logging.getLogger(name).level for name in {*NAMES, *known}}
     for name in before:
@@ -18,5 +26,5 @@ def quiet() -> Iterator[None]:
     try:
         yield
     finally:
-        for name, level in before.items():
+        for name, level in before.items() if foreign else ():
             logging.getLogger(name).setLevel(level)

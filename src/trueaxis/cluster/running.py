@@ -19,14 +19,14 @@ _RIGHT = "an address such as tcp://192.168.0.10:8786, as the scheduler prints it
 @contextmanager
 def running_client(address: str) -> Iterator[Any]:
     """A client of the scheduler at that address. Raises InputError where none answers there, or it has no workers."""
-    from distributed import Client  # noqa: PLC0415  an extra, and half a second
-
     host, port = _host_and_port(address)
     try:  # Dask would try again and again
         socket.create_connection((host, port), SECONDS).close()
     except OSError as error:
         raise _fault(address, f"nothing answers there: {error.strerror or error}") from None
     with quiet():
+        from distributed import Client  # noqa: PLC0415  an extra, and half a second
+
         try:
             asyncio.run(asyncio.wait_for(_identity(address), SECONDS))
         except (OSError, TimeoutError, ValueError) as error:  # another service, or another protocol

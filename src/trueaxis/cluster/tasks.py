@@ -1,11 +1,15 @@
 """Tasks in an order that they ask for, a bounded number at a time; whatever becomes of one, the others go on."""
 
+import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from trueaxis.io.faults import Fault, InputError
+
+# s: workers come and go, and to ask the scheduler how many there are takes 20 ms, as long as a hundred small tasks
+ASK_AGAIN = 1.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,8 +54,12 @@ def run_tasks(client: Any, tasks: Sequence[Task], ahead: int = 0) -> Iterator[En
     running = as_completed([], loop=client.loop)
     keys: dict[Any, str] = {}
 
+    threads, asked_at = 0, -ASK_AGAIN
+
     def fill() -> None:
-        threads = sum(client.nthreads().values()) if ready else 0
+        nonlocal threads, asked_at
+        if ready and time.monotonic() - asked_at >= ASK_AGAIN:
+            threads, asked_at = sum(client.nthreads().values()), time.monotonic()
         while ready and len(keys) < max(1, threads * (1 + ahead)):
             task = of_key[ready.popleft()]
             future = client.submit(task.function, *task.arguments, pure=False)
