@@ -55,7 +55,8 @@ def test_an_unknown_variable_is_an_error_and_not_an_empty_text() -> None:
 
 
 C_TEMPLATES = {f"{name}.{end}.j2" for name in ("kernels", "control") for end in "ch"}  # see test_c_source
-PAGES = ("report.html.j2", "certificate.html.j2")  # of a diagnosis, of error values
+# of a diagnosis, of error values, of a fleet; the style of the latter two
+PAGES = ("report.html.j2", "certificate.html.j2", "fleet.html.j2", "page_style.css.j2")
 
 
 def test_every_template_is_used() -> None:
