@@ -1,7 +1,7 @@
 """Readings that cannot be what the set-up says: runs that contradict the others, and all readings too small."""
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -24,22 +24,57 @@ READS: Mapping[How, str] = {
 LEAST_MACHINE = 1.0 / 30.0
 # mm: less than any instrument scatters in a shop, where air and temperature alone make some ten nanometres in a metre.
 LEAST_NOISE = 2e-5
+MOST_RUNS = 10  # that are listed
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Contradicting:
+    """Runs that contradict the others, the surest first. times: how far the farthest is off, over its noise;
+    zeros_free: the same where zeros may be anything; moved, u: how far the tool point moves without them, and its
+    uncertainty, mm.
+    """
+
+    runs: tuple[str, ...]
+    times: float
+    zeros_free: float
+    moved: float
+    u: float
+
+    @property
+    def matter(self) -> bool:
+        """Whether they are off by more than noise of any form and a zero that is far off, or what is said of the tool
+        point does not hold where they are wrong.
+        """
+        return self.moved > self.u or self.zeros_free > MISFIT_OF_RUN
+
+    def __str__(self) -> str:
+        verb, them = ("contradicts", "it") if len(self.runs) == 1 else ("contradict", "them")
+        left = len(self.runs) - MOST_RUNS
+        named = [*self.runs[:MOST_RUNS], f"{left} more"] if left > 0 else self.runs
+        return (
+            f"run{'s' if len(self.runs) > 1 else ''} {enumerated(named)} {verb} all others, by {self.times:.2g} times "
+            f"the noise; without {them} the tool point moves by {self.moved * 1e3:.2g} um in the volume, where u is "
+            f"{self.u * 1e3:.2g} um (are runs swapped, is a target, reference, home or ball not where setup.toml says, "
+            "or does the model lack an effect? diagnose tells more)"
+        )
 
 
 def with_misread(judged: FitQuality, observed: Observations, found: Estimate) -> FitQuality:
     """A misfit where runs are misread for sure, or contradict the others by much: the values follow them, too."""
     sure = {observed.runs[index].id: one for index, one in found.readings.misread.items() if one.sure}
     reasons, named = [_of_runs(sure) if sure else _of_all(found)], tuple(sure)
-    if _matter(found):
-        reasons, named = [*reasons, _of_contradicting(observed, found)], named + _contradicting(observed, found)
+    contradicting = _contradicting(observed, found)
+    if contradicting is not None and contradicting.matter:
+        reasons, named = [*reasons, str(contradicting)], named + contradicting.runs
     reason = "; ".join(filter(None, reasons))
     return replace(judged, fit=Fit("misfit", judged.fit.chi2, named), reason=reason) if reason else judged
 
 
 def misread_notes(observed: Observations, found: Estimate) -> tuple[str, ...]:
     """Runs that may be misread, with the odds, and those that contradict the others but change little."""
-    contradict = () if _matter(found) or not found.readings.contradicting else (_of_contradicting(observed, found),)
-    return contradict + tuple(
+    contradicting = _contradicting(observed, found)
+    little = () if contradicting is None or contradicting.matter else (str(contradicting),)
+    return little + tuple(
         f"run {observed.runs[index].id} may read {READS[one.how]}: by a factor of {np.exp(one.log_odds):.2g} the "
         "readings are likelier so, which is not enough to be sure"
         for index, one in found.readings.misread.items()
@@ -57,32 +92,17 @@ def _of_runs(sure: Mapping[str, Misread]) -> str:
     return "; ".join(f"run {run} reads {READS[one.how]}" for run, one in sure.items())
 
 
-def _contradicting(observed: Observations, found: Estimate) -> tuple[str, ...]:
-    """Ids of the runs, the surest first."""
-    return tuple(observed.runs[index].id for one in found.readings.contradicting for index in one.runs)
-
-
-def _matter(found: Estimate) -> bool:
-    """Whether runs that contradict the others do so by more than noise of any form and a zero that is far off, or what
-    is said of the tool point does not hold where they are wrong.
-    """
+def _contradicting(observed: Observations, found: Estimate) -> Contradicting | None:
     each = found.readings.contradicting
     if not each:
-        return False
+        return None
     moved, u = moved_without(found, [ORIGIN])
-    return moved > u or max(one.zeros_free for one in each) > MISFIT_OF_RUN
-
-
-def _of_contradicting(observed: Observations, found: Estimate) -> str:
-    runs = _contradicting(observed, found)
-    moved, u = moved_without(found, [ORIGIN])
-    far = max(one.times for one in found.readings.contradicting)
-    verb, them = ("contradicts", "it") if len(runs) == 1 else ("contradict", "them")
-    return (
-        f"run{'s' if len(runs) > 1 else ''} {enumerated(runs)} {verb} all others, by {far:.2g} times the noise; "
-        f"without {them} the tool point moves by {moved * 1e3:.2g} um in the volume, where u is {u * 1e3:.2g} um "
-        "(are runs swapped, is a target, reference, home or ball not where setup.toml says, or does the model lack an "
-        "effect? diagnose tells more)"
+    return Contradicting(
+        runs=tuple(observed.runs[index].id for one in each for index in one.runs),
+        times=max(one.times for one in each),
+        zeros_free=max(one.zeros_free for one in each),
+        moved=moved,
+        u=u,
     )
 
 
