@@ -225,3 +225,20 @@ def test_the_precision_is_that_of_the_whole_covariance(seed: int) -> None:
     assert block_diag(*found.blocks()) == pytest.approx(dense * block_diag(*map(np.ones_like, noise)), abs=1e-10)
     assert found.within(repeated) == pytest.approx(np.trace(repeated.T @ dense @ repeated), abs=1e-9)
     assert root == pytest.approx(0.5 * (np.linalg.slogdet(held)[1] - np.linalg.slogdet(inverse)[1]), abs=1e-9)
+
+
+def test_only_what_repeats_tell_counts_as_degrees_of_freedom_of_the_noise() -> None:
+    """Readings of targets that are read once differ from the base by what it gets wrong as much as by noise: counted
+    as degrees of freedom they made the tests that divide by the noise far too sure.
+    """
+    rows, base = measured()
+    run = np.array([base.runs[k].rows.run.id for k in np.searchsorted([r.rows.index for r in base.runs], rows.run)])
+    keep = np.char.endswith(run, "-1") | np.char.startswith(run, "X1")
+    rows, base = rows.only(keep), base.only(keep)
+    misfit = 100.0 * SIGMA * np.random.default_rng(3).standard_normal(int(rows.target.max()) + 1)[rows.target]
+    found = np.mean([noise_of(drawn(rows, seed) + misfit, rows, base).freedom for seed in range(DRAWS)])
+    own = block_diag(*(base.own[k][np.argsort(one.rows.at)] for k, one in enumerate(base.runs)))
+    targets = np.equal.outer(rows.target, np.unique(rows.target)).astype(float)
+    contrasts = rows.size - np.linalg.matrix_rank(np.hstack([own, targets]))
+    assert found == pytest.approx(contrasts, rel=0.1)
+    assert contrasts < 0.5 * rows.size
