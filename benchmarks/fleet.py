@@ -38,7 +38,7 @@ ROOT = Path(__file__).parents[1]
 MACHINE = ROOT / "machines" / "cframe_mill.toml"
 HOURS = 0.5  # of laser runs: 18 runs or so, a small plan
 SLOPES = 1e-8  # mm/mm and rad/mm
-DRAWS, POINTS = 20_000, 500
+DRAWS, POINTS = 100_000, 500
 TASKS = 2000
 PARTS = ("fleet", "some", "tasks", "draws")
 
@@ -193,8 +193,8 @@ def draws(rounds: int) -> None:
     for workers, found in took.items():
         clock, processor = (statistics.median(one) for one in zip(*found, strict=True))
         rate = 1e-6 * DRAWS * POINTS / processor
-        print(f"{DRAWS} draws at {POINTS} points, {workers} processes: {processor:.1f} s of the processor ({clock:.1f} by "
-              f"the clock), {rate:.2f} million points a second")  # fmt: skip
+        print(f"{DRAWS} draws at {POINTS} points, {workers} processes: {processor:.1f} s of the processor ({clock:.1f} "
+              f"by the clock), {rate:.2f} million points a second")  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import trueaxis as ta
 from tests.machines import ROOT
 
 WIDTH, U = 8e-3, 1e-3  # mm, of the play of Y
-AT = {"X": 100.0, "Y": [50.0, 200.0], "Z": -100.0}
+AT = np.array([[100.0, 100.0], [50.0, 200.0], [-100.0, -100.0]])
 
 
 @pytest.fixture(scope="module")
