@@ -32,13 +32,13 @@ from trueaxis.cluster.workers import Workers, client_of
 from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.plan import chains_of
 from trueaxis.jobs.fleet_unit import do_unit
-from trueaxis.model.curves import PolynomialCurve
+from trueaxis.model.curves import Curve, PolynomialCurve
 
 ROOT = Path(__file__).parents[1]
 MACHINE = ROOT / "machines" / "cframe_mill.toml"
 HOURS = 0.5  # of laser runs: 18 runs or so, a small plan
 SLOPES = 1e-8  # mm/mm and rad/mm
-DRAWS, POINTS = 20_000, 500
+DRAWS, POINTS = 100_000, 500
 TASKS = 2000
 PARTS = ("fleet", "some", "tasks", "draws")
 
@@ -79,9 +79,10 @@ def write_machines(folder: Path, count: int, broken: int) -> None:
     plan = ta.plan(model, instruments=["laser"], hours=HOURS, out=folder / "plan").data
     for number in range(count):
         source = np.random.default_rng(number)
-        slopes = {str(name): SLOPES * source.standard_normal() for name in model.components}
-        curves = {name: PolynomialCurve(powers=(1,), coefficients=(slope,)) for name, slope in slopes.items()}
-        values = ta.ErrorValues(machine=model.name, motion_errors=curves)
+        curves: dict[str, Curve] = {
+            name: PolynomialCurve((1,), (SLOPES * source.standard_normal(),)) for name in model.components
+        }
+        values = ta.ErrorValues(model.name, motion_errors=curves)
         truth = ta.Errors(values, ta.load_errors(write_zero(folder, model), model).covariance)
         data = ta.simulate(model, truth, plan, noise_um=0.3, seed=number, replace_all=True)
         ta.save_data(folder / "data" / f"M{number:04d}" / "2026-11-01", data)
@@ -126,24 +127,23 @@ def whole_fleet(folder: Path, count: int) -> None:
 
 
 def some_machines(folder: Path, count: int, rounds: int) -> None:
-    """Seconds of machines that have no faults, the start of the workers left out of none."""
-    file = fleet_file(folder, range(1, count + 1))
-    took: dict[str, list[Took]] = {"here": [], "1": [], "2": []}
+    """Many machines without faults, and one alone: the difference is without the start of the workers."""
+    took: dict[tuple[str, int], list[Took]] = {(way, size): [] for size in (1, count) for way in ("here", "1", "2")}
     for number in range(rounds):
-        for way, found in took.items():
-            found.append(timed(partial(run, file, folder / f"out-{number}-{way}", way)))
-    units = [unit for chain in chains_of(read_fleet(file), folder / "out-0-here") for unit in chain.units]
-    row, _ = do_unit(units[0])
-    print(f"{count} machines, {rounds} rounds in turn; median seconds by the clock, of the processor:")
-    for way, found in took.items():
-        print(f"  {way}: {statistics.median(one.clock for one in found):.1f}, "
-              f"{statistics.median(one.processor for one in found):.1f}")  # fmt: skip
-    for workers in (1, 2):
-        pairs = list(zip(took["here"], took[str(workers)], strict=True))
-        clock = statistics.median(here.clock / (workers * there.clock) for here, there in pairs)
-        processor = statistics.median(here.processor / there.processor for here, there in pairs)
-        print(f"efficiency on {workers}: {clock:.2f} by the clock, {processor:.2f} of the processor")
-    print(f"bytes: {len(pickle.dumps(units[0]))} to a worker, {len(pickle.dumps(row))} back, for each row")
+        for (way, size), found in took.items():
+            file = fleet_file(folder, range(1, size + 1))
+            found.append(timed(partial(run, file, folder / f"out-{number}-{way}-{size}", way)))
+    chains = chains_of(read_fleet(fleet_file(folder, range(1, 2))), folder / "out-0-here-1")
+    row, _ = do_unit(chains[0].units[0])
+    print(f"{rounds} rounds in turn; median seconds of the processor (by the clock):")
+    used = {}
+    for (way, size), found in took.items():
+        used[way, size] = statistics.median(one.processor for one in found)
+        print(f"  {size} machines, {way}: {used[way, size]:.1f} ({statistics.median(one.clock for one in found):.1f})")
+    for way in ("1", "2"):
+        further = (used["here", count] - used["here", 1]) / (used[way, count] - used[way, 1])
+        print(f"efficiency on {way}: {used['here', count] / used[way, count]:.2f}; without the start: {further:.2f}")
+    print(f"bytes: {len(pickle.dumps(chains[0].units[0]))} to a worker, {len(pickle.dumps(row))} back, for each row")
 
 
 def run(file: Path, out: Path, way: str) -> None:
@@ -192,8 +192,9 @@ def draws(rounds: int) -> None:
             found.append(timed(partial(ta.predict, model, errors, at, draws=asked)))
     for workers, found in took.items():
         clock, processor = (statistics.median(one) for one in zip(*found, strict=True))
-        print(f"{DRAWS} draws at {POINTS} points, {workers} processes: {clock:.1f} s, of processors {processor:.1f} s, "
-              f"{1e-6 * DRAWS * POINTS / processor:.2f} million points a second of it")  # fmt: skip
+        rate = 1e-6 * DRAWS * POINTS / processor
+        print(f"{DRAWS} draws at {POINTS} points, {workers} processes: {processor:.1f} s of the processor ({clock:.1f} "
+              f"by the clock), {rate:.2f} million points a second")  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -51,6 +51,12 @@ def test_absolute_patterns_are_kept(tmp_path: Path) -> None:
 def test_what_matches_nothing_and_names_that_are_one_are_told(tmp_path: Path) -> None:
     make(tmp_path, "a/2026-11-03", "b/2026-11-03")
     with pytest.raises(InputError) as error:
-        data_folders(tmp_path, ("c/*", "?/2026-*"))
-    assert [fault.file for fault in error.value.faults] == ["c/*", "b/2026-11-03"]
+        data_folders(tmp_path, ("c/*", "?/2026-*", "a/.."))
+    assert [fault.file for fault in error.value.faults] == ["c/*", "b/2026-11-03", "a/.."]
     assert "matches no folder" in error.value.faults[0].problem
+
+
+def test_a_link_has_its_own_name(tmp_path: Path) -> None:
+    make(tmp_path, "d/2026-11-03")
+    (tmp_path / "d" / "latest").symlink_to("2026-11-03")
+    assert [one.path.name for one in data_folders(tmp_path, ("d/*",))] == ["latest", "2026-11-03"]

@@ -5,14 +5,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 
 import trueaxis as ta
 from tests.machines import ROOT
 
 WIDTH, U = 8e-3, 1e-3  # mm, of the play of Y
-AT: dict[str, npt.ArrayLike] = {"X": 100.0, "Y": [50.0, 200.0], "Z": -100.0}
+AT = np.array([[100.0, 100.0], [50.0, 200.0], [-100.0, -100.0]])
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,10 @@ import trueaxis as ta
 from tests.command_lines import PROGRAM, leftovers
 from tests.fleets.small_fleet import SLOPE, write_data, write_fleet
 from trueaxis.cli.main import main
+from trueaxis.fleets.fleet_file import read_fleet
+from trueaxis.fleets.plan import chains_of
 from trueaxis.fleets.row import read_row
+from trueaxis.jobs.fleet_unit import do_unit
 
 
 def rows_of(out: Path) -> dict[tuple[str, str], dict[str, Any]]:
@@ -269,11 +273,11 @@ def test_wrong_files_and_options_write_nothing(tmp_path: Path, capsys: pytest.Ca
     (tmp_path / "file").write_text("")
     assert main(["fleet", str(file), "--out", str(tmp_path / "file")]) == 2
     assert "is a file" in capsys.readouterr().err
-    assert not (tmp_path / "out" / "results.parquet").exists()
+    assert not (tmp_path / "out").exists()
     with pytest.raises(ValueError, match="workers: expected a whole number"):
         ta.fleet(file, tmp_path / "out", workers=0)
-    with pytest.raises(ValueError, match="memory: expected a finite number above 0"):
-        ta.fleet(file, tmp_path / "out", memory=-1.0)
+    with pytest.raises(ValueError, match=r"memory: expected GB, at least 0\.5; given 0\.1"):
+        ta.fleet(file, tmp_path / "out", memory=0.1)
 
 
 def test_workers_run_no_modules_that_lie_beside_the_data(tmp_path: Path) -> None:
@@ -285,6 +289,26 @@ def test_workers_run_no_modules_that_lie_beside_the_data(tmp_path: Path) -> None
     assert (done.returncode, done.stderr) == (0, "")
     assert "1 made now" in done.stdout
     assert not (tmp_path / "evidence").exists()
+
+
+def test_a_row_names_no_files_beyond_its_folder(done: tuple[Path, ta.FleetResult], tmp_path: Path) -> None:
+    folder = tmp_path / "fleet"
+    shutil.copytree(done[0], folder)
+    row = folder / "out" / "machines" / "M0" / "2026-10-01" / "row.json"
+    for name in ("../../../../FLEET.toml", str(folder / "FLEET.toml")):
+        row.write_text(json.dumps({**json.loads(row.read_text()), "files": [name]}))
+        ta.fleet(folder / "FLEET.toml", folder / "out", workers=1, again=True)
+        assert (folder / "FLEET.toml").is_file()
+
+
+def test_another_version_of_the_program_is_told(tmp_path: Path) -> None:
+    file = write_fleet(tmp_path, 1, dates=("2026-10-01",))
+    (chain,) = chains_of(read_fleet(file), tmp_path / "out")
+    row, made = do_unit(replace(chain.units[0], version="0.0.1"))
+    assert made
+    assert row.faults == (
+        f"the worker: has trueaxis {ta.__version__}; the fleet was started by 0.0.1; the same version on all computers",
+    )
 
 
 def test_a_damaged_row_is_made_anew(done: tuple[Path, ta.FleetResult], tmp_path: Path) -> None:

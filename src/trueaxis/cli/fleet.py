@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 from trueaxis.cli.arguments import option, positive, whole
 from trueaxis.cli.progress import progress
+from trueaxis.cluster.embedded import LEAST_MEMORY
 from trueaxis.cluster.workers import MOST_WORKERS
 from trueaxis.io.faults import InputError
 from trueaxis.jobs.outputs import named
-from trueaxis.jobs.workers import faults_of_workers
+from trueaxis.jobs.workers import GB, faults_of_workers
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -41,7 +42,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="processes on this computer (default: one for each core)",
     )  # fmt: skip
     parser.add_argument(
-        "--memory", type=positive, metavar="GB",
+        "--memory", type=_memory, metavar="GB",
         help="memory of each of them: who takes more is ended and started again; a machine that needs more three times "
         "over is a row that says so (default: that of the computer in equal parts)",
     )  # fmt: skip
@@ -52,6 +53,14 @@ def add_parser(subparsers: "Subparsers") -> None:
     )  # fmt: skip
     parser.add_argument("--again", action="store_true", help="do also what is unchanged since it was done")
     parser.set_defaults(run=run)
+
+
+def _memory(text: str) -> float:
+    """GB. Raises argparse.ArgumentTypeError where no worker can work with them."""
+    given = positive(text)
+    if given * GB < LEAST_MEMORY:
+        raise argparse.ArgumentTypeError(f"{text} is less than a worker needs: {LEAST_MEMORY / GB:g} GB")
+    return given
 
 
 def run(args: argparse.Namespace) -> int:

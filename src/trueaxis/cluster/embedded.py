@@ -12,11 +12,13 @@ from typing import Any
 
 from trueaxis.cluster.quiet import quiet
 from trueaxis.import_path import without_current_folder
+from trueaxis.io.faults import Fault, InputError
 
 LOOPBACK = "127.0.0.1"
 # A task that has taken so many workers with it is given up. One loss may be another program's fault, and workers wait
 # for tasks one at a time, so that no task is blamed for its neighbour.
 WORKERS_LOST = 3
+LEAST_MEMORY = 500_000_000  # bytes of a worker: twice what one takes that has loaded the program
 MEMORY_SHARE = 0.95  # of a worker's memory: from there on it is ended, before the system has to choose a process
 # OpenBLAS and its like: one thread, as in the command itself; the last digits depend on the number of threads.
 # PYTHONSAFEPATH: a new process imports nothing from the current folder, which holds data. DASK_LOGGING: what a worker
@@ -53,16 +55,21 @@ def embedded_client(count: int, memory: int | None) -> Iterator[Any]:
 
         own = {"distributed.nanny.pre-spawn-environ": environment, "temporary-directory": folder}
         stack.enter_context(dask.config.set({**_CONFIGURATION, **own}))
-        http = {
-            "dashboard": False,
-            "dashboard_address": f"{LOOPBACK}:0",
-        }  # an HTTP server there must be; it has nothing
-        options = {"nthreads": 1, "memory_limit": memory or MEMORY_LIMIT // count, "host": LOOPBACK, **http}
-        cluster = stack.enter_context(
-            SpecCluster(
+        share = MEMORY_LIMIT // count
+        if memory is None and share < LEAST_MEMORY:
+            problem = f"{count} of them have {share / 1e9:.2g} GB of memory each"
+            raise InputError([Fault("workers", "", problem, f"{max(1, MEMORY_LIMIT // LEAST_MEMORY)} at most")])
+        # an HTTP server there must be; this one has nothing to show
+        http = {"dashboard": False, "dashboard_address": f"{LOOPBACK}:0"}
+        options = {"nthreads": 1, "memory_limit": memory or share, "host": LOOPBACK, **http}
+        try:
+            cluster = SpecCluster(
                 scheduler={"cls": Scheduler, "options": {"host": LOOPBACK, "port": 0, **http}},
                 workers={number: {"cls": Nanny, "options": options} for number in range(count)},
                 silence_logs=False,
             )
-        )
+        except RuntimeError as error:
+            remedy = 'a script that asks for workers does so under `if __name__ == "__main__":`'
+            raise InputError([Fault("workers", "", f"cannot be started: {error}", remedy)]) from None
+        stack.enter_context(cluster)
         yield stack.enter_context(Client(cluster, set_as_default=False))

@@ -37,6 +37,9 @@ def data_folders(base: Path, given: tuple[str, ...]) -> tuple[DatedFolder, ...]:
             faults.append(Fault(text, "", "matches no folder", "folders with setup.toml, from the fleet file"))
         for name in matched:
             folder = DatedFolder(name, base / name, date_of(Path(name).name))
+            if folder.path.name in ("", ".."):
+                faults.append(Fault(name, "", "has no name of its own, which results go by", "the folder by its name"))
+                continue
             other = found.setdefault(folder.path.name.casefold(), folder)
             if other.path != folder.path:
                 problem = f"has the name of {other.name}, which results go by"

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from trueaxis import __version__
 from trueaxis.fleets.data_folders import data_folders
 from trueaxis.fleets.fleet_file import Fleet, FleetMachine
 from trueaxis.fleets.row import Row
@@ -10,6 +11,7 @@ from trueaxis.fleets.unit import Unit
 from trueaxis.io.faults import Fault, InputError
 
 MACHINES, KERNELS = "machines", "kernels"  # folders of the results: of each machine, and of the kernels of each spec
+GIVEN = "given"  # folder of a machine whose values are shown as they are given
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,13 +41,13 @@ def _chain(base: Path, machine: FleetMachine, out: Path) -> Chain:
     errors = None if machine.errors is None else base / machine.errors
     units: list[Unit] = []
     for folder in folders or (None,):
-        name = "given" if folder is None else folder.path.resolve().name
+        name = GIVEN if folder is None else folder.path.name
         units.append(
             Unit(
                 machine=machine.id, data="" if folder is None else folder.name,
                 date=None if folder is None or folder.date is None else folder.date.isoformat(), tasks=machine.tasks,
                 base=base, spec=base / machine.spec, errors=errors, folder=None if folder is None else folder.path,
-                out=own / name, before=units[-1].out if units else None, kernels=out / KERNELS,
+                out=own / name, before=units[-1].out if units else None, kernels=out / KERNELS, version=__version__,
             )
         )  # fmt: skip
     return Chain(tuple(units))

@@ -95,9 +95,12 @@ def read_row(folder: Path) -> Row | None:
     """The row of a folder of results; None where there is none, or another version or a damaged disk wrote it."""
     try:
         tree = json.loads((folder / ROW_FILE).read_text(encoding="utf-8"))
-        return _row(tree) if tree.pop("schema") == SCHEMA else None
+        row = _row(tree) if tree.pop("schema") == SCHEMA else None
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return None
+    # files that a row names are removed when it is made anew: none beyond its folder
+    own = row is not None and all(not Path(name).is_absolute() and ".." not in Path(name).parts for name in row.files)
+    return row if own else None
 
 
 def _row(tree: dict[str, Any]) -> Row:

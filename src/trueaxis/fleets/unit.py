@@ -6,7 +6,6 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from trueaxis import __version__
 from trueaxis.fleets.row import SCHEMA, Row, read_row
 from trueaxis.io.toml_lines import LARGEST_TEXT
 from trueaxis.measurement import readings, setup
@@ -18,7 +17,8 @@ _DATA = (setup.FILE_NAME, readings.FILE_NAME, readings.PARQUET_NAME)
 class Unit:
     """machine: id; data, date: as in a row; tasks; base: folder of the fleet file; spec, errors (None: not given),
     folder (of the data, None: there are none): absolute paths; out: absolute folder of its results; before: that of the
-    machine's folder of data before this one, None: it is the first; kernels: folder that has one for each spec.
+    machine's folder of data before this one, None: it is the first; kernels: folder that has one for each spec;
+    version: of the program that gives the work away.
     """
 
     machine: str
@@ -32,6 +32,7 @@ class Unit:
     out: Path
     before: Path | None
     kernels: Path
+    version: str
 
 
 def values_before(unit: Unit) -> Path | None:
@@ -51,7 +52,7 @@ def inputs_digest(unit: Unit) -> str:
     if unit.folder is not None:
         files |= {name: unit.folder / name for name in _DATA}
         files |= _named_in(unit.folder / setup.FILE_NAME, "compensation")
-    asked = [SCHEMA, __version__, unit.machine, unit.data, unit.tasks]
+    asked = [SCHEMA, unit.version, unit.machine, unit.data, unit.tasks]
     digests = {name: None if path is None else _digest(path) for name, path in files.items()}
     return hashlib.sha256(json.dumps([asked, digests], sort_keys=True).encode()).hexdigest()
 

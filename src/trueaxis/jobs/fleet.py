@@ -162,7 +162,7 @@ def _lost(unit: Unit, ended: Ended) -> Row:
         )
     else:
         problem = f"{type(ended.error).__name__}: {ended.error}"
-        fault = f"a worker could not take it: {problem}; all need this version of trueaxis"
+        fault = f"a worker could not do it: {problem}; all need this version of trueaxis and the folder of --out"
     before = None if unit.before is None else read_row(unit.before)
     newest = None
     if unit.before is not None and before is not None and before.newest is not None:
@@ -192,6 +192,7 @@ def _written(folder: Path, name: str, rows: tuple[Row, ...], summary: Summary) -
 @contextmanager
 def _held(folder: Path) -> Iterator[None]:
     """Hold the folder while it is written. Raises InputError where another run holds it."""
+    made = not folder.exists()
     folder.mkdir(parents=True, exist_ok=True)
     if sys.platform == "win32":  # no folder can be locked there
         yield
@@ -205,3 +206,5 @@ def _held(folder: Path) -> Iterator[None]:
         yield
     finally:
         os.close(handle)
+        if made and not any(folder.iterdir()):  # nothing came of it
+            folder.rmdir()

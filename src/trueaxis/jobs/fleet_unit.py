@@ -10,6 +10,7 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
+from trueaxis import __version__
 from trueaxis.fleets.row import ROW_FILE, CauseFound, Row, ToolFound, ValueFound, read_row, row_text
 from trueaxis.fleets.unit import Unit, inputs_digest, kept_row, values_before
 from trueaxis.identification.fit_quality import NotConvergedError
@@ -116,6 +117,9 @@ class _Work:
     def _read(self) -> tuple[MachineModel, Errors | None, Errors | None, DataFolder | None]:
         """Model, values given, values before, data. Raises InputError with the faults of all of them."""
         unit = self.unit
+        if unit.version != __version__:
+            problem = f"has trueaxis {__version__}; the fleet was started by {unit.version}"
+            raise InputError([Fault("the worker", "", problem, "the same version on all computers")])
         faults: list[Fault] = []
         model = _model(unit.spec, _kernels_of(unit.spec, unit.kernels), unit.spec.read_bytes())
         earlier = values_before(unit)
@@ -175,7 +179,7 @@ class _Work:
     def _compare(self, model: MachineModel, now: Errors, before: Errors | None) -> None:
         """The errors as figures, beside those before; as a document where that is asked for."""
         with self.telling():
-            older = None if before is None or before.file == now.file else before
+            older = None if before is None or _same(before, now) else before
             if "report" in self.unit.tasks:
                 page = self.unit.out / REPORT
                 figures = report(model, now, page, against=older).content
@@ -245,6 +249,11 @@ def _tool(figures: Content) -> ToolFound:
 def _known(value: float | None) -> float | None:
     """None where it is no finite number."""
     return None if value is None or not math.isfinite(value) else value
+
+
+def _same(one: Errors, other: Errors) -> bool:
+    """Whether both were read from one file."""
+    return one.file is not None and other.file is not None and one.file.samefile(other.file)
 
 
 def _relative(path: Path, folder: Path) -> str:

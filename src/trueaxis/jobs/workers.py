@@ -1,8 +1,8 @@
 """Who does the work, as a user asks for it."""
 
+from trueaxis.cluster.embedded import LEAST_MEMORY
 from trueaxis.cluster.workers import MOST_WORKERS, Workers
 from trueaxis.io.faults import Fault, InputError
-from trueaxis.jobs.arrays import above_zero
 from trueaxis.jobs.given import Spelled, argument
 
 GB = 10**9  # bytes
@@ -13,7 +13,8 @@ def workers_of(workers: int | None, memory: float | None, scheduler: str | None)
 
     Raises ValueError for numbers out of their range, InputError for what does not go together.
     """
-    above_zero(memory=memory)
+    if memory is not None and not LEAST_MEMORY <= memory * GB < float("inf"):
+        raise ValueError(f"memory: expected GB, at least {LEAST_MEMORY / GB:g}; given {memory}")
     if workers is not None and not (isinstance(workers, int) and 1 <= workers <= MOST_WORKERS):
         raise ValueError(f"workers: expected a whole number from 1 to {MOST_WORKERS}; given {workers}")
     if faults := faults_of_workers(scheduler, workers=workers, memory=memory):

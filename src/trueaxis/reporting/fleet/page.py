@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from urllib.parse import quote
 
-from trueaxis.fleets.plan import MACHINES
+from trueaxis.fleets.plan import GIVEN, MACHINES
 from trueaxis.fleets.row import CauseFound, Row
 from trueaxis.fleets.summary import Summary
 from trueaxis.reporting.diagnosis.html import rendered
@@ -169,7 +169,7 @@ def _of(text: str) -> Cell:
 
 def _machine(row: Row) -> Cell:
     """The machine with links to its documents."""
-    folder = PurePosixPath(MACHINES, row.machine, PurePosixPath(row.data).name or "given")
+    folder = PurePosixPath(MACHINES, row.machine, PurePosixPath(row.data).name or GIVEN)
     links = [(text, quote(str(folder / file))) for text, file in DOCUMENTS if file in row.files]
     return Cell((row.machine,), tuple(links))
 
