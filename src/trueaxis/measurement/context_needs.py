@@ -8,11 +8,11 @@ import numpy.typing as npt
 from trueaxis.effects.kind import Kind
 from trueaxis.effects.placement import concerns, used_variables
 from trueaxis.io.faults import Fault
-from trueaxis.measurement.machine import EffectMachine
 from trueaxis.measurement.readings import Readings
 from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
 from trueaxis.model.effect_values import EffectValues
+from trueaxis.model.model import MachineModel
 
 BoolArray = npt.NDArray[np.bool_]
 
@@ -25,7 +25,7 @@ _COLUMNS = {  # variables of an axis and what tells them
 
 
 def faults_of_readings(
-    machine: EffectMachine, runs: Sequence[Run], readings: Readings, context: Context, asked: BoolArray, file: str
+    machine: MachineModel, runs: Sequence[Run], readings: Readings, context: Context, asked: BoolArray, file: str
 ) -> list[Fault]:
     """What the readings lack for the machine's effects in the rows that are asked for, a fault for each column.
 
@@ -55,7 +55,7 @@ def faults_of_readings(
     return found
 
 
-def faults_of_points(machine: EffectMachine, context: Context, file: str) -> list[Fault]:
+def faults_of_points(machine: MachineModel, context: Context, file: str) -> list[Fault]:
     """What points lack for the machine's effects on component errors, a fault for each column."""
     unknown = {"t": np.isnan(context.time), "T": np.isnan(context.temperature)}
     found = []
@@ -66,7 +66,7 @@ def faults_of_points(machine: EffectMachine, context: Context, file: str) -> lis
     return found
 
 
-def _needed(machine: EffectMachine) -> Iterator[tuple[str, list[tuple[EffectValues, Kind]]]]:
+def _needed(machine: MachineModel) -> Iterator[tuple[str, list[tuple[EffectValues, Kind]]]]:
     """What columns tell and the effects whose terms depend on it, of the own or the other axis."""
     terms = [(values, machine.kinds[values.effect.kind]) for values in machine.effect_values]
     for variable in _COLUMNS:

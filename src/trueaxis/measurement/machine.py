@@ -1,14 +1,11 @@
 """What measuring needs to know of a machine, and of a machine model."""
 
 from collections.abc import Mapping, Sequence
-from typing import Protocol, runtime_checkable
+from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
 
-from trueaxis.effects.kind import Kind
-from trueaxis.model.context import Context, ReadingContext
-from trueaxis.model.effect_values import EffectValues
 from trueaxis.view import View
 
 FloatArray = npt.NDArray[np.float64]
@@ -50,27 +47,4 @@ class MeasuredMachine(Protocol):
 
     def view_deviations(self, points: Sequence[tuple[View, FloatArray]], positions: FloatArray) -> list[FloatArray]:
         """Actual minus ideal coordinates of points, each in its view, (3, n) each, mm, on the exact model."""
-        ...
-
-
-@runtime_checkable
-class EffectMachine(MeasuredMachine, Protocol):
-    """A machine model with effects: what is read depends on more than positions."""
-
-    @property
-    def effect_values(self) -> tuple[EffectValues, ...]:
-        """The effects that are not zero."""
-        ...
-
-    @property
-    def kinds(self) -> Mapping[str, Kind]:
-        """Every kind of effect by its name."""
-        ...
-
-    def in_context(self, context: Context) -> MeasuredMachine:
-        """The machine at positions of that context, whose views take as many, in that order."""
-        ...
-
-    def reading_effect(self, values: EffectValues, context: ReadingContext) -> FloatArray:
-        """(n,): what an effect adds to readings of its instrument, mm; NaN where the context lacks what it needs."""
         ...

@@ -7,15 +7,16 @@ import numpy as np
 
 from trueaxis.effects.kind import Effect
 from trueaxis.effects.placement import concerns
-from trueaxis.measurement.machine import EffectMachine, FloatArray
+from trueaxis.measurement.machine import FloatArray
 from trueaxis.measurement.reading_context import run_reading_context
 from trueaxis.measurement.setup import PointOn, Run
 from trueaxis.model.context import Context
+from trueaxis.model.model import MachineModel
 
 End = Literal["target", "reference"]
 
 
-def reading_effects(machine: EffectMachine, run: Run, positions: FloatArray, context: Context) -> FloatArray:
+def reading_effects(machine: MachineModel, run: Run, positions: FloatArray, context: Context) -> FloatArray:
     """What effects add to the readings of a run as they are, (n,), mm: no zero point is subtracted.
 
     positions: (n_axes, n), mm or deg. NaN where the context lacks what an effect depends on.
@@ -33,7 +34,7 @@ def reading_effects(machine: EffectMachine, run: Run, positions: FloatArray, con
     return total
 
 
-def placed_run(machine: EffectMachine, run: Run) -> Run:
+def placed_run(machine: MachineModel, run: Run) -> Run:
     """The run with its points where effects say that they are; the run itself where none says so.
 
     A point moves in the frame of its body by x, y, z (mm): the end that the effect names, else the target of a laser

@@ -23,7 +23,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trueaxis.measurement.instrument_kinds import ANGLE
-from trueaxis.measurement.machine import EffectMachine, FloatArray, MeasuredMachine
+from trueaxis.measurement.machine import FloatArray, MeasuredMachine
 from trueaxis.measurement.reading_effects import placed_run, reading_effects
 from trueaxis.measurement.reading_geometry import (
     Term,
@@ -38,6 +38,7 @@ from trueaxis.measurement.reading_geometry import (
 )
 from trueaxis.measurement.setup import Run
 from trueaxis.model.context import Context
+from trueaxis.model.model import MachineModel
 
 __all__ = [
     "Term",
@@ -69,7 +70,7 @@ def expected_reading(
     context: of the positions, with that of home for laser and probe, as `context_of` makes it; a machine without
     effects needs none. NaN where it lacks what an effect depends on. Raises ValueError where it lacks the home.
     """
-    if context is None or not isinstance(machine, EffectMachine) or not machine.effect_values:
+    if context is None or not isinstance(machine, MachineModel) or not machine.effect_values:
         return _expected(machine, machine, run, positions)
     if not positions.shape[1]:
         return np.zeros(0)
