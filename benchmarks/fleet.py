@@ -135,13 +135,15 @@ def some_machines(folder: Path, count: int, rounds: int) -> None:
     chains = chains_of(read_fleet(fleet_file(folder, range(1, 2))), folder / "out-0-here-1")
     row, _ = do_unit(chains[0].units[0])
     print(f"{rounds} rounds in turn; median seconds of the processor (by the clock):")
-    used = {}
+    used = {key: [one.processor for one in found] for key, found in took.items()}
     for (way, size), found in took.items():
-        used[way, size] = statistics.median(one.processor for one in found)
-        print(f"  {size} machines, {way}: {used[way, size]:.1f} ({statistics.median(one.clock for one in found):.1f})")
+        clock = statistics.median(one.clock for one in found)
+        print(f"  {size} machines, {way}: {statistics.median(used[way, size]):.1f} ({clock:.1f})")
     for way in ("1", "2"):
-        further = (used["here", count] - used["here", 1]) / (used[way, count] - used[way, 1])
-        print(f"efficiency on {way}: {used['here', count] / used[way, count]:.2f}; without the start: {further:.2f}")
+        whole = statistics.median(a / b for a, b in zip(used["here", count], used[way, count], strict=True))
+        columns = (used["here", count], used["here", 1], used[way, count], used[way, 1])
+        further = statistics.median((a - b) / (c - d) for a, b, c, d in zip(*columns, strict=True))
+        print(f"efficiency on {way}, median of the ratios of each round: {whole:.2f}; without the start: {further:.2f}")
     print(f"bytes: {len(pickle.dumps(chains[0].units[0]))} to a worker, {len(pickle.dumps(row))} back, for each row")
 
 
