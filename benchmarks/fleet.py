@@ -80,9 +80,10 @@ def write_machines(folder: Path, count: int, broken: int) -> None:
     for number in range(count):
         source = np.random.default_rng(number)
         curves: dict[str, Curve] = {
-            name: PolynomialCurve((1,), (SLOPES * source.standard_normal(),)) for name in model.components
+            name: PolynomialCurve(powers=(1,), coefficients=(SLOPES * source.standard_normal(),))
+            for name in model.components
         }
-        values = ta.ErrorValues(model.name, motion_errors=curves)
+        values = ta.ErrorValues(machine=model.name, motion_errors=curves)
         truth = ta.Errors(values, ta.load_errors(write_zero(folder, model), model).covariance)
         data = ta.simulate(model, truth, plan, noise_um=0.3, seed=number, replace_all=True)
         ta.save_data(folder / "data" / f"M{number:04d}" / "2026-11-01", data)
