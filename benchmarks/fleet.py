@@ -32,7 +32,7 @@ from trueaxis.cluster.workers import Workers, client_of
 from trueaxis.fleets.fleet_file import read_fleet
 from trueaxis.fleets.plan import chains_of
 from trueaxis.jobs.fleet_unit import do_unit
-from trueaxis.model.curves import Curve, PolynomialCurve
+from trueaxis.model.curves import PolynomialCurve
 
 ROOT = Path(__file__).parents[1]
 MACHINE = ROOT / "machines" / "cframe_mill.toml"
@@ -79,10 +79,8 @@ def write_machines(folder: Path, count: int, broken: int) -> None:
     plan = ta.plan(model, instruments=["laser"], hours=HOURS, out=folder / "plan").data
     for number in range(count):
         source = np.random.default_rng(number)
-        curves: dict[str, Curve] = {
-            name: PolynomialCurve(powers=(1,), coefficients=(SLOPES * source.standard_normal(),))
-            for name in model.components
-        }
+        slopes = {str(name): SLOPES * source.standard_normal() for name in model.components}
+        curves = {name: PolynomialCurve(powers=(1,), coefficients=(slope,)) for name, slope in slopes.items()}
         values = ta.ErrorValues(machine=model.name, motion_errors=curves)
         truth = ta.Errors(values, ta.load_errors(write_zero(folder, model), model).covariance)
         data = ta.simulate(model, truth, plan, noise_um=0.3, seed=number, replace_all=True)
